@@ -1,0 +1,19 @@
+#pragma once
+/// Output files are written whole or not at all: bytes go to a temporary name in the same folder, which is
+/// renamed when complete. An existing file is replaced only then.
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace spectralpack {
+
+/// Calls write(temporary path); renames on return, deletes the temporary and rethrows on an exception.
+/// Throws ResourceError naming `path` when the folder cannot be written.
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path&)>& write);
+
+/// The same for bytes at hand.
+void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace spectralpack

@@ -1,0 +1,27 @@
+#pragma once
+/// How the library talks while it works: it never prints. All calls come from the thread that called in.
+
+#include <cstdint>
+#include <string>
+
+namespace spectralpack {
+
+enum class Phase { load, voxelize, search, check, render, write };
+
+struct Progress {
+    Phase phase = Phase::load;
+    std::int64_t done = 0;
+    std::int64_t total = 0;
+    double density = 0;  ///< of the packing so far, 0..1; only in Phase::search
+    double work = 0;     ///< share of the phase's expected work that is done, 0..1
+};
+
+class Listener {
+  public:
+    virtual ~Listener() = default;
+    virtual void on_progress(const Progress&) {}
+    /// Something the user should know that stops nothing; one line, names the file it is about.
+    virtual void on_warning(const std::string&) {}
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,48 @@
+#include "core/parallel.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace spectralpack {
+
+struct Workers::Pool {
+    explicit Pool(int threads)
+        : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)) {
+        arena.initialize();
+    }
+    tbb::task_arena arena;
+};
+
+Workers::Workers(int threads) : pool_(std::make_shared<Pool>(threads)) {}
+
+int Workers::threads() const { return pool_->arena.max_concurrency(); }
+
+void Workers::for_each(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
+    if (count <= 0) return;
+    if (threads() == 1 || count == 1) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            task(i);
+        }
+        return;
+    }
+    pool_->arena.execute([&] { tbb::parallel_for(std::int64_t{0}, count, task); });
+}
+
+void Workers::for_ranges(std::int64_t count, std::int64_t grain,
+                         const std::function<void(std::int64_t, std::int64_t)>& task) const {
+    if (count <= 0) return;
+    if (threads() == 1 || count <= grain) {
+        task(0, count);
+        return;
+    }
+    using Range = tbb::blocked_range<std::int64_t>;
+    pool_->arena.execute([&] {
+        tbb::parallel_for(Range(0, count, static_cast<std::size_t>(std::max<std::int64_t>(1, grain))),
+                          [&](const Range& range) { task(range.begin(), range.end()); });
+    });
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,31 @@
+#pragma once
+/// Parallel loops. Results must not depend on the number of threads: tasks write to places of their own.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace spectralpack {
+
+/// A pool of worker threads; copies share it. Loops may be nested.
+class Workers {
+  public:
+    /// `threads` <= 0: as many as the machine has.
+    explicit Workers(int threads = 0);
+
+    int threads() const;
+
+    /// Calls task(i) once for each i in [0, count), in any order, and returns when all are done. An exception
+    /// from a task ends the loop and is rethrown here.
+    void for_each(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
+
+    /// Splits [0, count) into ranges of at least `grain` and calls task(begin, end) for each.
+    void for_ranges(std::int64_t count, std::int64_t grain,
+                    const std::function<void(std::int64_t, std::int64_t)>& task) const;
+
+  private:
+    struct Pool;
+    std::shared_ptr<Pool> pool_;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,36 @@
+#pragma once
+/// The packing file (docs/format.md) and the other files a packing is written as. Whole or not at all.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "model/packing.hpp"
+
+namespace spectralpack {
+
+/// Meshes of a packing's parts by part index, as loaded (the file's own coordinates).
+using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
+
+/// JSON text of `packing`; mesh paths are written relative to `folder` (the packing file's).
+std::string packing_to_json(const Packing& packing, const std::filesystem::path& folder);
+void write_packing(const Packing& packing, const std::filesystem::path& path);
+
+/// Reads and validates a packing file. Mesh paths come out usable from the working directory. Throws InputError
+/// naming the key's path ("trays[0].placements[3].transform") for anything missing, of the wrong type, out of
+/// range or not finite. Unknown keys are ignored (later versions may add some); an unknown version is refused.
+Packing read_packing(const std::filesystem::path& path);
+
+/// 3MF: one object per distinct mesh and scale, one build item per copy, part numbers from names; mm; all trays
+/// side by side when there are several.
+void write_3mf(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path);
+
+/// Binary STL of all copies merged.
+void write_stl(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path);
+
+/// CSV of transforms: tray,part,name,copy,orientation,m00..m23.
+void write_transforms_csv(const Packing& packing, const std::filesystem::path& path);
+
+}  // namespace spectralpack

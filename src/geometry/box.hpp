@@ -1,0 +1,38 @@
+#pragma once
+/// Axis-aligned boxes. A default box is empty: it contains nothing and grows from its first point.
+
+#include <limits>
+
+#include "geometry/vec3.hpp"
+
+namespace spectralpack {
+
+struct Box {
+    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Vec3 min{kInfinity, kInfinity, kInfinity};
+    Vec3 max{-kInfinity, -kInfinity, -kInfinity};
+
+    bool empty() const { return min.x > max.x; }
+    Vec3 size() const { return empty() ? Vec3{} : max - min; }
+    double volume() const {
+        const Vec3 s = size();
+        return s.x * s.y * s.z;
+    }
+    void add(const Vec3& point) {
+        min = spectralpack::min(min, point);
+        max = spectralpack::max(max, point);
+    }
+    void add(const Box& other) {
+        min = spectralpack::min(min, other.min);
+        max = spectralpack::max(max, other.max);
+    }
+    bool operator==(const Box&) const = default;
+};
+
+/// Euclidean distance between two boxes, 0 where they meet.
+inline double distance(const Box& a, const Box& b) {
+    const Vec3 zero;
+    return length(max(zero, max(a.min - b.max, b.min - a.max)));
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,82 @@
+#include "geometry/mesh.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spectralpack {
+
+Box bounding_box(const Mesh& mesh) {
+    Box box;
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t vertex : triangle) {
+            box.add(mesh.vertices[vertex]);
+        }
+    }
+    return box;
+}
+
+double signed_volume(const Mesh& mesh) {
+    // Relative to a corner of the mesh, so that a part far from the origin does not lose its digits.
+    const Vec3 origin = mesh.vertices.empty() ? Vec3{} : mesh.vertices.front();
+    double six_volumes = 0;
+    for (const Triangle& t : mesh.triangles) {
+        six_volumes += dot(mesh.vertices[t[0]] - origin,
+                           cross(mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin));
+    }
+    return six_volumes / 6;
+}
+
+double surface_area(const Mesh& mesh) {
+    double area = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        area += length(cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a)) / 2;
+    }
+    return area;
+}
+
+Mesh transformed(const Mesh& mesh, const Transform& transform) {
+    Mesh result = mesh;
+    for (Vec3& vertex : result.vertices) {
+        vertex = transform * vertex;
+    }
+    if (determinant(transform.linear) < 0) {
+        for (Triangle& triangle : result.triangles) {
+            std::swap(triangle[1], triangle[2]);
+        }
+    }
+    return result;
+}
+
+bool is_closed(const Mesh& mesh) {
+    // Each edge as (smaller, larger) vertex with the direction it is walked in; sorted, directions must cancel.
+    struct Edge {
+        std::uint32_t low, high;
+        int direction;
+    };
+    std::vector<Edge> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
+    for (std::size_t begin = 0; begin < edges.size();) {
+        int sum = 0;
+        std::size_t end = begin;
+        for (; end < edges.size() && edges[end].low == edges[begin].low &&
+               edges[end].high == edges[begin].high;
+             ++end) {
+            sum += edges[end].direction;
+        }
+        if (sum != 0) return false;
+        begin = end;
+    }
+    return !edges.empty();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,81 @@
+#pragma once
+/// A packing: what the packing file holds (docs/format.md). Values without behaviour. Millimetres, seconds, bytes;
+/// the container's lower corner is the origin.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/box.hpp"
+#include "geometry/transform.hpp"
+#include "model/options.hpp"
+#include "model/part.hpp"
+
+namespace spectralpack {
+
+struct Container {
+    Vec3 size;
+};
+
+struct Placement {
+    int part = 0;         ///< index into Packing::parts
+    int copy = 0;         ///< 0 .. count - 1 of that part
+    int orientation = 0;  ///< index in the orientation set
+    bool fixed = false;
+    Transform transform;  ///< from the mesh file's own coordinates to the container's; holds unit and scale
+};
+
+/// Cross-section area per horizontal layer, mm^2, from the floor up.
+struct Layers {
+    double thickness = 0;
+    std::vector<double> area;
+};
+
+struct TrayPacking {
+    std::vector<Placement> placements;  ///< in the order they were placed
+    double density = 0;                 ///< signed volumes / container volume
+    double density_bounding_box = 0;
+    Box bounding_box;                   ///< of the placed meshes; empty without placements
+    double height = 0;                  ///< top of the bounding box
+    Layers layers;
+};
+
+enum class UnplacedReason { tray_full, too_large, interlocked, unusable, stopped };
+
+struct Unplaced {
+    int part = 0;
+    int copy = 0;
+    UnplacedReason reason = UnplacedReason::tray_full;
+    std::string detail;
+};
+
+struct PhaseSeconds {
+    double total = 0, load = 0, voxelize = 0, search = 0, refine = 0, disassemble = 0, reinsert = 0;
+};
+
+struct Metrics {
+    std::int64_t copies = 0;
+    std::int64_t placed = 0;
+    double density = 0;              ///< over all trays
+    std::optional<double> min_gap;   ///< measured, mm; none where it was not measured
+    PhaseSeconds seconds;
+    std::int64_t searches = 0;       ///< copies searched for, skipped copies not counted
+    std::int64_t verified = 0;       ///< placements answered alike by the verifying engine
+    std::int64_t peak_memory = 0;
+    std::string engine;
+    int threads = 0;
+};
+
+struct Packing {
+    std::string program;     ///< "spectralpack 0.1.0"
+    std::string input_hash;  ///< of meshes, counts and options: equal inputs, equal placements
+    Container container;
+    PackOptions options;
+    std::vector<Part> parts;
+    std::vector<TrayPacking> trays;
+    std::vector<Unplaced> unplaced;
+    Metrics metrics;
+};
+
+}  // namespace spectralpack

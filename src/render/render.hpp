@@ -1,0 +1,35 @@
+#pragma once
+/// Pictures of packings: ray-traced on the CPU, the same bytes for any number of threads.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "geometry/mesh.hpp"
+#include "model/packing.hpp"
+
+namespace spectralpack {
+
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;  ///< row by row from the top, 3 bytes a pixel
+};
+
+struct RenderOptions {
+    int width = 1600, height = 1200;
+    double azimuth = 35, elevation = 28;  ///< degrees: where the camera stands, seen from the container
+    int tray = -1;                        ///< which tray; -1: all, side by side
+    int samples = 3;                      ///< per pixel and axis, against jagged edges
+};
+
+/// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the container
+/// outlined, ambient occlusion and a soft shadow on the floor.
+Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+             const RenderOptions& options, const Workers& workers);
+
+/// Throws ResourceError when the file cannot be written.
+void write_png(const Image& image, const std::filesystem::path& path);
+
+}  // namespace spectralpack

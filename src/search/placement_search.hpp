@@ -1,0 +1,74 @@
+#pragma once
+/// The narrow waist: packing strategies, disassembly and the cluster see only this, whatever computes behind it.
+/// Every engine returns the same answers, bit for bit; they differ in speed and memory only.
+///
+/// Definition (docs/conventions.md; section 3.1 and appendix A.1 of the paper), for a shape's orientation A:
+///   zeta(q)  = sum over x of s_A(x) s_W(x + q) + sum over gap classes c, x of s_{A+g(c)}(x) s_{O(c)}(x + q)
+///              with W the walls, container mask and keep-out and O(c) the objects of class c  (equation 2)
+///   rho(q)   = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place     (equation 4)
+///   best     = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0      (equation 6)
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/parallel.hpp"
+#include "core/stop.hpp"
+#include "search/cost.hpp"
+#include "search/shape.hpp"
+#include "search/tray.hpp"
+
+namespace spectralpack {
+
+struct BestPlacement {
+    int index = 0;         ///< in Shape::orientations
+    VoxelIndex position;   ///< q: the voxel of A's lower corner
+    std::int64_t proximity = 0;  ///< rho(q)
+    Cost cost;
+    /// Costs at q - ex, q + ex, q - ey, q + ey, q - ez, q + ez, with phi = 0 outside the grid: the discrete
+    /// gradient of section 3.2. Defined whether or not the neighbour collides.
+    std::array<Cost, 6> neighbours{};
+
+    bool operator==(const BestPlacement&) const = default;
+};
+
+struct SearchResult {
+    std::optional<BestPlacement> best;  ///< none: no candidate is free (or the search was stopped)
+    bool stopped = false;               ///< ended early by the stop token: `best` is not to be used
+};
+
+/// Bit (x, y, z) tells of position origin + (x, y, z): set = free. Positions beyond the bits are free.
+struct FreePositions {
+    VoxelIndex origin;
+    BitGrid free;
+};
+
+struct FreeQuery {
+    std::optional<ObjectId> without;  ///< this object is out while asking
+    /// Extra positions on every side beyond those whose voxels can overlap the grid; at least 1, so that the
+    /// outermost positions are wholly outside it.
+    int padding = 1;
+};
+
+class PlacementSearch {
+  public:
+    virtual ~PlacementSearch() = default;
+
+    /// The best placement of `shape` in the tray. Polls `stop` at least once per orientation.
+    virtual SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                        const StopToken& stop) = 0;
+
+    /// Positions q at which the unwidened voxels A of orientation `index` meet nothing of Omega_move (what
+    /// overhangs the grid meets nothing). Per axis, with a = A's extent and n = the grid's: origin is
+    /// -(a - 1) - padding, extent n + a - 1 + 2 padding.
+    virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
+                                         const FreeQuery& query) = 0;
+
+    virtual const char* name() const = 0;
+
+    /// Bytes the engine holds now.
+    virtual std::int64_t memory() const = 0;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,120 @@
+#include "search/tray.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
+// A container that is a whole number of voxels long up to rounding has exactly that many.
+constexpr double kWholeVoxel = 1e-9;
+
+std::uint64_t next_instance() {
+    static std::atomic<std::uint64_t> counter{0};  // an identity, not a state: nothing depends on its value
+    return ++counter;
+}
+
+bool overlap(const TrayObject& a, const TrayObject& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (a.position[axis] >= b.position[axis] + b.solid->extent()[axis] ||
+            b.position[axis] >= a.position[axis] + a.solid->extent()[axis]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Tray::Tray(TraySetup setup) : setup_(std::move(setup)), instance_(next_instance()) {
+    const double dx = setup_.voxel_size;
+    if (!(dx > 0) || !std::isfinite(dx)) throw UsageError("the voxel size must be a positive length");
+    for (int axis = 0; axis < 3; ++axis) {
+        const double voxels = setup_.size[axis] / dx;
+        if (!std::isfinite(voxels) || voxels < 1 - kWholeVoxel) {
+            throw UsageError("the container, less the wall gap, is smaller than one voxel");
+        }
+        if (voxels > 1e9) throw ResourceError("the container has over a billion voxels along one axis");
+        extent_[axis] = std::max(1, static_cast<int>(std::ceil(voxels - kWholeVoxel)));
+    }
+    if (extent_.count() > kMaxVoxels) throw ResourceError("the tray has more than 2^40 voxels");
+    if (!setup_.blocked.extent().empty() && !(setup_.blocked.extent() == extent_)) {
+        throw InternalError("the container mask does not have the grid's extent");
+    }
+    reference_layers_ = setup_.reference_layers > 0 ? setup_.reference_layers : extent_.z;
+    occupied_.assign(setup_.gap_classes.size(), BitGrid(extent_));
+}
+
+Extent Tray::candidates(const Vec3& size) const {
+    Extent count;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double room = setup_.size[axis] + kContainTolerance - size[axis];
+        if (!(room >= 0)) return {};
+        count[axis] = static_cast<int>(std::floor(room / setup_.voxel_size)) + 1;
+        // The tolerance must not push voxels over the edge of the grid.
+        const int voxels = voxels_along(size[axis], setup_.voxel_size);
+        count[axis] = std::min(count[axis], extent_[axis] - voxels + 1);
+        if (count[axis] <= 0) return {};
+    }
+    return count;
+}
+
+BitGrid Tray::omega_place() const {
+    BitGrid all = omega_move();
+    if (!blocked().extent().empty()) unite(all, blocked(), {});
+    return all;
+}
+
+BitGrid Tray::omega_move(std::optional<ObjectId> without) const {
+    BitGrid all(extent_);
+    for (const BitGrid& occupied : occupied_) {
+        unite(all, occupied, {});
+    }
+    if (without) {
+        const TrayObject& out = object(*without);
+        subtract(all, *out.solid, out.position);
+        for (const Entry& entry : objects_) {
+            if (entry.present && &entry.object != &out && overlap(entry.object, out)) {
+                unite(all, *entry.object.solid, entry.object.position);
+            }
+        }
+    }
+    if (setup_.blocked_is_physical && !blocked().extent().empty()) unite(all, blocked(), {});
+    return all;
+}
+
+ObjectId Tray::add(TrayObject object) {
+    const ObjectId id = object_count();
+    unite(occupied_[static_cast<std::size_t>(object.gap_class)], *object.solid, object.position);
+    objects_.push_back({std::move(object), true});
+    journal_.push_back({version() + 1, id, true});
+    return id;
+}
+
+void Tray::remove(ObjectId id) {
+    Entry& gone = objects_.at(static_cast<std::size_t>(id));
+    if (!gone.present) throw InternalError("an object was removed from the tray twice");
+    gone.present = false;
+    BitGrid& occupied = occupied_[static_cast<std::size_t>(gone.object.gap_class)];
+    subtract(occupied, *gone.object.solid, gone.object.position);
+    for (const Entry& entry : objects_) {
+        if (entry.present && entry.object.gap_class == gone.object.gap_class &&
+            overlap(entry.object, gone.object)) {
+            unite(occupied, *entry.object.solid, entry.object.position);
+        }
+    }
+    journal_.push_back({version() + 1, id, false});
+}
+
+const TrayObject* Tray::find(ObjectId id) const {
+    if (id < 0 || id >= object_count()) return nullptr;
+    const Entry& entry = objects_[static_cast<std::size_t>(id)];
+    return entry.present ? &entry.object : nullptr;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,53 @@
+#pragma once
+/// The independent judge of packings: from meshes and transforms alone. It shares no code with what it judges:
+/// distances are decided by FCL, insides by its own winding count in double precision.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/listener.hpp"
+#include "core/parallel.hpp"
+#include "core/stop.hpp"
+#include "geometry/mesh.hpp"
+#include "model/packing.hpp"
+
+namespace spectralpack {
+
+inline constexpr double kCheckTolerance = 1e-3;  ///< mm; also as penetration: touching at gap 0 is allowed
+
+enum class FindingKind {
+    outside,    ///< a copy sticks out of the container less the wall gap
+    overlap,    ///< two copies' materials share space deeper than the tolerance
+    nested,     ///< a copy lies wholly inside another's material
+    gap,        ///< two copies are nearer than their gap
+    transform,  ///< a transform is not rotation x scale + translation (mirrored, sheared, wrong scale)
+    density,    ///< a stated figure differs from the measured one
+    count,      ///< a copy is placed twice, missing, or beyond its part's count
+};
+
+struct Finding {
+    FindingKind kind = FindingKind::overlap;
+    int tray = 0;
+    std::vector<int> placements;  ///< indices into the tray's placements: the copies it is about
+    double amount = 0;            ///< mm of penetration, of missing gap or sticking out; difference of density
+    std::string message;          ///< for people: names the copies as "name #copy"
+};
+
+struct CheckReport {
+    std::vector<Finding> findings;   ///< in tray order, then by placement
+    std::optional<double> min_gap;   ///< least distance between two copies of one tray, mm; none with < 2 copies
+    std::vector<double> density;     ///< measured, per tray
+    std::int64_t pairs_tested = 0;   ///< pairs whose meshes were compared
+    bool stopped = false;            ///< ended early: the report is incomplete
+    bool ok() const { return findings.empty() && !stopped; }
+};
+
+/// `meshes`: by part, in the mesh file's own coordinates. Nested means inside *material*: a copy in another's
+/// closed hollow or in a cavity is fine; a copy in solid matter is not, even if no triangles meet.
+CheckReport check_packing(const Packing& packing,
+                          const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                          const Workers& workers, Listener& listener, const StopToken& stop);
+
+}  // namespace spectralpack
