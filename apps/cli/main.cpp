@@ -1,1 +1,72 @@
-int main() { return 0; }
+/// The command line: parses, runs one subcommand, and turns errors into messages and exit statuses.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "text.hpp"
+
+namespace {
+
+using namespace spectralpack;
+using namespace spectralpack::cli;
+
+constexpr std::array kNotBuilt{"plan", "inspect", "prepare", "generate", "bench", "serve", "view"};
+
+int status_of(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::usage: return kUsage;
+        case ErrorKind::input: return kUnusableInput;
+        case ErrorKind::resource: return kOutOfResources;
+        case ErrorKind::internal: return kCheckFailed;
+    }
+    return kCheckFailed;
+}
+
+int complain(const std::string& message, int status) {
+    fmt::print(stderr, "spectralpack: {}\n", message);
+    return status;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Packs 3D parts densely into a build volume, without collisions.", "spectralpack"};
+    app.set_version_flag("--version", "spectralpack " SPECTRALPACK_VERSION);
+    app.require_subcommand(1);
+    app.footer("Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
+               "'spectralpack COMMAND --help' explains a command.");
+    const std::array commands{add_pack_command(app), add_check_command(app), add_render_command(app)};
+
+    if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
+        return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        return complain(fmt::format("{}\nRun with --help for what there is.", error.what()), kUsage);
+    }
+    for (const Command& command : commands) {
+        if (command.app->parsed()) return command.run();
+    }
+    return kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const Error& error) {
+        return complain(error.what(), status_of(error.kind()));
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", kOutOfResources);
+    } catch (const std::exception& error) {
+        return complain(fmt::format("internal error: {}", error.what()), kCheckFailed);
+    }
+}

@@ -1,0 +1,18 @@
+#pragma once
+/// The subcommands. Each adds itself to the application and returns what runs it when it was chosen.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace spectralpack::cli {
+
+struct Command {
+    CLI::App* app;
+    std::function<int()> run;  ///< returns the exit status
+};
+
+Command add_pack_command(CLI::App& app);
+Command add_check_command(CLI::App& app);
+Command add_render_command(CLI::App& app);
+
+}  // namespace spectralpack::cli

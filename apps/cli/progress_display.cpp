@@ -1,0 +1,85 @@
+#include "progress_display.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "text.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenFrames{100};
+constexpr int kBarWidth = 28;
+
+const char* phase_name(Phase phase) {
+    switch (phase) {
+        case Phase::load: return "load";
+        case Phase::voxelize: return "voxelize";
+        case Phase::search: return "search";
+        case Phase::check: return "check";
+        case Phase::render: return "render";
+        case Phase::write: return "write";
+    }
+    return "";
+}
+
+}  // namespace
+
+ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(style) {
+    if (style == ProgressStyle::automatic) {
+        style_ = isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::none;
+    }
+}
+
+void ProgressDisplay::on_progress(const Progress& progress) {
+    if (style_ == ProgressStyle::none) return;
+    const auto now = Clock::now();
+    if (progress.phase != phase_) {
+        phase_ = progress.phase;
+        phase_start_ = now;
+        last_ = {};
+    }
+    const bool last = progress.done == progress.total;
+    if (!last && now - last_ < kBetweenFrames) return;
+    last_ = now;
+    const double elapsed = std::chrono::duration<double>(now - phase_start_).count();
+    // Of work spread as it was so far; -1 while there is too little to tell.
+    const double left = progress.work > 0.01 && elapsed > 0.5
+                            ? elapsed * (1 - progress.work) / progress.work
+                            : last ? 0 : -1;
+    if (style_ == ProgressStyle::json) {
+        fmt::print(stderr, R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}}})"
+                           "\n",
+                   phase_name(progress.phase), progress.done, progress.total, progress.density, elapsed,
+                   left < 0 ? "null" : fmt::format("{:.3f}", left));
+    } else {
+        draw(progress, left);
+    }
+}
+
+void ProgressDisplay::draw(const Progress& progress, double left) {
+    const int filled = static_cast<int>(progress.work * kBarWidth);
+    std::string bar(static_cast<std::size_t>(filled), '#');
+    bar.resize(kBarWidth, '.');
+    std::string line = fmt::format("\r\033[K{:<8} [{}] {}/{}", phase_name(progress.phase), bar,
+                                   progress.done, progress.total);
+    if (progress.phase == Phase::search) line += fmt::format("  density {}", percent_text(progress.density));
+    if (left > 0) line += fmt::format("  about {} left", duration_text(left));
+    fmt::print(stderr, "{}", line);
+    std::fflush(stderr);
+    drawn_ = true;
+}
+
+void ProgressDisplay::on_warning(const std::string& message) {
+    finish();
+    fmt::print(stderr, "spectralpack: warning: {}\n", message);
+}
+
+void ProgressDisplay::finish() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+    drawn_ = false;
+}
+
+}  // namespace spectralpack::cli

@@ -1,0 +1,37 @@
+#pragma once
+/// Progress and warnings on standard error: a bar for people, lines of JSON for programs, or nothing.
+
+#include <chrono>
+#include <string>
+
+#include <spectralpack/spectralpack.hpp>
+
+namespace spectralpack::cli {
+
+enum class ProgressStyle { automatic, bar, json, none };
+
+/// automatic: a bar where standard error is a terminal, else nothing.
+class ProgressDisplay : public Listener {
+  public:
+    explicit ProgressDisplay(ProgressStyle style);
+    ~ProgressDisplay() override { finish(); }
+
+    void on_progress(const Progress& progress) override;
+    void on_warning(const std::string& message) override;
+
+    /// Ends the bar's line, so that other output starts on a fresh one.
+    void finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void draw(const Progress& progress, double left);
+
+    ProgressStyle style_;
+    Phase phase_ = Phase::load;
+    Clock::time_point phase_start_ = Clock::now();
+    Clock::time_point last_ = {};
+    bool drawn_ = false;
+};
+
+}  // namespace spectralpack::cli

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "text.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+struct RenderArguments {
+    std::string packing;
+    std::string output;
+    std::string size = "1600x1200";
+    RenderOptions options;
+    int threads = 0;
+};
+
+constexpr int kMaxSide = 16384;
+
+void parse_picture_size(const std::string& text, RenderOptions& options) {
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, options.width);
+    const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, options.height) : width;
+    if (!separated || height.ec != std::errc{} || height.ptr != end || options.width < 16 ||
+        options.height < 16 || options.width > kMaxSide || options.height > kMaxSide) {
+        throw UsageError(fmt::format("--size takes pixels like 1600x1200 (16 to {}), not '{}'", kMaxSide, text));
+    }
+}
+
+int run_render(RenderArguments arguments) {
+    parse_picture_size(arguments.size, arguments.options);
+    const Scene scene = load_scene(arguments.packing);
+    write_picture(scene, arguments.output, arguments.options, arguments.threads);
+    fmt::print("wrote {}\n", arguments.output);
+    return kDone;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& app) {
+    auto* sub = app.add_subcommand("render", "Draw a picture of a packing");
+    auto arguments = std::make_shared<RenderArguments>();
+    sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
+    sub->add_option("-o,--output", arguments->output, "picture to write (.png)")->required();
+    sub->add_option("--size", arguments->size, "pixels [1600x1200]");
+    sub->add_option("--azimuth", arguments->options.azimuth, "degrees the camera stands round the container [35]");
+    sub->add_option("--elevation", arguments->options.elevation, "degrees the camera stands above it [28]");
+    sub->add_option("--tray", arguments->options.tray, "only this tray, counted from 0 [all]");
+    sub->add_option("--threads", arguments->threads, "threads, 0 for all");
+    return {sub, [arguments] { return run_render(*arguments); }};
+}
+
+}  // namespace spectralpack::cli

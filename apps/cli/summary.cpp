@@ -1,0 +1,103 @@
+#include "summary.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "text.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+constexpr std::size_t kMostListed = 8;
+
+std::string size_text(const Vec3& size) {
+    return fmt::format("{} x {} x {} mm", length_text(size.x), length_text(size.y), length_text(size.z));
+}
+
+const char* reason_text(UnplacedReason reason) {
+    switch (reason) {
+        case UnplacedReason::tray_full: return "no free place left";
+        case UnplacedReason::too_large: return "too large";
+        case UnplacedReason::interlocked: return "interlocked";
+        case UnplacedReason::unusable: return "unusable";
+        case UnplacedReason::stopped: return "not tried";
+    }
+    return "";
+}
+
+void print_left_over(const Packing& packing) {
+    if (packing.unplaced.empty()) return;
+    // Copies of one part for one reason in one entry, in the order in which they were given up.
+    struct Entry {
+        int part;
+        UnplacedReason reason;
+        int copies;
+    };
+    std::vector<Entry> entries;
+    std::map<std::pair<int, UnplacedReason>, std::size_t> index;
+    for (const Unplaced& copy : packing.unplaced) {
+        const auto [at, fresh] = index.emplace(std::pair(copy.part, copy.reason), entries.size());
+        if (fresh) entries.push_back({copy.part, copy.reason, 0});
+        ++entries[at->second].copies;
+    }
+    fmt::print("  left over  {} of {} copies\n", packing.unplaced.size(), packing.metrics.copies);
+    for (std::size_t i = 0; i < entries.size() && i < kMostListed; ++i) {
+        const Entry& entry = entries[i];
+        fmt::print("    {} x {}: {}\n", entry.copies,
+                   packing.parts[static_cast<std::size_t>(entry.part)].name, reason_text(entry.reason));
+    }
+    if (entries.size() > kMostListed) {
+        fmt::print("    and {} more parts; the packing file lists them all\n", entries.size() - kMostListed);
+    }
+}
+
+}  // namespace
+
+void print_summary(const PackResult& result, const std::vector<std::string>& written) {
+    const Packing& packing = result.packing;
+    const Metrics& metrics = packing.metrics;
+    const TrayPacking& tray = packing.trays.front();
+    const PhaseSeconds& seconds = metrics.seconds;
+    if (result.stopped == StopReason::cancelled) fmt::print("Interrupted: this is the packing so far.\n");
+    if (result.stopped == StopReason::time_limit) fmt::print("Time limit: this is the packing so far.\n");
+    fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, size_text(packing.container.size));
+    fmt::print("  density    {} of the container, {} of the packing's own box\n", percent_text(tray.density),
+               percent_text(tray.density_bounding_box));
+    fmt::print("  height     {} mm\n", length_text(tray.height));
+    fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
+               length_text(packing.options.wall_gap));
+    fmt::print("  time       {} (loading {}, voxels {}, search {}; {} searches, {} on {} thread{})\n",
+               duration_text(seconds.total), duration_text(seconds.load), duration_text(seconds.voxelize),
+               duration_text(seconds.search), metrics.searches, metrics.engine, metrics.threads,
+               metrics.threads == 1 ? "" : "s");
+    fmt::print("  memory     {} at peak\n", bytes_text(metrics.peak_memory));
+    if (packing.options.verify_with) {
+        fmt::print("  verified   {} placements answered alike by a second engine\n", metrics.verified);
+    }
+    print_left_over(packing);
+    fmt::print("  INTERLOCKING IS NOT CHECKED: some parts may not come apart after printing.\n");
+    if (written.empty()) fmt::print("  Nothing was written: name files with -o.\n");
+    for (const std::string& file : written) {
+        fmt::print("  wrote      {}\n", file);
+    }
+}
+
+void print_estimate(const Estimate& estimate, const PackOptions& options) {
+    fmt::print("{} copies of {} parts into {}\n", estimate.copies, estimate.parts, size_text(options.tray));
+    fmt::print("  grid       {} x {} x {} voxels of {} mm\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
+               length_text(options.voxel));
+    fmt::print("  searches   at most {}, each over {} orientation{}\n", estimate.searches, estimate.orientations,
+               estimate.orientations == 1 ? "" : "s");
+    fmt::print("  memory     about {}, of {} {}\n", bytes_text(estimate.memory), bytes_text(estimate.memory_limit),
+               options.memory > 0 ? "allowed" : "free");
+    fmt::print("  material   {} of the container; boxes {}\n", percent_text(estimate.volume_ratio),
+               percent_text(estimate.box_ratio));
+    fmt::print("  height     penalty p = {:g}\n", estimate.height_penalty);
+    for (const std::string& part : estimate.too_large) {
+        fmt::print("  too large  {}\n", part);
+    }
+    fmt::print("Nothing was packed or written (--dry-run).\n");
+}
+
+}  // namespace spectralpack::cli

@@ -1,0 +1,14 @@
+#pragma once
+/// What a run says at its end, on standard output.
+
+#include <string>
+#include <vector>
+
+#include <spectralpack/spectralpack.hpp>
+
+namespace spectralpack::cli {
+
+void print_summary(const PackResult& result, const std::vector<std::string>& written);
+void print_estimate(const Estimate& estimate, const PackOptions& options);
+
+}  // namespace spectralpack::cli

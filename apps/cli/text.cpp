@@ -1,0 +1,65 @@
+#include "text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace spectralpack::cli {
+
+Vec3 parse_size(const std::string& text, const char* option) {
+    Vec3 size;
+    const char* at = text.data();
+    const char* end = at + text.size();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto parsed = std::from_chars(at, end, size[axis]);
+        const bool separated = axis == 2 ? parsed.ptr == end
+                                         : parsed.ptr != end && (*parsed.ptr == 'x' || *parsed.ptr == 'X');
+        if (parsed.ec != std::errc{} || !separated || !(size[axis] > 0) || !std::isfinite(size[axis])) {
+            throw UsageError(fmt::format("{} takes three lengths in mm like 480x245x200, not '{}'", option, text));
+        }
+        at = parsed.ptr + 1;
+    }
+    return size;
+}
+
+std::int64_t parse_bytes(const std::string& text, const char* option) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    std::string unit(parsed.ptr, end);
+    if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.pop_back();
+    double factor = 1;
+    if (!unit.empty()) {
+        const bool binary = unit.size() == 2 && unit[1] == 'i';
+        const auto power = std::string("KMGT").find(static_cast<char>(std::toupper(unit[0])));
+        if (power == std::string::npos || unit.size() > (binary ? 2u : 1u)) factor = 0;
+        else factor = std::pow(binary ? 1024.0 : 1000.0, static_cast<double>(power + 1));
+    }
+    const double bytes = value * factor;
+    if (parsed.ec != std::errc{} || !(bytes >= 1) || bytes > 9e18) {
+        throw UsageError(fmt::format("{} takes a number of bytes like 500M or 2G, not '{}'", option, text));
+    }
+    return static_cast<std::int64_t>(bytes);
+}
+
+std::string duration_text(double seconds) {
+    if (seconds < 10) return fmt::format("{:.2f} s", seconds);
+    if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+    const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string bytes_text(std::int64_t bytes) {
+    const auto value = static_cast<double>(bytes);
+    if (value < 1e6) return fmt::format("{:.0f} kB", std::ceil(value / 1e3));
+    if (value < 1e9) return fmt::format("{:.0f} MB", value / 1e6);
+    return fmt::format("{:.1f} GB", value / 1e9);
+}
+
+std::string percent_text(double share) { return fmt::format("{:.1f} %", 100 * share); }
+
+std::string length_text(double mm) { return fmt::format("{:g}", std::round(mm * 1000) / 1000); }
+
+}  // namespace spectralpack::cli

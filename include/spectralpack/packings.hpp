@@ -1,0 +1,45 @@
+#pragma once
+/// Packings on disk: reading, judging, drawing and writing them.
+
+#include <filesystem>
+#include <string>
+
+#include "core/listener.hpp"
+#include "core/stop.hpp"
+#include "model/packing.hpp"
+#include "render/render.hpp"
+#include "spectralpack/pack.hpp"
+#include "verify/check.hpp"
+
+namespace spectralpack {
+
+/// A packing with the meshes it places.
+struct Scene {
+    Packing packing;
+    PartMeshes meshes;  ///< by part; null for parts without placements
+};
+
+/// Reads a packing file and the meshes it names. Throws InputError naming what is missing or wrong.
+Scene load_scene(const std::filesystem::path& packing_file);
+
+/// Judges a packing from its meshes alone. `threads` <= 0: all the machine has.
+CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop);
+
+/// The report as JSON text.
+std::string check_report_json(const Scene& scene, const CheckReport& report);
+
+/// The packing file's text, with mesh paths as they are.
+std::string packing_json(const Scene& scene);
+
+/// Endings that write_output() knows, for messages: ".json .3mf .stl .csv .png".
+bool is_output_file(const std::filesystem::path& path);
+const char* output_endings();
+
+/// Writes the packing as its ending says: .json .3mf .stl .csv .png. Whole or not at all.
+void write_output(const Scene& scene, const std::filesystem::path& path, int threads);
+
+/// A picture with the given options.
+void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,
+                   int threads);
+
+}  // namespace spectralpack

@@ -1,0 +1,12 @@
+#pragma once
+/// spectralpack: dense, collision-free packing of generic 3D objects. The whole public face.
+///
+///     spectralpack::Job job;
+///     job.parts = spectralpack::expand_inputs({"parts/", "bracket.stl:12"}, "").parts;
+///     spectralpack::Listener quiet;
+///     const auto result = spectralpack::pack(job, quiet, {});
+///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
+
+#include "spectralpack/inputs.hpp"
+#include "spectralpack/pack.hpp"
+#include "spectralpack/packings.hpp"

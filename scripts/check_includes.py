@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Checks the direction of every #include: a room may include what lies below it, and itself.
+
+The public headers (include/spectralpack) and src/api are two sides of one room: the face and what stands behind
+it. Also checks that each third-party library is seen in one room only. Prints each offence; exit status 1 if any.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+BASE = ["core"]
+ALLOWED = {
+    "core": [],
+    "geometry": BASE,
+    "model": BASE + ["geometry"],
+    "formats": BASE + ["geometry", "model"],
+    "voxel": BASE + ["geometry"],
+    "render": BASE + ["geometry", "model"],
+    "verify": BASE + ["geometry", "model"],  # judges the rest, so it shares nothing with it
+    "search": BASE + ["geometry", "voxel"],
+    "search/reference": BASE + ["geometry", "voxel", "search"],
+    "search/cpu": BASE + ["geometry", "voxel", "search"],
+    "search/cuda": BASE + ["geometry", "voxel", "search"],
+    "packing": BASE + ["geometry", "model", "voxel", "search"],
+    "api": BASE + ["geometry", "model", "formats", "voxel", "render", "verify", "search",
+                   "search/reference", "search/cpu", "search/cuda", "packing", "spectralpack"],
+    "spectralpack": BASE + ["geometry", "model", "voxel", "render", "verify"],
+    "cli": ["spectralpack"],
+}
+
+LIBRARIES = {  # pattern of the header -> the rooms that may see it
+    r"tbb/": ["core"],
+    r"fftw3": ["search/reference"],
+    r"hwy/": ["search/cpu"],
+    r"cuda|cufft": ["search/cuda"],
+    r"embree|png\.h": ["render"],
+    r"fcl/": ["verify"],
+    r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
+    r"xxhash": ["api"],
+    r"CLI/": ["cli"],
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+
+
+def room_of(path):
+    parts = path.relative_to(ROOT).parts
+    if parts[0] == "include":
+        return "spectralpack"
+    if parts[0] == "apps":
+        return parts[1]
+    if parts[1] == "search" and parts[2] in ("reference", "cpu", "cuda"):
+        return f"search/{parts[2]}"
+    return parts[1]
+
+
+def target_of(header, here):
+    """The room a quoted or <spectralpack/...> header belongs to; None for the room's own neighbours."""
+    for base in (ROOT / "src", ROOT / "include"):
+        if (base / header).exists():
+            return room_of(base / header)
+    return None if (here.parent / header).exists() else "?"
+
+
+def main():
+    offences = []
+    files = [p for top in ("src", "include", "apps") for p in sorted((ROOT / top).rglob("*"))
+             if p.suffix in (".hpp", ".cpp", ".cu", ".h", ".cuh")]
+    for path in files:
+        room = room_of(path)
+        for style, header in INCLUDE.findall(path.read_text()):
+            where = f"{path.relative_to(ROOT)}: #include {header}"
+            for pattern, rooms in LIBRARIES.items():
+                if style == "<" and re.match(pattern, header) and room not in rooms:
+                    offences.append(f"{where}: this library is seen only in {', '.join(rooms)}")
+            if style == "<" and not header.startswith("spectralpack/"):
+                continue
+            target = target_of(header, path)
+            if target == "?":
+                offences.append(f"{where}: no such file")
+            elif target not in (None, room) and target not in ALLOWED[room]:
+                offences.append(f"{where}: {room} must not include {target}")
+    print("\n".join(offences) if offences else f"includes of {len(files)} files point the right way")
+    return 1 if offences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,34 @@
+#pragma once
+/// The one place that knows which engines there are.
+
+#include <cstdint>
+#include <memory>
+
+#include "core/parallel.hpp"
+#include "model/options.hpp"
+#include "search/placement_search.hpp"
+
+namespace spectralpack {
+
+/// What `kind` stands for in this build: automatic is the fast engine of this machine. Throws UsageError for an
+/// engine that this build does not have.
+EngineKind resolve_engine(EngineKind kind);
+
+/// An engine of a resolved kind. `cache_bytes`: what it may keep to answer copies of a part faster.
+std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes,
+                                             const Workers& workers);
+
+/// What decides an engine's memory.
+struct EngineNeed {
+    Extent tray;
+    int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
+    int gap_classes = 1;
+};
+
+/// Bytes an engine of a resolved kind needs without any cache, about.
+std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers);
+
+/// The word for it on the command line and in files.
+const char* engine_name(EngineKind kind);
+
+}  // namespace spectralpack

@@ -1,0 +1,179 @@
+#include "api/load.hpp"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "formats/mesh_reader.hpp"
+
+namespace spectralpack {
+namespace {
+
+struct FileContent {
+    std::vector<LoadedMesh> meshes;
+    std::vector<std::shared_ptr<const Mesh>> shared;  // the meshes, moved out
+    std::optional<InputError> error;
+};
+
+std::string count_of(std::size_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// Several remarks on one file in one line.
+std::string joined(const std::vector<std::string>& remarks) {
+    std::string line;
+    for (const std::string& remark : remarks) {
+        line += (line.empty() ? "" : "; ") + remark;
+    }
+    return line;
+}
+
+class Hash {
+  public:
+    Hash() : state_(XXH3_createState()) { XXH3_128bits_reset(state_); }
+    ~Hash() { XXH3_freeState(state_); }
+    Hash(const Hash&) = delete;
+    Hash& operator=(const Hash&) = delete;
+
+    template <class T>
+    void add(const T& value) {
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+        XXH3_128bits_update(state_, &value, sizeof value);
+    }
+    void add(const std::string& text) {
+        add(text.size());
+        XXH3_128bits_update(state_, text.data(), text.size());
+    }
+    void add(const Mesh& mesh) {
+        add(mesh.vertices.size());
+        XXH3_128bits_update(state_, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vec3));
+        add(mesh.triangles.size());
+        XXH3_128bits_update(state_, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+    }
+    std::string hex() const {
+        const XXH128_hash_t hash = XXH3_128bits_digest(state_);
+        char text[33];
+        std::snprintf(text, sizeof text, "%016llx%016llx",
+                      static_cast<unsigned long long>(hash.high64),
+                      static_cast<unsigned long long>(hash.low64));
+        return text;
+    }
+
+  private:
+    XXH3_state_t* state_;
+};
+
+}  // namespace
+
+LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener) {
+    std::map<std::string, std::size_t> index;
+    std::vector<std::string> files;
+    for (const PartSource& source : job.parts) {
+        if (index.emplace(source.mesh, files.size()).second) files.push_back(source.mesh);
+    }
+    std::vector<FileContent> contents(files.size());
+    constexpr std::size_t kBatch = 16;  // so that progress comes from this thread
+    for (std::size_t begin = 0; begin < files.size(); begin += kBatch) {
+        const std::size_t size = std::min(kBatch, files.size() - begin);
+        workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
+            FileContent& content = contents[begin + static_cast<std::size_t>(i)];
+            try {
+                content.meshes = read_meshes(files[begin + static_cast<std::size_t>(i)]);
+                for (LoadedMesh& loaded : content.meshes) {
+                    content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
+                }
+            } catch (const InputError& error) {
+                content.error = error;
+            }
+        });
+        listener.on_progress({Phase::load, static_cast<std::int64_t>(begin + size),
+                              static_cast<std::int64_t>(files.size()), 0,
+                              static_cast<double>(begin + size) / static_cast<double>(files.size())});
+    }
+
+    LoadedJob result;
+    for (std::size_t f = 0; f < files.size(); ++f) {
+        if (contents[f].error) result.unusable.push_back(*contents[f].error);
+        for (const LoadedMesh& loaded : contents[f].meshes) {
+            const std::string name =
+                loaded.object ? files[f] + " (" + loaded.name + ")" : files[f];
+            if (!loaded.repairs.empty()) {
+                listener.on_warning(name + ": mended: " + joined(loaded.repairs));
+            }
+            if (!loaded.warnings.empty()) listener.on_warning(name + ": " + joined(loaded.warnings));
+        }
+    }
+    const auto add = [&](Part part, std::shared_ptr<const Mesh> mesh, double box_volume,
+                         std::string problem) {
+        part.id = static_cast<int>(result.parts.size());
+        result.parts.push_back(std::move(part));
+        result.meshes.push_back(std::move(mesh));
+        result.box_volume.push_back(box_volume);
+        result.problem.push_back(std::move(problem));
+    };
+    for (const PartSource& source : job.parts) {
+        const FileContent& content = contents[index.at(source.mesh)];
+        Part part;
+        part.mesh = source.mesh;
+        part.count = source.count;
+        part.scale = source.scale;
+        part.unit = job.unit;
+        part.gap = job.options.gap;
+        if (content.error) {
+            part.name = std::filesystem::path(source.mesh).stem().string();
+            const std::string& place = content.error->place();
+            add(part, nullptr, 0, place.empty() ? content.error->cause()
+                                                : place + ": " + content.error->cause());
+            continue;
+        }
+        for (std::size_t i = 0; i < content.meshes.size(); ++i) {
+            const LoadedMesh& loaded = content.meshes[i];
+            part.name = loaded.name;
+            part.object = loaded.object;
+            part.item_transform = loaded.item_transform;
+            part.count = source.count * loaded.instances;
+            part.unit = loaded.unit.value_or(job.unit);
+            part.repairs = loaded.repairs;
+            const double mm = part.to_mm();
+            part.volume = signed_volume(*content.shared[i]) * mm * mm * mm;
+            add(part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
+        }
+    }
+    if (result.unusable.size() == files.size() && !files.empty()) {
+        const InputError& first = result.unusable.front();
+        if (files.size() == 1) throw InputError(first);
+        throw InputError(first.file(), first.place(),
+                         first.cause() + " (and " + count_of(files.size() - 1, "other file") +
+                             ": nothing that was named can be used)");
+    }
+    return result;
+}
+
+std::string input_hash(const LoadedJob& loaded, const PackOptions& options) {
+    Hash hash;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        const Part& part = loaded.parts[i];
+        if (!loaded.meshes[i]) continue;
+        hash.add(*loaded.meshes[i]);
+        hash.add(part.count);
+        hash.add(part.to_mm());
+        hash.add(part.gap);
+    }
+    for (const double value : {options.tray.x, options.tray.y, options.tray.z, options.voxel,
+                               options.wall_gap, options.height_penalty.value_or(-1)}) {
+        hash.add(value);
+    }
+    hash.add(options.rotations);
+    hash.add(options.refine);
+    hash.add(options.interlock);
+    hash.add(options.height_at);
+    hash.add(options.order);
+    hash.add(options.order == Order::random ? options.seed : 0);
+    return hash.hex();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,250 @@
+#include "spectralpack/pack.hpp"
+
+#include <chrono>
+#include <map>
+#include <new>
+#include <tuple>
+#include <utility>
+
+#include "api/engine_factory.hpp"
+#include "api/load.hpp"
+#include "api/machine.hpp"
+#include "api/plan.hpp"
+#include "packing/greedy.hpp"
+#include "packing/measure.hpp"
+#include "search/verifying_search.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Parts that are the same mesh at the same size with the same gap share an id, and so the engines' caches.
+std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded) {
+    std::map<std::tuple<const Mesh*, double, double>, std::uint64_t> ids;
+    std::vector<std::uint64_t> by_part;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        const auto key = std::tuple(loaded.meshes[i].get(), loaded.parts[i].to_mm(), loaded.parts[i].gap);
+        by_part.push_back(ids.emplace(key, ids.size() + 1).first->second);
+    }
+    return by_part;
+}
+
+/// One run of pack(): the loaded job, its plan, and the packing as it grows.
+class Run {
+  public:
+    Run(const Job& job, Listener& listener, const StopToken& stop)
+        : job_(job), listener_(listener), stop_(stop), workers_(job.options.threads) {}
+
+    PackResult run() {
+        const auto start = Clock::now();
+        check_options(job_.options);
+        loaded_ = load_parts(job_, workers_, listener_);
+        plan_ = make_plan(loaded_, job_.options, workers_);
+        require_memory(plan_, loaded_, job_.options, workers_);
+        for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
+            if (!plan_.too_large[i].empty()) {
+                listener_.on_warning(loaded_.parts[i].name + " " + plan_.too_large[i]);
+            }
+        }
+        PackResult result;
+        seconds_.load = seconds_since(start);
+
+        GreedyResult greedy;
+        try {
+            search(greedy);
+        } catch (const std::bad_alloc&) {
+            result.failure = ResourceError("out of memory while searching; what was placed is kept");
+        } catch (const Error& error) {
+            result.failure = error;
+        }
+        result.stopped = stop_.reason();
+        result.packing = packing_of(greedy, result);
+        result.packing.metrics.seconds.total = seconds_since(start);
+        result.meshes = std::move(loaded_.meshes);
+        result.unusable = std::move(loaded_.unusable);
+        return result;
+    }
+
+  private:
+    void search(GreedyResult& greedy) {
+        const PackOptions& options = job_.options;
+        TraySetup setup;
+        const double wall = 2 * options.wall_gap;
+        setup.size = options.tray - Vec3{wall, wall, wall};
+        setup.voxel_size = options.voxel;
+        setup.gap_classes = plan_.gap_classes;
+        Tray tray(setup);
+
+        std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
+        VerifyingSearch* verifying = nullptr;
+        if (options.verify_with) {
+            auto both = std::make_unique<VerifyingSearch>(
+                std::move(engine),
+                make_engine(resolve_engine(options.verify_with->engine), 0, workers_),
+                VerifyingOptions{options.verify_with->sample, static_cast<std::int64_t>(plan_.items.size()),
+                             options.seed});
+            verifying = both.get();
+            engine = std::move(both);
+        }
+        const std::vector<std::uint64_t> ids = shape_ids(loaded_);
+        ShapeStore shapes(
+            plan_.items,
+            [&](int part) {
+                const auto i = static_cast<std::size_t>(part);
+                const double mm = loaded_.parts[i].to_mm();
+                const Mesh mesh = transformed(*loaded_.meshes[i], {mm * Mat3{}, {}});
+                return std::make_shared<const Shape>(
+                    make_shape(ids[i], mesh, plan_.orientations, options.voxel, loaded_.parts[i].gap,
+                               plan_.gap_classes, workers_));
+            },
+            workers_, [&](double seconds) { seconds_.voxelize += seconds; });
+
+        const auto start = Clock::now();
+        const double container = options.tray.x * options.tray.y * options.tray.z;
+        double volume = 0;
+        std::size_t placed = 0;
+        const auto total = static_cast<std::int64_t>(plan_.items.size());
+        listener_.on_progress({Phase::search, 0, total, 0, 0});
+        const CostModel model{plan_.height_penalty, options.height_at == HeightReference::top
+                                                        ? HeightAt::top
+                                                        : HeightAt::bottom};
+        const auto finish = [&] {
+            seconds_.search = seconds_since(start) - seconds_.voxelize;
+            if (verifying) verified_ = verifying->verified();
+        };
+        try {
+            pack_greedily(
+                tray, *engine, model, plan_.items, shapes,
+                [&](std::size_t done) {
+                    for (; placed < greedy.placed.size(); ++placed) {
+                        volume += loaded_.parts[static_cast<std::size_t>(greedy.placed[placed].item.part)]
+                                      .volume;
+                    }
+                    listener_.on_progress({Phase::search, static_cast<std::int64_t>(done), total,
+                                           volume / container,
+                                           static_cast<double>(done) / static_cast<double>(total)});
+                },
+                stop_, greedy);
+        } catch (...) {
+            finish();
+            throw;
+        }
+        finish();
+    }
+
+    /// The transform from the mesh file's own coordinates to where the copy stands.
+    Transform transform_of(const PlacedItem& placed) const {
+        const double mm = loaded_.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
+        const double dx = job_.options.voxel, wall = job_.options.wall_gap;
+        const Vec3 corner{wall + placed.position.x * dx, wall + placed.position.y * dx,
+                          wall + placed.position.z * dx};
+        return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)],
+                corner - placed.turned_min};
+    }
+
+    Packing packing_of(const GreedyResult& greedy, const PackResult& result) {
+        Packing packing;
+        packing.program = "spectralpack " SPECTRALPACK_VERSION;
+        packing.input_hash = input_hash(loaded_, job_.options);
+        packing.container.size = job_.options.tray;
+        packing.options = job_.options;
+        packing.options.height_penalty = plan_.height_penalty;
+        packing.options.engine = plan_.engine;
+        packing.parts = loaded_.parts;
+
+        TrayPacking tray;
+        for (const PlacedItem& placed : greedy.placed) {
+            tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
+                                       transform_of(placed)});
+        }
+        measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
+        packing.trays.push_back(std::move(tray));
+
+        for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
+            const bool unusable = !loaded_.meshes[i];
+            if (!unusable && plan_.too_large[i].empty()) continue;
+            for (int copy = 0; copy < loaded_.parts[i].count; ++copy) {
+                packing.unplaced.push_back(
+                    {static_cast<int>(i), copy,
+                     unusable ? UnplacedReason::unusable : UnplacedReason::too_large,
+                     unusable ? loaded_.problem[i] : plan_.too_large[i]});
+            }
+        }
+        for (const PackItem& item : greedy.left_over) {
+            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, ""});
+        }
+        for (const PackItem& item : greedy_untried(greedy, result)) {
+            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
+        }
+
+        Metrics& metrics = packing.metrics;
+        for (const Part& part : packing.parts) {
+            metrics.copies += part.count;
+        }
+        metrics.placed = static_cast<std::int64_t>(greedy.placed.size());
+        metrics.density = packing.trays.front().density;
+        metrics.seconds = seconds_;
+        metrics.searches = greedy.searches;
+        metrics.verified = verified_;
+        metrics.peak_memory = peak_memory();
+        metrics.engine = engine_name(plan_.engine);
+        metrics.threads = workers_.threads();
+        return packing;
+    }
+
+    /// What was not tried: the stop token came first, or the run failed on the way.
+    std::vector<PackItem> greedy_untried(const GreedyResult& greedy, const PackResult& result) const {
+        if (!result.failure) return greedy.untried;
+        const auto done = static_cast<std::ptrdiff_t>(greedy.placed.size() + greedy.left_over.size());
+        return {plan_.items.begin() + done, plan_.items.end()};
+    }
+
+    const Job& job_;
+    Listener& listener_;
+    StopToken stop_;
+    Workers workers_;
+    LoadedJob loaded_;
+    Plan plan_;
+    PhaseSeconds seconds_;
+    std::int64_t verified_ = 0;
+};
+
+}  // namespace
+
+PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
+    return Run(job, listener, stop).run();
+}
+
+Estimate estimate(const Job& job, Listener& listener) {
+    check_options(job.options);
+    const Workers workers(job.options.threads);
+    const LoadedJob loaded = load_parts(job, workers, listener);
+    const Plan plan = make_plan(loaded, job.options, workers);
+    Estimate estimate;
+    estimate.grid = plan.grid;
+    estimate.orientations = static_cast<int>(plan.orientations.size());
+    estimate.parts = static_cast<int>(loaded.parts.size());
+    for (const Part& part : loaded.parts) {
+        estimate.copies += part.count;
+    }
+    estimate.searches = static_cast<std::int64_t>(plan.items.size());
+    estimate.memory = plan.memory;
+    estimate.memory_limit = plan.memory_limit;
+    estimate.box_ratio = plan.box_ratio;
+    estimate.volume_ratio = plan.volume_ratio;
+    estimate.height_penalty = plan.height_penalty;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        if (!plan.too_large[i].empty()) {
+            estimate.too_large.push_back(loaded.parts[i].name + " " + plan.too_large[i]);
+        }
+    }
+    estimate.unusable = loaded.unusable;
+    return estimate;
+}
+
+}  // namespace spectralpack

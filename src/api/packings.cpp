@@ -1,0 +1,89 @@
+#include "spectralpack/packings.hpp"
+
+#include <map>
+
+#include "core/error.hpp"
+#include "formats/mesh_reader.hpp"
+#include "formats/packing_file.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// The object of a mesh file that a part names.
+LoadedMesh* find_object(std::vector<LoadedMesh>& meshes, const Part& part) {
+    for (LoadedMesh& loaded : meshes) {
+        if (loaded.object == part.object && loaded.item_transform == part.item_transform) return &loaded;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& packing_file) {
+    Scene scene{read_packing(packing_file), {}};
+    scene.meshes.resize(scene.packing.parts.size());
+    std::vector<bool> placed(scene.packing.parts.size(), false);
+    for (const TrayPacking& tray : scene.packing.trays) {
+        for (const Placement& placement : tray.placements) {
+            placed[static_cast<std::size_t>(placement.part)] = true;
+        }
+    }
+    struct File {
+        std::vector<LoadedMesh> loaded;
+        std::map<const LoadedMesh*, std::shared_ptr<const Mesh>> shared;
+    };
+    std::map<std::string, File> files;
+    for (std::size_t i = 0; i < scene.packing.parts.size(); ++i) {
+        if (!placed[i]) continue;
+        const Part& part = scene.packing.parts[i];
+        const auto [file, fresh] = files.try_emplace(part.mesh);
+        if (fresh) file->second.loaded = read_meshes(part.mesh);
+        LoadedMesh* object = find_object(file->second.loaded, part);
+        if (!object) {
+            throw InputError(part.mesh, "object " + part.object.value_or("?"),
+                             "the packing " + packing_file.string() + " places it, but the file does not "
+                             "hold it in this form");
+        }
+        auto& mesh = file->second.shared[object];
+        if (!mesh) mesh = std::make_shared<const Mesh>(std::move(object->mesh));
+        scene.meshes[i] = mesh;
+    }
+    return scene;
+}
+
+CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop) {
+    return check_packing(scene.packing, scene.meshes, Workers(threads), listener, stop);
+}
+
+const char* output_endings() { return ".json .3mf .stl .csv .png"; }
+
+bool is_output_file(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return ending == ".json" || ending == ".3mf" || ending == ".stl" || ending == ".csv" ||
+           ending == ".png";
+}
+
+void write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
+    const std::string ending = path.extension().string();
+    if (ending == ".json") {
+        write_packing(scene.packing, path);
+    } else if (ending == ".3mf") {
+        write_3mf(scene.packing, scene.meshes, path);
+    } else if (ending == ".stl") {
+        write_stl(scene.packing, scene.meshes, path);
+    } else if (ending == ".csv") {
+        write_transforms_csv(scene.packing, path);
+    } else if (ending == ".png") {
+        write_picture(scene, path, {}, threads);
+    } else {
+        throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " +
+                         output_endings());
+    }
+}
+
+void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,
+                   int threads) {
+    write_png(render(scene.packing, scene.meshes, options, Workers(threads)), path);
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,37 @@
+#pragma once
+/// What a run will do and take, settled before it starts.
+
+#include <vector>
+
+#include "api/load.hpp"
+#include "packing/order.hpp"
+
+namespace spectralpack {
+
+/// A job's decisions that follow from its options and parts.
+struct Plan {
+    std::vector<Mat3> orientations;
+    std::vector<double> gap_classes;   ///< distinct gaps of usable parts, ascending
+    double height_penalty = 0;         ///< p
+    std::vector<PackItem> items;       ///< in the order to try, without what cannot fit
+    std::vector<std::string> too_large;  ///< by part: why it fits in no orientation; empty where it fits
+    EngineKind engine = EngineKind::cpu; ///< resolved
+    Extent grid;
+    std::int64_t memory = 0;           ///< bytes the run needs without caches, meshes included
+    std::int64_t memory_limit = 0;
+    std::int64_t cache = 0;            ///< bytes left for caches
+    double box_ratio = 0, volume_ratio = 0;
+};
+
+/// Throws UsageError for options that make no sense or are not built.
+void check_options(const PackOptions& options);
+
+/// Throws as check_options and orientation_set do.
+Plan make_plan(const LoadedJob& loaded, const PackOptions& options, const Workers& workers);
+
+/// Throws ResourceError, with the bytes needed and the finest voxel size that would fit, when plan.memory is
+/// beyond plan.memory_limit.
+void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
+                    const Workers& workers);
+
+}  // namespace spectralpack

@@ -1,0 +1,44 @@
+#include "packing/greedy.hpp"
+
+#include <unordered_set>
+
+namespace spectralpack {
+
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
+                   const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
+                   const StopToken& stop, GreedyResult& result) {
+    std::unordered_set<int> hopeless;  // parts that found no place
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const PackItem& item = items[i];
+        if (hopeless.contains(item.part)) {
+            result.left_over.push_back(item);
+        } else {
+            if (stop.stopped()) {
+                result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
+                return;
+            }
+            const Shape& shape = shapes.at(i);
+            const SearchResult found = search.best_placement(tray, shape, model, stop);
+            if (found.stopped) {
+                result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
+                return;
+            }
+            ++result.searches;
+            if (found.best) {
+                const OrientedShape& oriented =
+                    shape.orientations[static_cast<std::size_t>(found.best->index)];
+                const ObjectId object =
+                    tray.add({oriented.solid, found.best->position, shape.gap_class, false});
+                result.placed.push_back({item, oriented.orientation, found.best->position, oriented.min,
+                                         object, found.best->cost});
+            } else {
+                hopeless.insert(item.part);
+                result.left_over.push_back(item);
+            }
+        }
+        shapes.release(i);
+        item_done(i + 1);
+    }
+}
+
+}  // namespace spectralpack

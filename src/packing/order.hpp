@@ -1,0 +1,36 @@
+#pragma once
+/// In which order copies are tried (section 3.3).
+
+#include <cstdint>
+#include <vector>
+
+#include "model/options.hpp"
+
+namespace spectralpack {
+
+/// One copy to place.
+struct PackItem {
+    int part = 0;  ///< index into Packing::parts
+    int copy = 0;
+
+    bool operator==(const PackItem&) const = default;
+};
+
+/// What ordering needs to know of a part.
+struct PartSize {
+    int part = 0;
+    int count = 0;
+    double box_volume = 0;  ///< of the scaled mesh's box in file orientation, mm^3
+};
+
+/// Every copy of every part, in the order to try them. `parts` in input order.
+///  size:   box volume, largest first; ties by input position, then copy (paper's first-fit decreasing)
+///  input:  as given
+///  random: a permutation of the input order that only `seed` decides
+std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
+
+/// Appendix A.2: 4 where the boxes of all copies come to more than 1.2 times the container (it will be full),
+/// else 1e8 (keep it low).
+double automatic_height_penalty(const std::vector<PartSize>& parts, double container_volume);
+
+}  // namespace spectralpack

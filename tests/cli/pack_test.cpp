@@ -1,0 +1,210 @@
+#include <algorithm>
+
+#include "cli/program.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string kSamples = (samples() / "samples.csv").string();
+
+/// A tray small and coarse enough for the reference engine.
+const std::vector<std::string> kSmall{"--tray", "110x85x70", "--voxel", "4"};
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+/// What must not depend on threads, engine or machine.
+json placements(const fs::path& packing) {
+    json list = json::array();
+    for (const json& placement : read_json(packing)["trays"][0]["placements"]) {
+        list.push_back({placement["part"], placement["copy"], placement["orientation"], placement["transform"]});
+    }
+    return list;
+}
+
+TEST(Pack, WritesEveryKindOfFileAndCheckAgrees) {
+    const TemporaryFolder folder;
+    std::vector<std::string> call{"pack", kSamples, "--tray", "160x120x100", "--gap", "1"};
+    for (const char* name : {"b.json", "b.3mf", "b.stl", "b.csv", "b.png"}) {
+        call = call + std::vector<std::string>{"-o", (folder / name).string()};
+    }
+    const Ran ran = spectralpack(call);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "INTERLOCKING IS NOT CHECKED"));
+    for (const char* name : {"b.json", "b.3mf", "b.stl", "b.csv", "b.png"}) {
+        EXPECT_TRUE(fs::exists(folder / name)) << name;
+        EXPECT_GT(fs::file_size(folder / name), 1000u) << name;
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 5)
+        << "temporary files were left behind";
+    const json packing = read_json(folder / "b.json");
+    EXPECT_GT(packing["metrics"]["placed"], 20);
+    EXPECT_EQ(packing["metrics"]["placed"].get<std::size_t>() + packing["unplaced"].size(),
+              packing["metrics"]["copies"].get<std::size_t>());
+    const Ran checked = spectralpack({"check", (folder / "b.json").string()});
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_TRUE(contains(checked.out, "interlocking: not checked"));
+}
+
+TEST(Pack, PlacementsDoNotDependOnThreadsMemoryOrEngine) {
+    const TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> ways{{"--threads", "1"},
+                                                     {"--threads", "3"},
+                                                     {"--memory", "60M"},
+#ifdef SPECTRALPACK_HAS_REFERENCE
+                                                     {"--engine", "reference"}
+#endif
+    };
+    json first;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const fs::path file = folder / (std::to_string(i) + ".json");
+        const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "-o", file.string()} + kSmall + ways[i]);
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        if (i == 0) {
+            first = placements(file);
+            EXPECT_GT(first.size(), 3u);
+        }
+        EXPECT_EQ(placements(file), first) << ways[i][0] << ' ' << ways[i][1];
+    }
+}
+
+TEST(Pack, SeedDecidesTheRandomOrder) {
+    const TemporaryFolder folder;
+    const auto pack = [&](const char* name, const char* seed) {
+        const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--order", "random", "--seed", seed,
+                                                              "-o", (folder / name).string()} +
+                                     kSmall);
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        return placements(folder / name);
+    };
+    const json one = pack("1.json", "1");
+    EXPECT_EQ(one, pack("1b.json", "1"));
+    EXPECT_NE(one, pack("2.json", "2"));
+}
+
+#ifdef SPECTRALPACK_HAS_REFERENCE
+TEST(Pack, VerifyWithReferenceFindsNoDifference) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--verify-with", "reference", "-o",
+                                                          (folder / "b.json").string()} +
+                                 kSmall);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const json metrics = read_json(folder / "b.json")["metrics"];
+    EXPECT_EQ(metrics["verified"], metrics["searches"]);
+}
+#endif
+
+TEST(Pack, UnusableInputIsNamedAndTheRestIsPacked) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "broken.stl") << "not a mesh";
+    const std::string json_file = (folder / "b.json").string();
+    const std::vector<std::string> call = std::vector<std::string>{
+        "pack", kSamples, (folder / "broken.stl").string(), (folder / "missing.stl").string(), "-o", json_file} + kSmall;
+    const Ran ran = spectralpack(call);
+    EXPECT_EQ(ran.status, 3) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "broken.stl")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "missing.stl: no such file")) << ran.err;
+    const json packing = read_json(json_file);
+    EXPECT_GT(packing["metrics"]["placed"], 0);
+    EXPECT_TRUE(std::any_of(packing["unplaced"].begin(), packing["unplaced"].end(),
+                            [](const json& entry) { return entry["reason"] == "unusable"; }));
+    EXPECT_EQ(spectralpack(call + std::vector<std::string>{"--skip-unusable"}).status, 0);
+    EXPECT_EQ(spectralpack({"check", json_file}).status, 0);
+}
+
+TEST(Pack, NothingUsableExitsWithThree) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "broken.stl") << "not a mesh";
+    const Ran ran = spectralpack({"pack", (folder / "broken.stl").string(), "-o", (folder / "b.json").string()});
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_FALSE(fs::exists(folder / "b.json"));
+}
+
+TEST(Pack, LeftOverCopiesFailOnlyWhereAllAreRequired) {
+    const std::vector<std::string> call = std::vector<std::string>{"pack", kSamples} + kSmall;
+    const Ran ran = spectralpack(call);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "left over")) << ran.out;
+    EXPECT_EQ(spectralpack(call + std::vector<std::string>{"--require-all"}).status, 5);
+}
+
+TEST(Pack, APartTooLargeForTheTrayIsNamedAndListed) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack({"pack", kSamples, "--tray", "60x40x30", "-o", (folder / "b.json").string()});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "in none of the 24 orientations")) << ran.err;
+    const json unplaced = read_json(folder / "b.json")["unplaced"];
+    EXPECT_TRUE(std::any_of(unplaced.begin(), unplaced.end(),
+                            [](const json& entry) { return entry["reason"] == "too_large"; }));
+}
+
+TEST(Pack, TooLittleMemoryIsRefusedWithTheVoxelSizeThatFits) {
+    const Ran ran = spectralpack({"pack", kSamples, "--voxel", "0.25", "--memory", "100M"});
+    EXPECT_EQ(ran.status, 4) << ran.err;
+    const auto at = ran.err.find("--voxel ", ran.err.find("allowed"));
+    ASSERT_NE(at, std::string::npos) << ran.err;
+    const std::string voxel = ran.err.substr(at + 8, ran.err.find(' ', at + 8) - at - 8);
+    EXPECT_EQ(spectralpack({"pack", kSamples, "--voxel", voxel, "--memory", "100M", "--dry-run"}).status, 0);
+    EXPECT_GT(std::stod(voxel), 0.25);
+}
+
+TEST(Pack, DryRunTellsAndWritesNothing) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack({"pack", kSamples, "--dry-run", "-o", (folder / "b.json").string()});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "240 x 123 x 100 voxels")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "searches"));
+    EXPECT_TRUE(contains(ran.out, "memory"));
+    EXPECT_FALSE(fs::exists(folder / "b.json"));
+}
+
+/// A job that runs for many seconds.
+std::vector<std::string> long_job(const fs::path& output) {
+    return {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
+            "--progress", "json", "-o", output.string()};
+}
+
+TEST(Pack, CtrlCWritesTheBestSoFarAndExitsWith130) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack(long_job(folder / "b.json"), "\"phase\": \"search\", \"done\": 3");
+    EXPECT_EQ(ran.status, 130) << ran.err;
+    const json packing = read_json(folder / "b.json");
+    EXPECT_GE(packing["metrics"]["placed"], 1);
+    EXPECT_EQ(packing["unplaced"].back()["reason"], "stopped");
+    EXPECT_EQ(spectralpack({"check", (folder / "b.json").string()}).status, 0);
+}
+
+TEST(Pack, ATimeLimitEndsWithStatusZero) {
+    const TemporaryFolder folder;
+    std::vector<std::string> call = long_job(folder / "b.json");
+    call.insert(call.end(), {"--time-limit", "1.5"});
+    const Ran ran = spectralpack(call);
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "Time limit"));
+    EXPECT_EQ(read_json(folder / "b.json")["unplaced"].back()["reason"], "stopped");
+}
+
+TEST(Pack, AFailingOutputDoesNotKeepTheOthersFromBeingWritten) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "taken.json");  // a folder cannot be replaced by a file
+    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "-o", (folder / "taken.json").string(),
+                                                          "-o", (folder / "b.csv").string()} +
+                                 kSmall);
+    EXPECT_EQ(ran.status, 4) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "taken.json")) << ran.err;
+    EXPECT_TRUE(fs::exists(folder / "b.csv"));
+}
+
+TEST(Pack, JsonOnStandardOutputIsThePacking) {
+    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--json"} + kSmall);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(json::parse(ran.out)["format"], "spectralpack/packing");
+}
+
+}  // namespace
+}  // namespace spectralpack::test

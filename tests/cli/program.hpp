@@ -1,0 +1,26 @@
+#pragma once
+/// End-to-end runs of the built program.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/data.hpp"
+#include "support/process.hpp"
+
+namespace spectralpack::test {
+
+inline Ran spectralpack(std::vector<std::string> arguments, const std::string& interrupt_when = "") {
+    arguments.insert(arguments.begin(), SPECTRALPACK_PROGRAM);
+    return run(arguments, interrupt_when);
+}
+
+inline nlohmann::json read_json(const std::filesystem::path& path) {
+    return nlohmann::json::parse(read_text(path));
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace spectralpack::test

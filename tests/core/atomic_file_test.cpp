@@ -1,0 +1,56 @@
+#include "core/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "support/process.hpp"
+
+namespace spectralpack {
+namespace {
+
+std::ptrdiff_t files_in(const std::filesystem::path& folder) {
+    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+}
+
+TEST(ReplaceFile, ReplacesAnExistingFileWhole) {
+    const test::TemporaryFolder folder;
+    replace_file(folder / "a.txt", "old and long");
+    replace_file(folder / "a.txt", "new");
+    EXPECT_EQ(test::read_text(folder / "a.txt"), "new");
+    EXPECT_EQ(files_in(folder.path()), 1);
+}
+
+TEST(ReplaceFile, AFailureKeepsTheOldFileAndLeavesNothingBehind) {
+    const test::TemporaryFolder folder;
+    replace_file(folder / "a.txt", "old");
+    EXPECT_THROW(replace_file(folder / "a.txt",
+                              [](const std::filesystem::path& temporary) {
+                                  std::ofstream(temporary) << "half";
+                                  throw ResourceError("the disk is full");
+                              }),
+                 ResourceError);
+    EXPECT_EQ(test::read_text(folder / "a.txt"), "old");
+    EXPECT_EQ(files_in(folder.path()), 1);
+}
+
+TEST(ReplaceFile, KeepsTheEndingForWritersThatChooseByIt) {
+    const test::TemporaryFolder folder;
+    replace_file(folder / "a.3mf", [](const std::filesystem::path& temporary) {
+        EXPECT_EQ(temporary.extension(), ".3mf");
+        std::ofstream(temporary) << "x";
+    });
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.3mf"));
+}
+
+TEST(ReplaceFile, AMissingFolderIsNamed) {
+    const test::TemporaryFolder folder;
+    try {
+        replace_file(folder / "no/a.txt", "x");
+        FAIL();
+    } catch (const ResourceError& error) {
+        EXPECT_NE(std::string(error.what()).find((folder / "no").string()), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace spectralpack

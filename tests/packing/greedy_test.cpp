@@ -1,0 +1,99 @@
+#include "packing/greedy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace spectralpack {
+namespace {
+
+std::shared_ptr<const Shape> box_shape(std::uint64_t id, int side) {
+    auto solid = std::make_shared<BitGrid>(Extent{side, side, side});
+    solid->fill(true);
+    OrientedShape oriented;
+    const double mm = side;
+    oriented.size = {mm, mm, mm};
+    oriented.solid = solid;
+    oriented.widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}})};
+    auto shape = std::make_shared<Shape>();
+    shape->id = id;
+    shape->orientations = {oriented};
+    return shape;
+}
+
+/// Takes the first free candidate in (z, y, x) order, and counts how often it is asked.
+class FirstFit : public PlacementSearch {
+  public:
+    SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel&,
+                                const StopToken& stop) override {
+        ++asked;
+        if (stop.stopped()) return {{}, true};
+        if (asked == fail_at) throw std::runtime_error("engine failed");
+        const OrientedShape& oriented = shape.orientations.front();
+        const Extent count = tray.candidates(oriented.size);
+        for (int z = 0; z < count.z; ++z)
+            for (int y = 0; y < count.y; ++y)
+                for (int x = 0; x < count.x; ++x)
+                    if (!intersects(tray.occupied(0), *oriented.solid, {x, y, z})) {
+                        BestPlacement best;
+                        best.position = {x, y, z};
+                        return {best, false};
+                    }
+        return {};
+    }
+    FreePositions free_positions(const Tray&, const Shape&, int, const FreeQuery&) override { return {}; }
+    const char* name() const override { return "first fit"; }
+    std::int64_t memory() const override { return 0; }
+
+    int asked = 0;
+    int fail_at = -1;
+};
+
+class Greedy : public testing::Test {
+  protected:
+    Greedy() : tray_(TraySetup{{4, 4, 2}, 1, {0}, Ceiling::closed, 0, {}, false}) {}
+
+    void pack(const std::vector<PackItem>& items) {
+        ShapeStore shapes(
+            items,
+            [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
+            Workers(2), [](double) {});
+        pack_greedily(tray_, search_, {}, items, shapes, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+    }
+
+    Tray tray_;
+    FirstFit search_;
+    StopSource stop_;
+    GreedyResult result_;
+    int done_ = 0;
+};
+
+TEST_F(Greedy, PlacesInOrderAndSkipsCopiesOfAPartThatFoundNoPlace) {
+    // Four cubes of 2 fill the 4 x 4 x 2 tray; a cube of 3 never fits.
+    pack({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});
+    ASSERT_EQ(result_.placed.size(), 4u);
+    EXPECT_EQ(result_.placed[1].item, (PackItem{0, 1}));
+    EXPECT_EQ(result_.placed[1].position, (VoxelIndex{2, 0, 0}));
+    const std::vector<PackItem> left{{1, 0}, {1, 1}, {0, 4}, {0, 5}};
+    EXPECT_EQ(result_.left_over, left);
+    EXPECT_EQ(result_.searches, 6);  // (1, 1) and (0, 5) are not searched for
+    EXPECT_EQ(search_.asked, 6);
+    EXPECT_EQ(done_, 8);
+    EXPECT_EQ(tray_.occupied(0).count(), 32);
+}
+
+TEST_F(Greedy, AStopLeavesTheRestUntried) {
+    stop_.request(StopReason::cancelled);
+    pack({{0, 0}, {0, 1}});
+    EXPECT_TRUE(result_.placed.empty());
+    EXPECT_EQ(result_.untried.size(), 2u);
+}
+
+TEST_F(Greedy, WhatWasPlacedSurvivesAnException) {
+    search_.fail_at = 3;
+    EXPECT_THROW(pack({{0, 0}, {0, 1}, {0, 2}, {0, 3}}), std::runtime_error);
+    EXPECT_EQ(result_.placed.size(), 2u);
+}
+
+}  // namespace
+}  // namespace spectralpack
