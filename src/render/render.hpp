@@ -19,7 +19,8 @@ struct Image {
 
 struct RenderOptions {
     int width = 1600, height = 1200;
-    double azimuth = 35, elevation = 28;  ///< degrees: where the camera stands, seen from the container
+    double azimuth = 35;    ///< degrees: where the camera stands round the container; 0 looks along +y, 90 along -x
+    double elevation = 28;  ///< degrees above it, in [-90, 90]; from below there is no floor
     int tray = -1;                        ///< which tray; -1: all, side by side
     int samples = 3;                      ///< per pixel and axis, against jagged edges
 };

@@ -1,0 +1,197 @@
+#include "render/stage.hpp"
+
+#include <map>
+#include <string>
+
+#include "core/error.hpp"
+#include "render/palette.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr double kAside = 0.15;   // space between two trays of a row, of their width
+constexpr double kBehind = 0.55;  // space between two rows, of the trays' height and depth
+
+std::array<Vec3, 8> corners(const Box& box) {
+    std::array<Vec3, 8> result;
+    for (std::size_t i = 0; i < 8; ++i) {
+        result[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                     i & 4 ? box.max.z : box.min.z};
+    }
+    return result;
+}
+
+bool contains(const Box& outer, const Box& inner) {
+    return min(outer.min, inner.min) == outer.min && max(outer.max, inner.max) == outer.max;
+}
+
+Box moved(const Box& box, const Transform& t) {
+    Box result;
+    for (const Vec3& corner : corners(box)) {
+        result.add(t * corner);
+    }
+    return result;
+}
+
+/// Finite and not flat.
+bool drawable(const Transform& t) {
+    const double volume = determinant(t.linear);
+    return std::isfinite(volume) && volume != 0 && std::isfinite(length(t.translation));
+}
+
+class StageBuilder {
+  public:
+    StageBuilder(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                 const RenderOptions& options)
+        : packing_(packing), meshes_(meshes), options_(options) {}
+
+    Stage build() {
+        choose_trays();
+        measure();
+        set_out();
+        normalize();
+        stage_.camera = fit_camera(stage_corners(), options_.azimuth, options_.elevation,
+                                   options_.width, options_.height);
+        return std::move(stage_);
+    }
+
+  private:
+    void choose_trays() {
+        const auto count = static_cast<int>(packing_.trays.size());
+        if (options_.tray < -1 || options_.tray >= count) {
+            // A packing without trays is still a container to show.
+            if (options_.tray != 0 || count != 0) {
+                throw UsageError("there is no tray " + std::to_string(options_.tray) +
+                                 ": the packing has " + std::to_string(count) + ", counted from 0");
+            }
+        }
+        if (count == 0) {
+            trays_.push_back(nullptr);
+            return;
+        }
+        for (int i = 0; i < count; ++i) {
+            if (options_.tray == -1 || options_.tray == i) {
+                trays_.push_back(&packing_.trays[static_cast<std::size_t>(i)]);
+            }
+        }
+    }
+
+    const std::shared_ptr<const Mesh>& mesh_of(const Placement& placement) const {
+        const auto part = static_cast<std::size_t>(placement.part);
+        if (part >= meshes_.size() || !meshes_[part]) {
+            throw UsageError("the packing places part " + std::to_string(placement.part) +
+                             ", of which there is no mesh");
+        }
+        return meshes_[part];
+    }
+
+    /// Box of a tray with all that is in it, in container coordinates. Exact only where a copy's turned box leaves
+    /// the container, which saves going through all vertices of all copies.
+    void measure() {
+        const Box container{{0, 0, 0}, packing_.container.size};
+        shown_ = container;
+        std::map<const Mesh*, Box> boxes;
+        for (const TrayPacking* tray : trays_) {
+            if (!tray) continue;
+            for (const Placement& placement : tray->placements) {
+                const Mesh& mesh = *mesh_of(placement);
+                const auto [box, fresh] = boxes.try_emplace(&mesh);
+                if (fresh) box->second = bounding_box(mesh);
+                const Transform& pose = placement.transform;
+                if (!drawable(pose) || contains(shown_, moved(box->second, pose))) continue;
+                for (const Triangle& triangle : mesh.triangles) {
+                    for (const std::uint32_t vertex : triangle) {
+                        shown_.add(pose * mesh.vertices[vertex]);
+                    }
+                }
+            }
+        }
+        const double size = length(shown_.size());
+        if (!(size > 0) || !std::isfinite(size)) {
+            throw UsageError("the container has no size that could be drawn");
+        }
+    }
+
+    void set_out() {
+        const auto count = static_cast<int>(trays_.size());
+        double nearest = 0;
+        int best = 0;
+        for (int columns = count; columns >= 1; --columns) {
+            columns_ = columns;
+            const std::vector<Vec3> points = stage_corners();
+            const Camera camera = fit_camera(points, options_.azimuth, options_.elevation,
+                                             options_.width, options_.height);
+            const double distance = length(camera.eye - points.front());
+            if (best == 0 || distance < nearest) {
+                best = columns;
+                nearest = distance;
+            }
+        }
+        columns_ = best;
+    }
+
+    Vec3 tray_origin(std::size_t tray) const {
+        const auto columns = static_cast<std::size_t>(columns_);
+        const Vec3 size = shown_.size();
+        return {static_cast<double>(tray % columns) * (1 + kAside) * size.x,
+                static_cast<double>(tray / columns) * (size.y + kBehind * (size.y + size.z)), 0};
+    }
+
+    /// Corners of all trays' boxes: in millimetres, or in stage units once those are chosen.
+    std::vector<Vec3> stage_corners() const {
+        std::vector<Vec3> result;
+        for (std::size_t i = 0; i < trays_.size(); ++i) {
+            for (const Vec3& corner : corners(shown_)) {
+                result.push_back(to_stage_ * (corner + tray_origin(i)));
+            }
+        }
+        return result;
+    }
+
+    void normalize() {
+        Box all;
+        for (const Vec3& corner : stage_corners()) {
+            all.add(corner);
+        }
+        const double scale = 2 / length(all.size());
+        to_stage_.linear = scale * Mat3{};
+        to_stage_.translation = -(0.5 * scale) * (all.min + all.max);
+        stage_.floor = to_stage_.translation.z + scale * shown_.min.z;
+
+        std::map<const Mesh*, int> known;
+        const auto parts = static_cast<int>(packing_.parts.size());
+        for (std::size_t i = 0; i < trays_.size(); ++i) {
+            Transform place = to_stage_;
+            place.translation = to_stage_ * tray_origin(i);
+            stage_.containers.push_back({place * Vec3{}, place * packing_.container.size});
+            if (!trays_[i]) continue;
+            for (const Placement& placement : trays_[i]->placements) {
+                if (!drawable(placement.transform)) continue;
+                const auto& mesh = mesh_of(placement);
+                const auto [index, fresh] =
+                    known.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
+                if (fresh) stage_.meshes.push_back(mesh);
+                stage_.copies.push_back({index->second, place * placement.transform,
+                                         copy_colour(placement.part, placement.copy, parts)});
+            }
+        }
+    }
+
+    const Packing& packing_;
+    const std::vector<std::shared_ptr<const Mesh>>& meshes_;
+    const RenderOptions& options_;
+    std::vector<const TrayPacking*> trays_;  ///< null: a packing without trays
+    Box shown_;
+    int columns_ = 1;
+    Transform to_stage_;
+    Stage stage_;
+};
+
+}  // namespace
+
+Stage set_stage(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                const RenderOptions& options) {
+    return StageBuilder(packing, meshes, options).build();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,151 @@
+#include "render/tile_painter.hpp"
+
+#include <algorithm>
+
+#include "render/palette.hpp"
+#include "render/tile_samples.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr int kRim = Shading::kPattern / 2;  // half the window that exposures are averaged over
+constexpr int kSide = kTileSide + 2 * kRim;
+constexpr double kCrease = 0.7;              // largest cosine between normals on two sides of a drawn crease
+constexpr double kStep = 0.02;               // stage units in depth that make an edge within one copy
+constexpr double kEdgeInk = 0.62, kCreaseInk = 0.2;
+constexpr double kFarFloor = 4;              // stage units from the centre: no shadow reaches there
+
+class TilePainter {
+  public:
+    TilePainter(const PaintInput& input, int left, int top)
+        : in_(input), n_(input.samples), left_(left - kRim), top_(top - kRim),
+          seen_(input.stage, input.rays, left_, top_, kSide, n_),
+          edges_(input.outline.near(left_, top_, left_ + kSide, top_ + kSide)) {}
+
+    void paint(Image& image) {
+        for (int y = 0; y < kSide; ++y) {
+            for (int x = 0; x < kSide; ++x) {
+                expose_pixel(x, y);
+            }
+        }
+        const int right = kRim + std::min(kTileSide, image.width - left_ - kRim);
+        const int bottom = kRim + std::min(kTileSide, image.height - top_ - kRim);
+        for (int y = kRim; y < bottom; ++y) {
+            for (int x = kRim; x < right; ++x) {
+                colour_pixel(x, y);
+                const Vec3 colour = resolve_pixel(x, y);
+                std::uint8_t* out = &image.rgb[3 * (static_cast<std::size_t>(top_ + y) *
+                                                        static_cast<std::size_t>(image.width) +
+                                                    static_cast<std::size_t>(left_ + x))];
+                out[0] = to_srgb(colour.x);
+                out[1] = to_srgb(colour.y);
+                out[2] = to_srgb(colour.z);
+            }
+        }
+    }
+
+  private:
+    void expose_pixel(int x, int y) {
+        for (Fragment& f : seen_.fragments(x, y)) {
+            if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor)) continue;
+            f.exposure = in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
+        }
+    }
+
+    /// Mean exposure over the window, of fragments that lie on the same surface.
+    Exposure averaged(int x, int y, const Fragment& f) {
+        Exposure sum{0, 0};
+        double weights = 0;
+        const double flatness = seen_.flatness(f.position);
+        for (int dy = -kRim; dy <= kRim; ++dy) {
+            for (int dx = -kRim; dx <= kRim; ++dx) {
+                // Half the weight at the ends: each cell of the pattern then counts the same.
+                const double weight = (std::abs(dx) == kRim ? 0.5 : 1) * (std::abs(dy) == kRim ? 0.5 : 1);
+                for (const Fragment& other : seen_.fragments(x + dx, y + dy)) {
+                    if (!f.same_surface(other.copy, other.smooth) ||
+                        std::abs(dot(other.position - f.position, f.face)) > flatness) {
+                        continue;
+                    }
+                    sum.sky += weight * other.exposure.sky;
+                    sum.key += weight * other.exposure.key;
+                    weights += weight;
+                }
+            }
+        }
+        return {sum.sky / weights, sum.key / weights};
+    }
+
+    void colour_pixel(int x, int y) {
+        const Vec3 background = in_.shading.background(left_ + x + 0.5, top_ + y + 0.5);
+        for (Fragment& f : seen_.fragments(x, y)) {
+            if (f.copy == kNothing) {
+                f.colour = background;
+            } else if (f.copy == kFloor) {
+                f.colour = in_.shading.floor(background, averaged(x, y, f));
+            } else {
+                const Vec3 to_eye = in_.stage.camera.eye - f.position;
+                f.colour = in_.shading.surface(in_.stage.copies[static_cast<std::size_t>(f.copy)].colour,
+                                               f.smooth, 1 / length(to_eye) * to_eye, averaged(x, y, f));
+            }
+        }
+    }
+
+    /// Thin lines where one copy ends before another, on the further one, and fainter ones along creases.
+    double ink(int sx, int sy) const {
+        const Sample& here = seen_.sample(sx, sy);
+        const Fragment& f = seen_.fragment(here);
+        double strongest = 0;
+        const int reach = (2 * n_ + 2) / 3;
+        for (int k = 1; k <= reach; ++k) {
+            for (const auto& [dx, dy] : {std::pair{k, 0}, {-k, 0}, {0, k}, {0, -k}}) {
+                const Sample& there = seen_.sample(sx + dx, sy + dy);
+                if (there.fragment == here.fragment) continue;
+                const Fragment& g = seen_.fragment(there);
+                if (g.copy != f.copy) {
+                    if (there.depth < here.depth) return kEdgeInk;
+                } else if (f.copy >= 0) {
+                    if (there.depth < here.depth - kStep) return kEdgeInk;
+                    if (dot(g.smooth, f.smooth) < kCrease) strongest = kCreaseInk;
+                }
+            }
+        }
+        return strongest;
+    }
+
+    double line(int sx, int sy) const {
+        double strongest = 0;
+        if (edges_.empty()) return strongest;
+        const auto [x, y] = seen_.place(sx, sy);
+        for (const Outline::Edge& edge : edges_) {
+            strongest = std::max(strongest, in_.outline.opacity(edge, x, y, seen_.sample(sx, sy).depth));
+        }
+        return strongest;
+    }
+
+    Vec3 resolve_pixel(int x, int y) const {
+        Vec3 sum;
+        double lines = 0;
+        for (int sy = y * n_; sy < (y + 1) * n_; ++sy) {
+            for (int sx = x * n_; sx < (x + 1) * n_; ++sx) {
+                sum = sum + (1 - ink(sx, sy)) * seen_.fragment(seen_.sample(sx, sy)).colour;
+                lines += line(sx, sy);
+            }
+        }
+        const double share = 1.0 / (n_ * n_);
+        return (1 - share * lines) * (share * sum) + share * lines * Outline::colour();
+    }
+
+    const PaintInput& in_;
+    int n_;
+    int left_, top_;  ///< of the tile with its rim, in the picture
+    TileSamples seen_;
+    std::vector<Outline::Edge> edges_;
+};
+
+}  // namespace
+
+void paint_tile(const PaintInput& input, int left, int top, Image& image) {
+    TilePainter(input, left, top).paint(image);
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,27 @@
+#pragma once
+/// One tile of the picture at a time. Tiles know nothing of each other: each also traces a small rim of its
+/// neighbours' pixels, so that the result does not depend on which is painted when.
+
+#include "render/outline.hpp"
+#include "render/ray_scene.hpp"
+#include "render/render.hpp"
+#include "render/shading.hpp"
+#include "render/stage.hpp"
+
+namespace spectralpack {
+
+inline constexpr int kTileSide = 64;  ///< pixels
+
+/// All that painting reads.
+struct PaintInput {
+    const Stage& stage;
+    const RayScene& rays;
+    const Shading& shading;
+    const Outline& outline;
+    int samples;  ///< per pixel and axis
+};
+
+/// Paints the tile whose upper left pixel is (left, top). About 4 MB of working memory at 3 samples.
+void paint_tile(const PaintInput& input, int left, int top, Image& image);
+
+}  // namespace spectralpack
