@@ -9,8 +9,9 @@ namespace {
 using Word = BitGrid::Word;
 constexpr int kWordBits = BitGrid::kWordBits;
 
-/// Calls visit(target word, source bits moved into that word) for every pair of words that can meet, until it
-/// returns false. Shifting is exact for negative positions: bits that leave the row are dropped.
+/// Calls visit(target word, source bits moved into that word) for every pair of words that can
+/// meet, until it returns false. Shifting is exact for negative positions: bits that leave the row
+/// are dropped.
 template <class TargetWord, class Visit>
 bool for_shifted_words(TargetWord* target, int target_words, const Word* source, int source_words,
                        int shift, const Visit& visit) {
@@ -52,7 +53,8 @@ Word last_word_mask(const Extent& extent) {
 BitGrid::BitGrid(const Extent& extent)
     : extent_(extent),
       words_per_row_((extent.x + kWordBits - 1) / kWordBits),
-      words_(static_cast<std::size_t>(checked_product({words_per_row_, extent.y, extent.z})), 0) {}
+      words_(static_cast<std::size_t>(checked_product({words_per_row_, extent.y, extent.z})), 0) {
+}
 
 void BitGrid::fill(bool value) {
     std::fill(words_.begin(), words_.end(), value ? ~Word{0} : Word{0});

@@ -1,6 +1,6 @@
 #pragma once
-/// A set of voxels, one bit each. A row is the voxels of one (y, z) along x, in whole 64-bit words: voxel x is
-/// bit x % 64 of word x / 64. Invariant: bits at and beyond extent.x are zero.
+/// A set of voxels, one bit each. A row is the voxels of one (y, z) along x, in whole 64-bit words:
+/// voxel x is bit x % 64 of word x / 64. Invariant: bits at and beyond extent.x are zero.
 
 #include <cstdint>
 #include <vector>
@@ -21,7 +21,9 @@ class BitGrid {
     int words_per_row() const { return words_per_row_; }
     std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
 
-    bool get(int x, int y, int z) const { return (row(y, z)[x / kWordBits] >> (x % kWordBits)) & 1; }
+    bool get(int x, int y, int z) const {
+        return (row(y, z)[x / kWordBits] >> (x % kWordBits)) & 1;
+    }
     void set(int x, int y, int z, bool value = true) {
         const Word mask = Word{1} << (x % kWordBits);
         Word& word = row(y, z)[x / kWordBits];
@@ -57,7 +59,8 @@ void unite(BitGrid& target, const BitGrid& source, const VoxelIndex& at);
 /// target &= ~source, likewise.
 void subtract(BitGrid& target, const BitGrid& source, const VoxelIndex& at);
 
-/// True when some voxel of `source` placed at `at` meets a voxel of `target`; what falls outside meets nothing.
+/// True when some voxel of `source` placed at `at` meets a voxel of `target`; what falls outside
+/// meets nothing.
 bool intersects(const BitGrid& target, const BitGrid& source, const VoxelIndex& at);
 
 }  // namespace spectralpack

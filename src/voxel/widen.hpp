@@ -1,5 +1,6 @@
 #pragma once
-/// A+g of docs/conventions.md: an object's voxels widened by a gap in millimetres, whatever the voxel size.
+/// A+g of docs/conventions.md: an object's voxels widened by a gap in millimetres, whatever the
+/// voxel size.
 
 #include "core/parallel.hpp"
 #include "geometry/mesh.hpp"
@@ -10,7 +11,8 @@ namespace spectralpack {
 /// Voxels whose open interior lies nearer than `gap` (Euclidean, less kGapTolerance) to the solid.
 struct WidenedVoxels {
     BitGrid voxels;
-    VoxelIndex offset;  ///< of voxel (0,0,0) from the unwidened grid's voxel (0,0,0); components <= 0
+    VoxelIndex
+        offset;  ///< of voxel (0,0,0) from the unwidened grid's voxel (0,0,0); components <= 0
 };
 
 inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly `gap` away stays out
