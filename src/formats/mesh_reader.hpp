@@ -1,5 +1,6 @@
 #pragma once
-/// Meshes in: one function for every format. Chosen by content where that is possible, else by ending.
+/// Meshes in: one function for every format. Chosen by content where that is possible, else by
+/// ending.
 
 #include <filesystem>
 #include <optional>
@@ -10,24 +11,26 @@
 
 namespace spectralpack {
 
-/// One object of a mesh file, in the file's own unit. The item transform of a 3MF is already applied to the mesh
-/// (its matrix and the object's id are kept to name it).
+/// One object of a mesh file, in the file's own unit. The item transform of a 3MF is already
+/// applied to the mesh (its matrix and the object's id are kept to name it).
 struct LoadedMesh {
     Mesh mesh;
     std::string name;  ///< the object's own name or part number; else the file's stem
     std::optional<std::string> object;
     std::optional<Transform> item_transform;
-    int instances = 1;                  ///< 3MF: build items that are this object in this orientation
-    std::optional<double> unit;         ///< mm per unit where the file says it (3MF)
+    int instances = 1;           ///< 3MF: build items that are this object in this orientation
+    std::optional<double> unit;  ///< mm per unit where the file says it (3MF)
     std::vector<std::string> repairs;   ///< what was mended, in words
     std::vector<std::string> warnings;  ///< what the user should look at, in words
 };
 
-/// Reads STL (binary, ASCII), OBJ and 3MF. Several objects of a 3MF are elements of their own, in file order.
-/// Meshes come out welded (equal coordinates are one vertex), without zero-area and duplicate facets, closed
-/// shells turned outwards; each such repair is told. Throws InputError naming file, place and cause for what
-/// cannot be used: unreadable, truncated, not finite, no triangles, zero volume or flat.
-std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path);
+/// Reads STL (binary, ASCII), OBJ, PLY, OFF and 3MF. Several objects of a 3MF are elements of their
+/// own, in file order. Meshes come out welded (equal coordinates are one vertex), without zero-area
+/// and duplicate facets, closed shells turned outwards; each such repair is told. Throws InputError
+/// naming file, place and cause for what cannot be used: unreadable, truncated, not finite, no
+/// triangles, zero volume or flat. `default_unit`: mm per unit of files that do not say theirs;
+/// only warnings about the size depend on it.
+std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit = 1);
 
 /// True for endings that read_meshes knows.
 bool is_mesh_file(const std::filesystem::path& path);

@@ -1,9 +1,11 @@
 #pragma once
-/// The packing file (docs/format.md) and the other files a packing is written as. Whole or not at all.
+/// The packing file (docs/format.md) and the other files a packing is written as. Whole or not at
+/// all.
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/mesh.hpp"
@@ -18,13 +20,17 @@ using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
 std::string packing_to_json(const Packing& packing, const std::filesystem::path& folder);
 void write_packing(const Packing& packing, const std::filesystem::path& path);
 
-/// Reads and validates a packing file. Mesh paths come out usable from the working directory. Throws InputError
-/// naming the key's path ("trays[0].placements[3].transform") for anything missing, of the wrong type, out of
-/// range or not finite. Unknown keys are ignored (later versions may add some); an unknown version is refused.
+/// Reads and validates a packing file. Mesh paths come out usable from the working directory.
+/// Throws InputError naming the key's path ("trays[0].placements[3].transform") for anything
+/// missing, of the wrong type, out of range or not finite. Unknown keys are ignored (later versions
+/// may add some); an unknown version is refused.
 Packing read_packing(const std::filesystem::path& path);
 
-/// 3MF: one object per distinct mesh and scale, one build item per copy, part numbers from names; mm; all trays
-/// side by side when there are several.
+/// The same for text at hand; `path` is for messages, and mesh paths are relative to its folder.
+Packing parse_packing(const std::filesystem::path& path, std::string_view text);
+
+/// 3MF: one object per distinct mesh and scale, one build item per copy, part numbers from names;
+/// mm; all trays side by side when there are several.
 void write_3mf(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path);
 
 /// Binary STL of all copies merged.

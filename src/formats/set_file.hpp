@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace spectralpack {
@@ -11,11 +12,14 @@ struct SetRow {
     std::string mesh;  ///< as written; relative to the set file or to --mesh-dir
     int count = 1;
     double scale = 1;
-    int line = 0;      ///< 1-based, for messages
+    int line = 0;  ///< 1-based, for messages
 };
 
-/// Columns by header name, in any order; count and scale may be missing (1). RFC 4180 quoting, CRLF, a BOM and
-/// blank lines are fine. Throws InputError with the line for anything else.
+/// Columns by header name, in any order; count and scale may be missing (1). RFC 4180 quoting,
+/// CRLF, a BOM and blank lines are fine. Throws InputError with the line for anything else.
 std::vector<SetRow> read_set(const std::filesystem::path& path);
+
+/// The same for text at hand; `file` is for messages.
+std::vector<SetRow> parse_set(const std::string& file, std::string_view text);
 
 }  // namespace spectralpack

@@ -1,12 +1,9 @@
 #pragma once
-/// The cost sigma = rho + h (equations 4 to 6) and the total order in which "best" is decided. Shared by all
-/// engines so that they round alike.
+/// The cost sigma = rho + h (equations 4 to 6) and the total order in which "best" is decided.
+/// Shared by all engines so that they round alike.
 
 #include <compare>
 #include <cstdint>
-#include <vector>
-
-#include "voxel/grid.hpp"
 
 namespace spectralpack {
 
@@ -21,7 +18,11 @@ struct CostModel {
 };
 
 /// H[z] for z in [0, nz): p * t * t * t with t = z / nz (equation 5). `reference_layers` is nz.
-double height_penalty_at(const CostModel& model, int z, int reference_layers);
+/// Outside that range the same polynomial.
+inline double height_penalty_at(const CostModel& model, int z, int reference_layers) {
+    const double t = static_cast<double>(z) / static_cast<double>(reference_layers);
+    return model.height_penalty * t * t * t;
+}
 
 /// The part of the order that is a cost: bottom: (sigma, 0); top: (top layer, rho).
 struct Cost {
@@ -32,6 +33,11 @@ struct Cost {
 };
 
 /// Cost of an object of `layers` layers whose lower corner is in layer z with proximity rho.
-Cost cost_of(const CostModel& model, int z, int layers, int reference_layers, std::int64_t rho);
+/// Inline: engines ask for millions, and the compiler keeps H[z] for a whole layer.
+inline Cost cost_of(const CostModel& model, int z, int layers, int reference_layers,
+                    std::int64_t rho) {
+    if (model.height_at == HeightAt::top) return {static_cast<double>(z + layers), rho};
+    return {static_cast<double>(rho) + height_penalty_at(model, z, reference_layers), 0};
+}
 
 }  // namespace spectralpack

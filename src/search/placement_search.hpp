@@ -1,12 +1,15 @@
 #pragma once
-/// The narrow waist: packing strategies, disassembly and the cluster see only this, whatever computes behind it.
-/// Every engine returns the same answers, bit for bit; they differ in speed and memory only.
+/// The narrow waist: packing strategies, disassembly and the cluster see only this, whatever
+/// computes behind it. Every engine returns the same answers, bit for bit; they differ in speed and
+/// memory only.
 ///
-/// Definition (docs/conventions.md; section 3.1 and appendix A.1 of the paper), for a shape's orientation A:
-///   zeta(q)  = sum over x of s_A(x) s_W(x + q) + sum over gap classes c, x of s_{A+g(c)}(x) s_{O(c)}(x + q)
-///              with W the walls, container mask and keep-out and O(c) the objects of class c  (equation 2)
-///   rho(q)   = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place     (equation 4)
-///   best     = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0      (equation 6)
+/// Definition (docs/conventions.md; section 3.1 and appendix A.1), A being one orientation:
+///
+///   zeta(q) = sum over x of s_A(x) s_W(x + q)
+///           + sum over gap classes c and x of s_{A+g(c)}(x) s_{O(c)}(x + q)           (equation 2)
+///             with W the walls, container mask and keep-out, O(c) the objects of class c
+///   rho(q)  = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place      (4)
+///   best    = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0       (6)
 
 #include <array>
 #include <cstdint>
@@ -22,12 +25,12 @@
 namespace spectralpack {
 
 struct BestPlacement {
-    int index = 0;         ///< in Shape::orientations
-    VoxelIndex position;   ///< q: the voxel of A's lower corner
+    int index = 0;               ///< in Shape::orientations
+    VoxelIndex position;         ///< q: the voxel of A's lower corner
     std::int64_t proximity = 0;  ///< rho(q)
     Cost cost;
-    /// Costs at q - ex, q + ex, q - ey, q + ey, q - ez, q + ez, with phi = 0 outside the grid: the discrete
-    /// gradient of section 3.2. Defined whether or not the neighbour collides.
+    /// Costs at q - ex, q + ex, q - ey, q + ey, q - ez, q + ez, with phi = 0 outside the grid: the
+    /// discrete gradient of section 3.2. Defined whether or not the neighbour collides.
     std::array<Cost, 6> neighbours{};
 
     bool operator==(const BestPlacement&) const = default;
@@ -38,7 +41,7 @@ struct SearchResult {
     bool stopped = false;               ///< ended early by the stop token: `best` is not to be used
 };
 
-/// Bit (x, y, z) tells of position origin + (x, y, z): set = free. Positions beyond the bits are free.
+/// Bit (x, y, z) tells of position origin + (x, y, z): set = free. Those beyond the bits are free.
 struct FreePositions {
     VoxelIndex origin;
     BitGrid free;
@@ -46,8 +49,8 @@ struct FreePositions {
 
 struct FreeQuery {
     std::optional<ObjectId> without;  ///< this object is out while asking
-    /// Extra positions on every side beyond those whose voxels can overlap the grid; at least 1, so that the
-    /// outermost positions are wholly outside it.
+    /// Extra positions on every side beyond those whose voxels can overlap the grid; at least 1, so
+    /// that the outermost positions are wholly outside it.
     int padding = 1;
 };
 
@@ -56,12 +59,12 @@ class PlacementSearch {
     virtual ~PlacementSearch() = default;
 
     /// The best placement of `shape` in the tray. Polls `stop` at least once per orientation.
-    virtual SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
-                                        const StopToken& stop) = 0;
+    virtual SearchResult best_placement(const Tray& tray, const Shape& shape,
+                                        const CostModel& model, const StopToken& stop) = 0;
 
-    /// Positions q at which the unwidened voxels A of orientation `index` meet nothing of Omega_move (what
-    /// overhangs the grid meets nothing). Per axis, with a = A's extent and n = the grid's: origin is
-    /// -(a - 1) - padding, extent n + a - 1 + 2 padding.
+    /// Positions q at which the unwidened voxels A of orientation `index` meet nothing of
+    /// Omega_move (what overhangs the grid meets nothing). Per axis, with a = A's extent and
+    /// n = the grid's: origin is -(a - 1) - padding, extent n + a - 1 + 2 padding.
     virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                          const FreeQuery& query) = 0;
 

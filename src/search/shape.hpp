@@ -1,6 +1,6 @@
 #pragma once
-/// What the placement search sees of a part: its voxels in each distinct orientation. Immutable once made and
-/// shared by all copies of the part.
+/// What the placement search sees of a part: its voxels in each distinct orientation. Immutable
+/// once made and shared by all copies of the part.
 
 #include <cstdint>
 #include <memory>
@@ -16,19 +16,21 @@ struct OrientedShape {
     Vec3 size;                             ///< of the turned mesh's box, mm: decides the candidates
     Vec3 min;                              ///< the turned mesh's box minimum, mm
     std::shared_ptr<const BitGrid> solid;  ///< A
-    /// A+g against the objects of each gap class of the tray, where g = max(own gap, the class's gap); for
-    /// g = 0 the unwidened voxels with offset 0. One per class, in the tray's order; equal g share one grid.
+    /// A+g against the objects of each gap class of the tray, where g = max(own gap, the class's
+    /// gap); for g = 0 the unwidened voxels with offset 0. One per class, in the tray's order;
+    /// equal g share one grid.
     std::vector<std::shared_ptr<const WidenedVoxels>> widened;
 };
 
 struct Shape {
     std::uint64_t id = 0;  ///< distinct for distinct shapes: engines key their caches by it
     int gap_class = 0;     ///< index into the tray's gap classes of the part's own gap
-    std::vector<OrientedShape> orientations;  ///< by ascending orientation index, equal voxels merged
+    /// By ascending orientation index, equal voxels merged.
+    std::vector<OrientedShape> orientations;
 };
 
-/// Voxelises `mesh` (mm, scaled, not turned) in every rotation, widens it for every gap class, and merges
-/// orientations with equal voxels (and equal sizes to 1e-6 mm) into the least index.
+/// Voxelises `mesh` (mm, scaled, not turned) in every rotation, widens it for every gap class, and
+/// merges orientations with equal voxels (and equal sizes to 1e-6 mm) into the least index.
 /// `gap_classes`: the job's distinct gaps, ascending; `gap` is one of them.
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
                  double voxel_size, double gap, const std::vector<double>& gap_classes,

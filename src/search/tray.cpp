@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 #include "core/error.hpp"
 #include "voxel/voxelize.hpp"
@@ -13,11 +14,6 @@ namespace {
 constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
 // A container that is a whole number of voxels long up to rounding has exactly that many.
 constexpr double kWholeVoxel = 1e-9;
-
-std::uint64_t next_instance() {
-    static std::atomic<std::uint64_t> counter{0};  // an identity, not a state: nothing depends on its value
-    return ++counter;
-}
 
 bool overlap(const TrayObject& a, const TrayObject& b) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,20 +27,31 @@ bool overlap(const TrayObject& a, const TrayObject& b) {
 
 }  // namespace
 
-Tray::Tray(TraySetup setup) : setup_(std::move(setup)), instance_(next_instance()) {
+TrayIdentity::TrayIdentity() {
+    static std::atomic<std::uint64_t> counter{0};  // an identity: nothing depends on its value
+    value_ = ++counter;
+}
+
+Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     const double dx = setup_.voxel_size;
-    if (!(dx > 0) || !std::isfinite(dx)) throw UsageError("the voxel size must be a positive length");
+    if (!(dx > 0) || !std::isfinite(dx))
+        throw UsageError("the voxel size must be a positive length");
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = setup_.size[axis] / dx;
         if (!std::isfinite(voxels) || voxels < 1 - kWholeVoxel) {
             throw UsageError("the container, less the wall gap, is smaller than one voxel");
         }
-        if (voxels > 1e9) throw ResourceError("the container has over a billion voxels along one axis");
+        if (voxels > 1e9)
+            throw ResourceError("the container has over a billion voxels along one axis");
         extent_[axis] = std::max(1, static_cast<int>(std::ceil(voxels - kWholeVoxel)));
     }
     if (extent_.count() > kMaxVoxels) throw ResourceError("the tray has more than 2^40 voxels");
     if (!setup_.blocked.extent().empty() && !(setup_.blocked.extent() == extent_)) {
         throw InternalError("the container mask does not have the grid's extent");
+    }
+    const std::vector<double>& gaps = setup_.gap_classes;
+    if (gaps.empty() || std::ranges::adjacent_find(gaps, std::greater_equal<>{}) != gaps.end()) {
+        throw InternalError("a tray's gap classes must be ascending, and at least one");
     }
     reference_layers_ = setup_.reference_layers > 0 ? setup_.reference_layers : extent_.z;
     occupied_.assign(setup_.gap_classes.size(), BitGrid(extent_));
@@ -89,6 +96,9 @@ BitGrid Tray::omega_move(std::optional<ObjectId> without) const {
 }
 
 ObjectId Tray::add(TrayObject object) {
+    if (object.gap_class < 0 || object.gap_class >= gap_classes()) {
+        throw InternalError("an object has a gap class that the tray does not have");
+    }
     const ObjectId id = object_count();
     unite(occupied_[static_cast<std::size_t>(object.gap_class)], *object.solid, object.position);
     objects_.push_back({std::move(object), true});
@@ -97,8 +107,8 @@ ObjectId Tray::add(TrayObject object) {
 }
 
 void Tray::remove(ObjectId id) {
-    Entry& gone = objects_.at(static_cast<std::size_t>(id));
-    if (!gone.present) throw InternalError("an object was removed from the tray twice");
+    if (!find(id)) throw InternalError("an object was removed that is not in the tray");
+    Entry& gone = objects_[static_cast<std::size_t>(id)];
     gone.present = false;
     BitGrid& occupied = occupied_[static_cast<std::size_t>(gone.object.gap_class)];
     subtract(occupied, *gone.object.solid, gone.object.position);

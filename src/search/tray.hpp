@@ -1,13 +1,13 @@
 #pragma once
-/// The state every engine searches in: one container's worth of voxels and what stands in it. The tray keeps
-/// occupancy only and a journal of its changes; engines keep whatever they derive from it and catch up.
+/// The state every engine searches in: one container's worth of voxels and what stands in it. The
+/// tray keeps occupancy only and a journal of its changes; engines keep whatever they derive from
+/// it and catch up.
 ///
 /// Two occupancies (docs/conventions.md):
-///   Omega_place = objects, keep-out, everything outside the container: zeta, phi and rho of placement.
-///   Omega_move  = objects and fixed copies (and the container where it is physical): free positions.
+///   Omega_place: objects, keep-out, everything outside the container: zeta, phi and rho.
+///   Omega_move: objects and fixed copies (and the container where it is physical): free positions.
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -18,24 +18,25 @@
 
 namespace spectralpack {
 
-inline constexpr double kContainTolerance = 1e-6;  ///< mm a mesh's box may stick out of the container
+/// Millimetres by which a mesh's box may stick out of the container.
+inline constexpr double kContainTolerance = 1e-6;
 
 struct TraySetup {
-    Vec3 size;                      ///< container less the wall gap on every side, mm
-    double voxel_size = 2;          ///< dx, mm
+    Vec3 size;                           ///< container less the wall gap on every side, mm
+    double voxel_size = 2;               ///< dx, mm
     std::vector<double> gap_classes{0};  ///< distinct gaps of the job's parts, ascending, mm
     Ceiling ceiling = Ceiling::closed;   ///< open: no wall above, for open height
     int reference_layers = 0;            ///< nz of equation 5; 0: the grid's own
-    /// Voxels of the grid that are not wholly free: outside a mesh container, or in a keep-out. May be empty
-    /// (then the box is free throughout); otherwise it has the grid's extent.
+    /// Voxels of the grid that are not wholly free: outside a mesh container, or in a keep-out. May
+    /// be empty (then the box is free throughout); otherwise it has the grid's extent.
     BitGrid blocked;
     bool blocked_is_physical = false;  ///< then `blocked` is part of Omega_move too
 };
 
 using ObjectId = std::int64_t;
 
-/// An object standing in the tray. Its voxels may be shared with others (refined placements), and may
-/// overhang the grid (what overhangs is dropped).
+/// An object standing in the tray. Its voxels may be shared with others (refined placements), and
+/// may overhang the grid (what overhangs is dropped).
 struct TrayObject {
     std::shared_ptr<const BitGrid> solid;
     VoxelIndex position;  ///< of the solid's voxel (0,0,0)
@@ -50,10 +51,27 @@ struct TrayChange {
     bool added = true;
 };
 
+/// Which tray this is, for engines that keep what they derived from it. A copy is another tray.
+class TrayIdentity {
+  public:
+    TrayIdentity();
+    TrayIdentity(const TrayIdentity&) : TrayIdentity() {}
+    TrayIdentity& operator=(const TrayIdentity&) {
+        value_ = TrayIdentity().value_;
+        return *this;
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_;
+};
+
 class Tray {
   public:
-    /// Throws UsageError for sizes or voxel sizes that make no grid (not finite, not positive, container smaller
-    /// than one voxel) and ResourceError when it exceeds 2^40 voxels.
+    /// Throws UsageError for sizes or voxel sizes that make no grid (not finite, not positive,
+    /// container smaller than one voxel), ResourceError when it exceeds 2^40 voxels, and
+    /// InternalError for a setup that does not fit together (gap classes not ascending or none, a
+    /// mask of another extent).
     explicit Tray(TraySetup setup);
 
     const TraySetup& setup() const { return setup_; }
@@ -67,7 +85,9 @@ class Tray {
     Extent candidates(const Vec3& size) const;
 
     /// Objects of one gap class, without walls and keep-out.
-    const BitGrid& occupied(int gap_class) const { return occupied_[static_cast<std::size_t>(gap_class)]; }
+    const BitGrid& occupied(int gap_class) const {
+        return occupied_[static_cast<std::size_t>(gap_class)];
+    }
     /// Container mask and keep-out inside the grid; empty grid when all is free.
     const BitGrid& blocked() const { return setup_.blocked; }
     /// Omega_place within the grid: all classes and blocked().
@@ -75,15 +95,20 @@ class Tray {
     /// Omega_move within the grid, with object `without` taken out.
     BitGrid omega_move(std::optional<ObjectId> without = std::nullopt) const;
 
+    /// Throws InternalError for a gap class that the tray does not have.
     ObjectId add(TrayObject object);
-    void remove(ObjectId id);  ///< voxels that other objects hold stay
+    /// Voxels that other objects hold stay. Throws InternalError where `id` is not in the tray.
+    void remove(ObjectId id);
     const TrayObject* find(ObjectId id) const;  ///< null when removed or never added
     /// Present and past objects: ids are 0 .. object_count() - 1.
     ObjectId object_count() const { return static_cast<ObjectId>(objects_.size()); }
     /// The object as it was added, also when it has been removed since.
-    const TrayObject& object(ObjectId id) const { return objects_[static_cast<std::size_t>(id)].object; }
+    const TrayObject& object(ObjectId id) const {
+        return objects_[static_cast<std::size_t>(id)].object;
+    }
 
-    std::uint64_t instance() const { return instance_; }  ///< distinct for every tray of the process
+    /// Distinct for every tray of the process, copies included.
+    std::uint64_t instance() const { return identity_.value(); }
     std::uint64_t version() const { return journal_.size(); }  ///< grows by one per change
     /// Changes in order; entry i made version i + 1.
     const std::vector<TrayChange>& journal() const { return journal_; }
@@ -97,7 +122,7 @@ class Tray {
     TraySetup setup_;
     Extent extent_;
     int reference_layers_ = 0;
-    std::uint64_t instance_ = 0;
+    TrayIdentity identity_;
     std::vector<BitGrid> occupied_;
     std::vector<Entry> objects_;
     std::vector<TrayChange> journal_;

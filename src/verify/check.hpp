@@ -16,6 +16,7 @@
 namespace spectralpack {
 
 inline constexpr double kCheckTolerance = 1e-3;  ///< mm; also as penetration: touching at gap 0 is allowed
+inline constexpr int kWholePacking = -1;         ///< tray of findings that are about no single one
 
 enum class FindingKind {
     outside,    ///< a copy sticks out of the container less the wall gap
@@ -29,9 +30,10 @@ enum class FindingKind {
 
 struct Finding {
     FindingKind kind = FindingKind::overlap;
-    int tray = 0;
-    std::vector<int> placements;  ///< indices into the tray's placements: the copies it is about
-    double amount = 0;            ///< mm of penetration, of missing gap or sticking out; difference of density
+    int tray = 0;                 ///< or kWholePacking
+    std::vector<int> placements;  ///< indices into the tray's placements, ascending: the copies it is about
+    double amount = 0;            ///< mm of penetration (at least), of missing gap or sticking out; difference of
+                                  ///< a figure; deviation from a rotation; 0 for counts
     std::string message;          ///< for people: names the copies as "name #copy"
 };
 
@@ -45,7 +47,10 @@ struct CheckReport {
 };
 
 /// `meshes`: by part, in the mesh file's own coordinates. Nested means inside *material*: a copy in another's
-/// closed hollow or in a cavity is fine; a copy in solid matter is not, even if no triangles meet.
+/// closed hollow or in a cavity is fine; a copy in solid matter is not, even if no triangles meet. A mesh that is
+/// not closed has a surface but no inside; the listener is warned. How overlap is decided: overlap.hpp.
+/// Meshes of parts without placements may be null. Does not depend on the number of threads. Throws InternalError where a
+/// placed part has no mesh.
 CheckReport check_packing(const Packing& packing,
                           const std::vector<std::shared_ptr<const Mesh>>& meshes,
                           const Workers& workers, Listener& listener, const StopToken& stop);

@@ -1,0 +1,37 @@
+#pragma once
+/// Job files: parts, container and options of one run (docs/format.md, docs/job.schema.json).
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/job_settings.hpp"
+
+namespace spectralpack {
+
+struct JobPart {
+    std::string mesh;  ///< usable from the working directory
+    std::optional<std::string> name;
+    int count = 1;
+    double scale = 1;
+    std::optional<double> gap;  ///< mm; none: the job's
+    std::string key;            ///< where it stands in the file: "parts[3]"
+};
+
+struct JobFile {
+    JobSettings settings;
+    std::vector<JobPart> parts;
+};
+
+/// Reads a job file; its paths are relative to itself. Throws InputError naming the key's path
+/// ("parts[3].count") for unknown keys and for whatever is missing, of the wrong type or out of
+/// range; UsageError ("... is not built yet") with the key's path for what the format foresees and
+/// this version cannot do.
+JobFile read_job(const std::filesystem::path& path);
+
+/// The same for text at hand.
+JobFile parse_job(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace spectralpack

@@ -1,0 +1,84 @@
+#include "formats/mesh_reader.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "formats/file_bytes.hpp"
+#include "formats/mesh_parsers.hpp"
+#include "geometry/mesh_repair.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Parser = std::vector<ParsedMesh> (*)(const MeshSource&);
+
+constexpr std::pair<std::string_view, Parser> kParsers[] = {{".stl", parse_stl},
+                                                            {".obj", parse_obj},
+                                                            {".3mf", parse_3mf},
+                                                            {".ply", parse_ply},
+                                                            {".off", parse_off}};
+
+std::string lower_case_ending(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
+    });
+    return ending;
+}
+
+Parser parser_by_ending(const std::filesystem::path& path) {
+    const std::string ending = lower_case_ending(path);
+    for (const auto& [known, parser] : kParsers) {
+        if (ending == known) return parser;
+    }
+    return nullptr;
+}
+
+/// Formats that say what they are; a wrong ending does not matter then.
+Parser parser_by_content(std::string_view bytes) {
+    if (bytes.starts_with("PK\x03\x04")) return parse_3mf;
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return parse_ply;
+    if (bytes.starts_with("OFF\n") || bytes.starts_with("OFF\r")) return parse_off;
+    return nullptr;
+}
+
+void repair(ParsedMesh& parsed, const std::string& file, double default_unit) {
+    LoadedMesh& loaded = parsed.loaded;
+    MeshRepair outcome = repair_mesh(loaded.mesh, parsed.welded);
+    if (outcome.unusable) {
+        throw InputError(file, loaded.object ? "object " + *loaded.object : "", *outcome.unusable);
+    }
+    std::move(outcome.repairs.begin(), outcome.repairs.end(), std::back_inserter(loaded.repairs));
+    std::move(outcome.warnings.begin(), outcome.warnings.end(),
+              std::back_inserter(loaded.warnings));
+    if (auto hint = size_warning(outcome.box, loaded.unit.value_or(default_unit))) {
+        loaded.warnings.push_back(std::move(*hint));
+    }
+}
+
+}  // namespace
+
+std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit) {
+    const FileBytes bytes(path);
+    Parser parser = parser_by_content(bytes.view());
+    if (!parser) parser = parser_by_ending(path);
+    if (parser && bytes.view().empty()) throw InputError(path.string(), "", "the file is empty");
+    if (!parser) {
+        throw InputError(path.string(), "",
+                         "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF)");
+    }
+    std::vector<LoadedMesh> meshes;
+    for (ParsedMesh& parsed : parser({path.string(), path.stem().string(), bytes.view()})) {
+        if (parsed.loaded.name.empty()) parsed.loaded.name = path.stem().string();
+        repair(parsed, path.string(), default_unit);
+        meshes.push_back(std::move(parsed.loaded));
+    }
+    return meshes;
+}
+
+bool is_mesh_file(const std::filesystem::path& path) {
+    return parser_by_ending(path) != nullptr;
+}
+
+}  // namespace spectralpack

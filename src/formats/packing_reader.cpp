@@ -1,0 +1,205 @@
+#include <cmath>
+
+#include "core/error.hpp"
+#include "formats/file_bytes.hpp"
+#include "formats/json_node.hpp"
+#include "formats/option_reader.hpp"
+#include "formats/packing_file.hpp"
+#include "formats/packing_names.hpp"
+
+namespace spectralpack {
+namespace {
+
+namespace fs = std::filesystem;
+
+Transform transform_of(const Node& node) {
+    node.expect_size(4);
+    Transform transform;
+    for (std::size_t row = 0; row < 4; ++row) {
+        const Node numbers = node.element(row);
+        numbers.expect_size(4);
+        for (std::size_t column = 0; column < 4; ++column) {
+            const double value = numbers.element(column).number();
+            const int r = static_cast<int>(row), c = static_cast<int>(column);
+            if (row == 3) {
+                if (value != (column == 3 ? 1 : 0)) numbers.fail("the last row must be 0, 0, 0, 1");
+            } else if (column == 3) {
+                transform.translation[r] = value;
+            } else {
+                transform.linear.rows[row][c] = value;
+            }
+        }
+    }
+    const double volume = determinant(transform.linear);
+    if (volume == 0 || !std::isfinite(volume)) node.fail("must be invertible");
+    return transform;
+}
+
+class PackingReader {
+  public:
+    PackingReader(const fs::path& path, const nlohmann::json& document)
+        : file_(path.string()), folder_(path.parent_path()), root_(file_, document, "") {}
+
+    Packing read() {
+        if (root_.at("format").text() != "spectralpack/packing") {
+            root_.at("format").fail("must be \"spectralpack/packing\"");
+        }
+        if (root_.at("version").integer<std::int64_t>() != 1) {
+            root_.at("version").fail("is not a version this program reads (1)");
+        }
+        if (const auto units = root_.find("units"); units && units->text() != "mm")
+            units->fail("must be \"mm\"");
+        if (const auto program = root_.find("program")) packing_.program = program->text();
+        if (const auto hash = root_.find("input_hash")) packing_.input_hash = hash->text();
+        read_container(root_.at("container"));
+        packing_.options.tray = packing_.container.size;
+        if (const auto options = root_.find("options")) read_options(*options, packing_.options);
+        root_.at("parts").for_each([&](const Node& node) { read_part(node); });
+        root_.at("trays").for_each([&](const Node& node) { read_tray(node); });
+        if (const auto unplaced = root_.find("unplaced")) {
+            unplaced->for_each([&](const Node& node) { read_unplaced(node); });
+        }
+        if (const auto metrics = root_.find("metrics")) read_metrics(*metrics);
+        return std::move(packing_);
+    }
+
+  private:
+    /// What this version cannot represent must not be dropped in silence: a check would judge
+    /// another packing.
+    void read_container(const Node& node) {
+        const Node size = node.at("size");
+        size.expect_size(3);
+        for (int axis = 0; axis < 3; ++axis) {
+            packing_.container.size[axis] = size.element(static_cast<std::size_t>(axis)).positive();
+        }
+        if (const auto mesh = node.find("mesh")) mesh->fail("a mesh as container is not supported");
+        if (const auto keep_out = node.find("keep_out"); keep_out && keep_out->size() > 0) {
+            keep_out->fail("keep-out zones are not supported");
+        }
+        if (const auto physical = node.find("physical"); physical && physical->boolean()) {
+            physical->fail("a physical container is not supported");
+        }
+    }
+
+    void read_part(const Node& node) {
+        Part part;
+        part.id = static_cast<int>(packing_.parts.size());
+        if (const auto id = node.find("id"); id && id->integer<std::int64_t>() != part.id) {
+            id->fail("must be the part's position, " + std::to_string(part.id));
+        }
+        part.mesh = mesh_path(node.at("mesh"));
+        const auto name = node.find("name");
+        part.name = name ? name->text() : fs::path(part.mesh).stem().string();
+        if (const auto v = node.find("object")) part.object = v->text();
+        if (const auto v = node.find("item_transform")) part.item_transform = transform_of(*v);
+        if (const auto v = node.find("count")) part.count = v->integer<int>(0);
+        if (const auto v = node.find("scale")) part.scale = v->positive();
+        if (const auto v = node.find("unit")) part.unit = v->positive();
+        if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("volume")) part.volume = v->number();
+        if (const auto v = node.find("repairs")) {
+            v->for_each([&](const Node& repair) { part.repairs.push_back(repair.text()); });
+        }
+        packing_.parts.push_back(std::move(part));
+    }
+
+    std::string mesh_path(const Node& node) const {
+        const std::string text = node.text();
+        if (text.empty() || text.find('\0') != std::string::npos)
+            node.fail("must be the path of a file");
+        // Dropping ".." from the text is only right where the folder before it is no link.
+        const fs::path joined = folder_ / text, plain = joined.lexically_normal();
+        std::error_code failure;
+        const fs::path real = fs::weakly_canonical(joined, failure);
+        return (failure || fs::weakly_canonical(plain, failure) == real ? plain : real).string();
+    }
+
+    int part_of(const Node& node) const {
+        const Node part = node.at("part");
+        const auto index = part.integer<int>();
+        if (index < 0 || std::cmp_greater_equal(index, packing_.parts.size())) {
+            part.fail("must be the position of a part, there are " +
+                      std::to_string(packing_.parts.size()));
+        }
+        return index;
+    }
+
+    void read_tray(const Node& node) {
+        TrayPacking tray;
+        node.at("placements").for_each([&](const Node& placed) {
+            Placement placement;
+            placement.part = part_of(placed);
+            if (const auto v = placed.find("copy")) placement.copy = v->integer<int>(0);
+            if (const auto v = placed.find("orientation"))
+                placement.orientation = v->integer<int>(0);
+            if (const auto v = placed.find("fixed")) placement.fixed = v->boolean();
+            placement.transform = transform_of(placed.at("transform"));
+            tray.placements.push_back(placement);
+        });
+        if (const auto v = node.find("density")) tray.density = v->number();
+        if (const auto v = node.find("density_bounding_box"))
+            tray.density_bounding_box = v->number();
+        if (const auto v = node.find("bounding_box")) {
+            v->expect_size(2);
+            tray.bounding_box.min = vector_of(v->element(0));
+            tray.bounding_box.max = vector_of(v->element(1));
+        }
+        if (const auto v = node.find("height")) tray.height = v->number();
+        if (const auto layers = node.find("layers")) {
+            if (const auto v = layers->find("thickness")) tray.layers.thickness = v->number_from(0);
+            if (const auto v = layers->find("area")) {
+                v->for_each([&](const Node& area) { tray.layers.area.push_back(area.number()); });
+            }
+        }
+        packing_.trays.push_back(std::move(tray));
+    }
+
+    void read_unplaced(const Node& node) {
+        Unplaced unplaced;
+        unplaced.part = part_of(node);
+        if (const auto v = node.find("copy")) unplaced.copy = v->integer<int>(0);
+        if (const auto v = node.find("reason")) unplaced.reason = v->one_of(kReasonNames);
+        if (const auto v = node.find("detail")) unplaced.detail = v->text();
+        packing_.unplaced.push_back(std::move(unplaced));
+    }
+
+    void read_metrics(const Node& node) {
+        Metrics& m = packing_.metrics;
+        if (const auto v = node.find("copies")) m.copies = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("placed")) m.placed = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("density")) m.density = v->number();
+        if (const auto v = node.find("min_gap")) m.min_gap = v->number();
+        if (const auto v = node.find("seconds")) {
+            const std::pair<const char*, double*> phases[] = {
+                {"total", &m.seconds.total},       {"load", &m.seconds.load},
+                {"voxelize", &m.seconds.voxelize}, {"search", &m.seconds.search},
+                {"refine", &m.seconds.refine},     {"disassemble", &m.seconds.disassemble},
+                {"reinsert", &m.seconds.reinsert}};
+            for (const auto& [key, seconds] : phases) {
+                if (const auto phase = v->find(key)) *seconds = phase->number();
+            }
+        }
+        if (const auto v = node.find("searches")) m.searches = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("verified")) m.verified = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("peak_memory")) m.peak_memory = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("engine")) m.engine = v->text();
+        if (const auto v = node.find("threads")) m.threads = v->integer<int>(0);
+    }
+
+    std::string file_;
+    fs::path folder_;
+    Node root_;
+    Packing packing_;
+};
+
+}  // namespace
+
+Packing parse_packing(const fs::path& path, std::string_view text) {
+    return PackingReader(path, parse_json(path.string(), text)).read();
+}
+
+Packing read_packing(const fs::path& path) {
+    return parse_packing(path, FileBytes(path).view());
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.hpp"
+#include "core/error.hpp"
+#include "formats/packing_file.hpp"
+#include "formats/packing_names.hpp"
+
+namespace spectralpack {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;  // keys in the order of docs/format.md
+
+/// The folders' links are resolved, so that '..' means the same to the kernel as here; the file's
+/// own name stays.
+std::string relative_mesh_path(const std::string& mesh, const fs::path& folder) {
+    const fs::path path(mesh), base = folder.empty() ? fs::path(".") : folder;
+    std::error_code failure;
+    const fs::path from = fs::weakly_canonical(fs::absolute(base), failure);
+    const fs::path to = fs::weakly_canonical(fs::absolute(path).parent_path(), failure);
+    const fs::path relative = (to / path.filename()).lexically_relative(from);
+    return failure || relative.empty() ? mesh : relative.generic_string();
+}
+
+std::string text_of(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// A name may lose bytes that are not UTF-8; a path that did would name another file.
+void check_utf8(const std::string& path) {
+    try {
+        static_cast<void>(Json(path).dump());
+    } catch (const Json::type_error&) {
+        throw UsageError("a packing file cannot hold the path of a mesh that is not valid UTF-8: " +
+                         text_of(path));
+    }
+}
+
+Json vector_json(const Vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+Json transform_json(const Transform& t) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) {
+        const Vec3& linear = t.linear.rows[row];
+        rows.push_back({linear.x, linear.y, linear.z, t.translation[row]});
+    }
+    rows.push_back({0.0, 0.0, 0.0, 1.0});
+    return rows;
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json options_json(const PackOptions& o) {
+    Json verify = nullptr;
+    if (o.verify_with) {
+        verify = std::string(name_of(kEngineNames, o.verify_with->engine)) +
+                 (o.verify_with->sample > 0 ? ":" + std::to_string(o.verify_with->sample) : "");
+    }
+    return {{"tray", vector_json(o.tray)},
+            {"voxel", o.voxel},
+            {"rotations", o.rotations},
+            {"gap", o.gap},
+            {"wall-gap", o.wall_gap},
+            {"refine", o.refine},
+            {"interlock", name_of(kInterlockNames, o.interlock)},
+            {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
+            {"height-at", name_of(kHeightNames, o.height_at)},
+            {"order", name_of(kOrderNames, o.order)},
+            {"engine", name_of(kEngineNames, o.engine)},
+            {"threads", o.threads},
+            {"seed", o.seed},
+            {"memory", o.memory},
+            {"verify-with", verify},
+            {"time-limit", or_null(o.time_limit)}};
+}
+
+class PackingWriter {
+  public:
+    PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
+        for (const Part& part : packing.parts) {
+            mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
+            check_utf8(mesh_paths_.back());
+        }
+    }
+
+    Json json() const {
+        Json root = {{"format", "spectralpack/packing"},
+                     {"version", 1},
+                     {"units", "mm"},
+                     {"program", packing_.program},
+                     {"input_hash", packing_.input_hash},
+                     {"container",
+                      {{"size", vector_json(packing_.container.size)},
+                       {"mesh", nullptr},
+                       {"keep_out", Json::array()},
+                       {"physical", false}}},
+                     {"options", options_json(packing_.options)},
+                     {"parts", Json::array()},
+                     {"trays", Json::array()},
+                     {"unplaced", Json::array()},
+                     {"metrics", metrics_json()}};
+        for (std::size_t i = 0; i < packing_.parts.size(); ++i) {
+            root["parts"].push_back(part_json(i));
+        }
+        for (const TrayPacking& tray : packing_.trays) {
+            root["trays"].push_back(tray_json(tray));
+        }
+        for (const Unplaced& unplaced : packing_.unplaced) {
+            root["unplaced"].push_back({{"part", unplaced.part},
+                                        {"copy", unplaced.copy},
+                                        {"reason", name_of(kReasonNames, unplaced.reason)},
+                                        {"detail", unplaced.detail}});
+        }
+        return root;
+    }
+
+  private:
+    Json part_json(std::size_t index) const {
+        const Part& part = packing_.parts[index];
+        return {{"id", index},
+                {"name", part.name},
+                {"mesh", mesh_paths_[index]},
+                {"object", or_null(part.object)},
+                {"item_transform",
+                 part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
+                {"count", part.count},
+                {"scale", part.scale},
+                {"unit", part.unit},
+                {"gap", part.gap},
+                {"volume", part.volume},
+                {"repairs", part.repairs}};
+    }
+
+    Json tray_json(const TrayPacking& tray) const {
+        Json placements = Json::array();
+        for (const Placement& placement : tray.placements) {
+            const auto part = static_cast<std::size_t>(placement.part);
+            placements.push_back({{"part", placement.part},
+                                  {"mesh", mesh_paths_.at(part)},
+                                  {"copy", placement.copy},
+                                  {"scale", packing_.parts.at(part).scale},
+                                  {"orientation", placement.orientation},
+                                  {"fixed", placement.fixed},
+                                  {"transform", transform_json(placement.transform)}});
+        }
+        Json box = nullptr;
+        if (!tray.bounding_box.empty()) {
+            box = {vector_json(tray.bounding_box.min), vector_json(tray.bounding_box.max)};
+        }
+        return {{"placements", std::move(placements)},
+                {"density", tray.density},
+                {"density_bounding_box", tray.density_bounding_box},
+                {"bounding_box", std::move(box)},
+                {"height", tray.height},
+                {"layers", {{"thickness", tray.layers.thickness}, {"area", tray.layers.area}}},
+                {"disassembly", nullptr}};
+    }
+
+    Json metrics_json() const {
+        const Metrics& m = packing_.metrics;
+        const PhaseSeconds& s = m.seconds;
+        return {{"copies", m.copies},
+                {"placed", m.placed},
+                {"density", m.density},
+                {"min_gap", or_null(m.min_gap)},
+                {"seconds",
+                 {{"total", s.total},
+                  {"load", s.load},
+                  {"voxelize", s.voxelize},
+                  {"search", s.search},
+                  {"refine", s.refine},
+                  {"disassemble", s.disassemble},
+                  {"reinsert", s.reinsert}}},
+                {"searches", m.searches},
+                {"verified", m.verified},
+                {"peak_memory", m.peak_memory},
+                {"engine", m.engine},
+                {"threads", m.threads}};
+    }
+
+    const Packing& packing_;
+    std::vector<std::string> mesh_paths_;
+};
+
+bool is_list_of_objects(const Json& value) {
+    return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+bool holds_list_of_objects(const Json& value) {
+    return is_list_of_objects(value) ||
+           (value.is_object() && std::any_of(value.begin(), value.end(), holds_list_of_objects));
+}
+
+/// Spread so that people and diff can read it: each part and each placement is one line.
+void append_text(std::string& text, const Json& value, std::size_t indent) {
+    if (!holds_list_of_objects(value)) {
+        text += text_of(value);
+        return;
+    }
+    const char* separator = value.is_object() ? "{\n" : "[\n";
+    for (const auto& [key, element] : value.items()) {
+        text += separator;
+        text.append(indent + 1, ' ');
+        if (value.is_object()) text += text_of(key) + ": ";
+        append_text(text, element, indent + 1);
+        separator = ",\n";
+    }
+    text += '\n';
+    text.append(indent, ' ');
+    text += value.is_object() ? '}' : ']';
+}
+
+}  // namespace
+
+std::string packing_to_json(const Packing& packing, const fs::path& folder) {
+    std::string text;
+    append_text(text, PackingWriter(packing, folder).json(), 0);
+    return text + "\n";
+}
+
+void write_packing(const Packing& packing, const fs::path& path) {
+    replace_file(path, packing_to_json(packing, path.parent_path()));
+}
+
+}  // namespace spectralpack

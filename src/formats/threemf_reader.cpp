@@ -1,0 +1,234 @@
+/// 3MF: the package around the model, and the resolving of items and components into meshes.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+#include "formats/mesh_parsers.hpp"
+#include "formats/number_text.hpp"
+#include "formats/threemf_model.hpp"
+#include "formats/xml_parser.hpp"
+#include "formats/zip_archive.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr std::string_view kModelRelationship =
+    "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+
+// Bounds on what a small file may grow to. Coordinates as text deflate to a fifth; hundredfold is
+// no mesh.
+constexpr std::uint64_t kFreeBytes = 16 << 20, kMostGrowth = 100;
+/// Objects of components may nest this deep ...
+constexpr int kMostLevels = 32;
+/// ... and components and items may add this many instances and triangles to those the file holds.
+constexpr std::uint64_t kMostInstances = 100'000, kMostCopiedTriangles = 32'000'000;
+
+class RelationshipParser : public XmlHandler {
+  public:
+    RelationshipParser(const std::string& file, const std::string& entry)
+        : parser(file, entry, *this) {}
+
+    void on_start(const XmlName& name, const XmlAttributes& attributes) override {
+        const char* type = attributes.find("Type");
+        const char* found = attributes.find("Target");
+        if (name.local == "Relationship" && type && found && type == kModelRelationship &&
+            target.empty()) {
+            target = found;
+        }
+    }
+    void on_end() override {}
+    void on_prefix(std::string_view, std::string_view) override {}
+
+    XmlParser parser;
+    std::string target;
+};
+
+/// What an object comes to when its components are followed: objects met, itself included, and
+/// their triangles.
+struct Extent {
+    std::uint64_t objects = 1, triangles = 0;
+};
+
+/// What makes two items instances of one shape: bits, not numbers, so that it orders any matrix.
+using ShapeKey = std::pair<ObjectKey, std::array<std::uint64_t, 9>>;
+
+ShapeKey shape_key(const ModelItem& item) {
+    ShapeKey key{item.object, {}};
+    for (std::size_t i = 0; i < 9; ++i) {
+        const double entry = item.transform.linear.rows[i / 3][static_cast<int>(i % 3)];
+        key.second[i] = std::bit_cast<std::uint64_t>(entry + 0.0);
+    }
+    return key;
+}
+
+class Reader {
+  public:
+    explicit Reader(const MeshSource& source)
+        : source_(source),
+          zip_(source.file, source.bytes),
+          bytes_left_(kFreeBytes + kMostGrowth * source.bytes.size()) {}
+
+    std::vector<LoadedMesh> read() {
+        root_ = root_entry();
+        load_part(root_);
+        const ModelPart& model = parts_.at(root_);
+        if (model.items.empty())
+            throw InputError(source_.file, root_, "nothing is to be built: there are no items");
+        std::vector<LoadedMesh> loaded;
+        std::map<ShapeKey, std::size_t> known;  // index in `loaded`
+        std::size_t unprintable = 0, supports = 0;
+        for (const ModelItem& item : model.items) {
+            const ModelObject& object = find(item.object);
+            if (!item.printable) {
+                ++unprintable;
+            } else if (object.type != "model" && object.type != "surface") {
+                ++supports;
+            } else if (const auto [at, is_new] = known.try_emplace(shape_key(item), loaded.size());
+                       is_new) {
+                loaded.push_back(load(item, object));
+            } else {
+                ++loaded[at->second].instances;
+            }
+        }
+        if (loaded.empty())
+            throw InputError(source_.file, root_, "nothing is to be built: no item is printable");
+        note(loaded.front(), unprintable, "marked as not printable");
+        note(loaded.front(), supports, "support or of no known type");
+        make_names_differ(loaded);
+        return loaded;
+    }
+
+  private:
+    /// Unpacks through one allowance for the whole archive.
+    void unpack(const std::string& entry, const std::function<void(std::string_view)>& consume) {
+        zip_.unpack(entry, bytes_left_, [&](std::string_view piece) {
+            bytes_left_ -= piece.size();
+            consume(piece);
+        });
+    }
+
+    std::string root_entry() {
+        const std::string relationships = "_rels/.rels";
+        if (!zip_.has(relationships))
+            throw InputError(source_.file, "", "is a ZIP archive, but not a 3MF");
+        RelationshipParser relations(source_.file, relationships);
+        unpack(relationships, [&](std::string_view piece) { relations.parser.feed(piece); });
+        relations.parser.finish();
+        if (relations.target.empty())
+            throw InputError(source_.file, relationships, "names no 3D model");
+        return relations.target.substr(relations.target.front() == '/' ? 1 : 0);
+    }
+
+    void load_part(const std::string& entry) {
+        if (parts_.contains(entry)) return;
+        ModelPart part = parse_model_part(source_.file, entry,
+                                          [&](const auto& consume) { unpack(entry, consume); });
+        if (entry != root_ && part.unit != parts_.at(root_).unit) {
+            throw InputError(source_.file, entry, "its unit is not that of " + root_);
+        }
+        parts_.emplace(entry, std::move(part));
+    }
+
+    const ModelObject& find(const ObjectKey& key) {
+        load_part(key.part);
+        const ModelPart& part = parts_.at(key.part);
+        const auto found = part.objects.find(key);
+        if (found == part.objects.end()) fail(key, "is referred to, but not in the file");
+        return found->second;
+    }
+
+    LoadedMesh load(const ModelItem& item, const ModelObject& object) {
+        LoadedMesh loaded;
+        const std::string own_name = object.part_number.empty() ? object.name : object.part_number;
+        loaded.name = item.part_number.empty() ? own_name : item.part_number;
+        loaded.object = name_of(item.object);
+        loaded.item_transform = item.transform;
+        loaded.unit = parts_.at(root_).unit;
+        const Extent extent = extent_of(item.object, 0);
+        if (extent.objects > 1 || !meshes_used_.insert(item.object).second) {
+            copied_triangles_ += extent.triangles;
+        }
+        if (extent.objects > kMostInstances || copied_triangles_ > kMostCopiedTriangles) {
+            fail(item.object, "its components multiply beyond measure");
+        }
+        append(loaded.mesh, item.object, item.transform);
+        return loaded;
+    }
+
+    std::string name_of(const ObjectKey& key) const {
+        return key.part == root_ ? key.id : key.part + "#" + key.id;
+    }
+
+    /// Each object once; numbers saturate, so that a small file cannot wrap them.
+    Extent extent_of(const ObjectKey& key, int level) {
+        if (const auto known = extents_.find(key); known != extents_.end()) return known->second;
+        if (level > kMostLevels)
+            fail(key, "its components are nested too deep or contain themselves");
+        const ModelObject& object = find(key);
+        Extent extent{1, object.mesh.triangles.size()};
+        for (const ModelComponent& component : object.components) {
+            const Extent part = extent_of(component.object, level + 1);
+            extent.objects = std::min(extent.objects + part.objects, kMostInstances + 1);
+            extent.triangles =
+                std::min(extent.triangles + part.triangles, kMostCopiedTriangles + 1);
+        }
+        extents_.emplace(key, extent);
+        return extent;
+    }
+
+    void append(Mesh& mesh, const ObjectKey& key, const Transform& transform) {
+        const ModelObject& object = find(key);
+        const Mesh moved = transformed(object.mesh, transform);
+        const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), moved.vertices.begin(), moved.vertices.end());
+        for (const Triangle& t : moved.triangles) {
+            mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+        }
+        for (const ModelComponent& component : object.components) {
+            append(mesh, component.object, transform * component.transform);
+        }
+    }
+
+    static void note(LoadedMesh& loaded, std::size_t items, const std::string& what) {
+        if (items == 0) return;
+        loaded.warnings.push_back(std::to_string(items) +
+                                  (items == 1 ? " build item is " : " build items are ") + what +
+                                  " and left out");
+    }
+
+    void make_names_differ(std::vector<LoadedMesh>& loaded) const {
+        for (LoadedMesh& mesh : loaded) {
+            if (!mesh.name.empty()) continue;
+            mesh.name = loaded.size() == 1 ? source_.stem : source_.stem + "-" + *mesh.object;
+        }
+    }
+
+    [[noreturn]] void fail(const ObjectKey& key, const std::string& cause) const {
+        throw InputError(source_.file, key.part + " object " + quoted_excerpt(key.id), cause);
+    }
+
+    const MeshSource& source_;
+    ZipReader zip_;
+    std::uint64_t bytes_left_;
+    std::string root_;
+    std::map<std::string, ModelPart> parts_;
+    std::map<ObjectKey, Extent> extents_;
+    std::set<ObjectKey> meshes_used_;
+    std::uint64_t copied_triangles_ = 0;
+};
+
+}  // namespace
+
+std::vector<ParsedMesh> parse_3mf(const MeshSource& source) {
+    std::vector<ParsedMesh> parsed;
+    for (LoadedMesh& loaded : Reader(source).read()) {
+        parsed.push_back({std::move(loaded)});
+    }
+    return parsed;
+}
+
+}  // namespace spectralpack

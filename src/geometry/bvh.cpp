@@ -1,0 +1,112 @@
+#include "geometry/bvh.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace spectralpack {
+
+namespace {
+
+class Builder {
+  public:
+    explicit Builder(const Mesh& mesh) : order_(mesh.triangles.size()) {
+        std::iota(order_.begin(), order_.end(), 0u);
+        centres_.reserve(order_.size());
+        for (const Triangle& t : mesh.triangles) {
+            // Three times the centroid: only comparisons are made with it.
+            centres_.push_back(mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
+        }
+        if (!order_.empty()) split(0, order_.size());
+    }
+
+    std::vector<std::uint32_t> order_;
+    std::vector<Bvh::Node> nodes_;
+
+  private:
+    void split(std::size_t begin, std::size_t end) {
+        const std::size_t self = nodes_.size();
+        nodes_.emplace_back();
+        if (end - begin <= Bvh::kLeafTriangles) {
+            nodes_[self].first = static_cast<std::uint32_t>(begin);
+            nodes_[self].count = static_cast<std::uint32_t>(end - begin);
+            return;
+        }
+        Box box;
+        for (std::size_t i = begin; i < end; ++i) {
+            box.add(centres_[order_[i]]);
+        }
+        const Vec3 size = box.size();
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const std::size_t middle = begin + (end - begin) / 2;
+        const auto at = [&](std::size_t i) {
+            return order_.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+            const double ca = centres_[a][axis], cb = centres_[b][axis];
+            return ca != cb ? ca < cb : a < b;
+        });
+        // Which triangles go left is now certain, their order is up to the library: sort the leaves
+        // below.
+        split(begin, middle);
+        nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
+        split(middle, end);
+    }
+
+    std::vector<Vec3> centres_;
+};
+
+}  // namespace
+
+Bvh::Bvh(const Mesh& mesh) : vertices_(mesh.vertices) {
+    Builder builder(mesh);
+    nodes_ = std::move(builder.nodes_);
+    for (const Node& node : nodes_) {
+        const auto first = builder.order_.begin() + node.first;
+        if (node.leaf()) std::sort(first, first + node.count);
+    }
+    triangles_.reserve(mesh.triangles.size());
+    for (const std::uint32_t i : builder.order_) {
+        triangles_.push_back(mesh.triangles[i]);
+    }
+    refit();
+    faces_outwards_ = is_closed(mesh) && signed_volume(mesh) > 0;
+}
+
+void Bvh::refit() {
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        Node& node = nodes_[i];
+        node.box = Box{};
+        if (node.leaf()) {
+            for (std::size_t t = node.first; t < node.first + node.count; ++t) {
+                for (const Vec3& corner : corners(t)) {
+                    node.box.add(corner);
+                }
+            }
+        } else {
+            node.box.add(nodes_[i + 1].box);
+            node.box.add(nodes_[node.first].box);
+        }
+    }
+}
+
+Bvh Bvh::turned(const Mat3& linear) const {
+    Bvh result(*this);
+    for (Vec3& vertex : result.vertices_) {
+        vertex = Transform{linear, {}} * vertex;
+    }
+    if (determinant(linear) < 0) {
+        for (Triangle& t : result.triangles_) {
+            std::swap(t[1], t[2]);
+        }
+    }
+    result.refit();
+    return result;
+}
+
+std::int64_t Bvh::bytes() const {
+    return static_cast<std::int64_t>(vertices_.size() * sizeof(Vec3) +
+                                     triangles_.size() * sizeof(Triangle) +
+                                     nodes_.size() * sizeof(Node));
+}
+
+}  // namespace spectralpack

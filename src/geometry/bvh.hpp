@@ -1,0 +1,64 @@
+#pragma once
+/// Tree of axis-aligned boxes over the triangles of a mesh: what distance and slide queries walk
+/// on. A surface only: it knows nothing of inside and outside but which way its triangles face.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+
+namespace spectralpack {
+
+using Corners = std::array<Vec3, 3>;  ///< of one triangle, in its order
+
+/// Immutable and shareable. About 60 bytes a triangle.
+class Bvh {
+  public:
+    /// An inner node's left child is the next node, its right child is `first`; a leaf holds the
+    /// triangles first .. first + count - 1.
+    struct Node {
+        Box box;
+        std::uint32_t first = 0;
+        std::uint32_t count = 0;  ///< 0: inner node
+
+        bool leaf() const { return count > 0; }
+    };
+
+    static constexpr std::size_t kLeafTriangles =
+        4;  ///< 8 is slower, 1 and 2 are larger and no faster
+
+    /// Splits at the median centroid along the longest axis: O(n log n), depth about log2 n, the
+    /// same tree on every machine. Preconditions: finite coordinates, indices in range.
+    explicit Bvh(const Mesh& mesh);
+
+    /// The tree of transformed(mesh, {linear, 0}): same shape, boxes fitted anew. O(n).
+    Bvh turned(const Mat3& linear) const;
+
+    std::span<const Node> nodes() const {
+        return nodes_;
+    }  ///< the root first; empty without triangles
+    std::size_t triangle_count() const { return triangles_.size(); }
+    Corners corners(std::size_t i) const {
+        const Triangle& t = triangles_[i];
+        return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
+    }
+    Box box() const { return nodes_.empty() ? Box{} : nodes_.front().box; }
+
+    /// The triangles face outwards: the mesh is closed and its signed volume is positive.
+    bool faces_outwards() const { return faces_outwards_; }
+
+    std::int64_t bytes() const;
+
+  private:
+    Bvh() = default;
+    void refit();
+
+    std::vector<Vec3> vertices_;
+    std::vector<Triangle> triangles_;  // in the order of the leaves
+    std::vector<Node> nodes_;
+    bool faces_outwards_ = false;
+};
+
+}  // namespace spectralpack

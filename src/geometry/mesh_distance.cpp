@@ -1,0 +1,108 @@
+#include "geometry/mesh_distance.hpp"
+
+namespace spectralpack {
+
+namespace {
+
+Box moved(const Box& box, const Vec3& by) {
+    return {box.min + by, box.max + by};
+}
+
+double square_distance(const Box& a, const Box& b) {
+    const Vec3 gap = max(Vec3{}, max(a.min - b.max, b.min - a.max));
+    return dot(gap, gap);
+}
+
+double extent(const Box& box) {
+    const Vec3 size = box.max - box.min;
+    return size.x + size.y + size.z;
+}
+
+class Search {
+  public:
+    /// `offset`: of a as seen from b.
+    Search(const Bvh& a, const Bvh& b, const Vec3& offset, double upper_bound)
+        : a_(a), b_(b), offset_(offset) {
+        best_.distance = upper_bound;
+    }
+
+    ClosestPoints run() {
+        if (!a_.nodes().empty() && !b_.nodes().empty()) push(0, 0);
+        while (!stack_.empty()) {
+            const Pair pair = stack_.back();
+            stack_.pop_back();
+            if (pair.square < best_.distance * best_.distance) visit(pair);
+        }
+        return best_;
+    }
+
+  private:
+    struct Pair {
+        std::uint32_t a, b;
+        double square;  ///< of the boxes' distance
+    };
+
+    Pair pair_of(std::uint32_t a, std::uint32_t b) const {
+        return {a, b, square_distance(moved(a_.nodes()[a].box, offset_), b_.nodes()[b].box)};
+    }
+
+    void push(std::uint32_t a, std::uint32_t b) { stack_.push_back(pair_of(a, b)); }
+
+    void visit(const Pair& pair) {
+        const Bvh::Node& a = a_.nodes()[pair.a];
+        const Bvh::Node& b = b_.nodes()[pair.b];
+        if (a.leaf() && b.leaf()) {
+            compare(a, b);
+            return;
+        }
+        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box) > extent(b.box));
+        Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
+        Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
+        if (one.square < two.square) std::swap(one, two);  // the nearer on top
+        const double square = best_.distance * best_.distance;
+        if (one.square < square) stack_.push_back(one);
+        if (two.square < square) stack_.push_back(two);
+    }
+
+    void compare(const Bvh::Node& a, const Bvh::Node& b) {
+        for (std::size_t i = a.first; i < a.first + a.count; ++i) {
+            Corners one = a_.corners(i);
+            Box box;
+            for (Vec3& corner : one) {
+                corner = corner + offset_;
+                box.add(corner);
+            }
+            for (std::size_t j = b.first; j < b.first + b.count; ++j) {
+                const Corners two = b_.corners(j);
+                Box other;
+                for (const Vec3& corner : two) {
+                    other.add(corner);
+                }
+                if (square_distance(box, other) >= best_.distance * best_.distance) continue;
+                if (plane_separation(one, two, {}) >= best_.distance) continue;
+                const ClosestPoints found = closest_points(one, two);
+                if (found.distance < best_.distance) best_ = found;
+            }
+        }
+    }
+
+    const Bvh& a_;
+    const Bvh& b_;
+    Vec3 offset_;
+    ClosestPoints best_;
+    std::vector<Pair> stack_;
+};
+
+}  // namespace
+
+ClosestPoints least_distance(const Bvh& a, const Vec3& offset_a, const Bvh& b, const Vec3& offset_b,
+                             double upper_bound) {
+    ClosestPoints found = Search(a, b, offset_a - offset_b, upper_bound).run();
+    if (found.distance < upper_bound) {
+        found.a = found.a + offset_b;
+        found.b = found.b + offset_b;
+    }
+    return found;
+}
+
+}  // namespace spectralpack

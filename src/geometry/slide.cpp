@@ -1,0 +1,263 @@
+/// The exact swept test. For triangles a (moving by t along the axis) and b, C = b - a is a convex
+/// polytope and their distance f(t) is that of the point t e from C: convex in t, and
+/// differentiable where positive, its slope being e . (pa - pb) / f for the closest points pa and
+/// pb.
+///
+/// gap > 0. Two levels: the move is stopped where f falls to gap + slack/2, but only if it would go
+/// on to fall under the floor, gap - tolerance, within the move: sliding along a face at exactly
+/// the gap never does.
+///
+/// gap 0. Distances cannot tell touching from crossing. But the line t e meets the inside of C
+/// exactly if the triangles overlap as seen along e, an exact test for an axis; those that do not,
+/// by more than a tolerance, are let pass. For the others the line is in C for t in an interval
+/// [enter, leave].
+
+#include "geometry/slide.hpp"
+
+#include "geometry/triangle_distance.hpp"
+
+namespace spectralpack {
+
+namespace {
+
+constexpr int kNewtonSteps = 64;   ///< never reached but by noise; any step is a safe place to stop
+constexpr double kReached = 1e-8;  ///< mm: at gap 0, a distance that is contact
+
+/// A box in the move's own axes: `low`, `high` along it (growing in its direction), u and v across.
+struct Sweep {
+    double low, high, u0, u1, v0, v1;
+};
+
+class Slide {
+  public:
+    Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
+          double gap, double at_most)
+        : moving_(moving),
+          still_(still),
+          offset_(offset),
+          axis_(direction.axis),
+          sign_(direction.sign),
+          touching_(gap == 0),
+          gap_(touching_ ? 0 : std::max(gap, kSlideSlack)),
+          best_(at_most),
+          faces_known_(moving.faces_outwards() && still.faces_outwards()) {}
+
+    double run() {
+        if (moving_.nodes().empty() || still_.nodes().empty() || !(best_ > 0)) return best_;
+        push(0, 0);
+        while (!stack_.empty() && best_ > 0) {
+            const Pair pair = stack_.back();
+            stack_.pop_back();
+            if (pair.earliest < best_) visit(pair);
+        }
+        return best_;
+    }
+
+  private:
+    struct Pair {
+        std::uint32_t a, b;
+        double earliest;  ///< no contact before
+    };
+
+    Sweep sweep(const Box& box, const Vec3& offset) const {
+        const int u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
+        const double low = box.min[axis_] + offset[axis_], high = box.max[axis_] + offset[axis_];
+        return {sign_ > 0 ? low : -high, sign_ > 0 ? high : -low, box.min[u] + offset[u],
+                box.max[u] + offset[u],  box.min[v] + offset[v],  box.max[v] + offset[v]};
+    }
+
+    /// When boxes could first be in contact; infinite when never.
+    double earliest(const Sweep& a, const Sweep& b) const {
+        const double du = std::max(a.u0 - b.u1, b.u0 - a.u1);
+        const double dv = std::max(a.v0 - b.v1, b.v0 - a.v1);
+        if (touching_) {
+            if (du > -kTouchTolerance || dv > -kTouchTolerance) return Box::kInfinity;
+            if (a.low > b.high + kRecovery) return Box::kInfinity;  // gone past
+        } else {
+            const double across =
+                std::max(du, 0.0) * std::max(du, 0.0) + std::max(dv, 0.0) * std::max(dv, 0.0);
+            const double floor = gap_ - kSlideTolerance;
+            if (across >= floor * floor || a.low > b.high) return Box::kInfinity;
+        }
+        return b.low - a.high - gap_ - kSlideSlack;
+    }
+
+    Pair pair_of(std::uint32_t a, std::uint32_t b) const {
+        return {a, b,
+                earliest(sweep(moving_.nodes()[a].box, offset_), sweep(still_.nodes()[b].box, {}))};
+    }
+
+    void push(std::uint32_t a, std::uint32_t b) {
+        const Pair pair = pair_of(a, b);
+        if (pair.earliest < best_) stack_.push_back(pair);
+    }
+
+    void visit(const Pair& pair) {
+        const Bvh::Node& a = moving_.nodes()[pair.a];
+        const Bvh::Node& b = still_.nodes()[pair.b];
+        if (a.leaf() && b.leaf()) {
+            meet(a, b);
+            return;
+        }
+        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box) > extent(b.box));
+        Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
+        Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
+        if (one.earliest < two.earliest) std::swap(one, two);  // the earlier contact on top
+        if (one.earliest < best_) stack_.push_back(one);
+        if (two.earliest < best_) stack_.push_back(two);
+    }
+
+    static double extent(const Box& box) {
+        const Vec3 size = box.max - box.min;
+        return size.x + size.y + size.z;
+    }
+
+    void meet(const Bvh::Node& a, const Bvh::Node& b) {
+        for (std::size_t i = a.first; i < a.first + a.count; ++i) {
+            Corners one = moving_.corners(i);
+            Box box;
+            for (Vec3& corner : one) {
+                corner = corner + offset_;
+                box.add(corner);
+            }
+            const Sweep swept = sweep(box, {});
+            for (std::size_t j = b.first; j < b.first + b.count; ++j) {
+                const Corners two = still_.corners(j);
+                Box other;
+                for (const Vec3& corner : two) {
+                    other.add(corner);
+                }
+                if (earliest(swept, sweep(other, {})) >= best_) continue;
+                best_ = std::min(best_, touching_ ? touch(one, two) : approach(one, two));
+            }
+        }
+    }
+
+    ClosestPoints closest(const Corners& a, const Corners& b, double way) const {
+        Corners moved = a;
+        for (Vec3& corner : moved) {
+            corner[axis_] += sign_ * way;
+        }
+        return closest_points(moved, b);
+    }
+
+    /// A moment at which f is at most `reached`, before it is under `level` (level < reached), when
+    /// going from `way` in steps of sign `heading`; none if f never is before `end`, in that order.
+    struct Contact {
+        bool found;
+        double way;
+    };
+    Contact first_contact(const Corners& a, const Corners& b, double way, double end, double level,
+                          double reached, int heading = 1) const {
+        for (int step = 0; step < kNewtonSteps; ++step) {
+            const ClosestPoints now = closest(a, b, way);
+            if (now.distance <= reached) return {true, way};
+            const double slope = heading * sign_ * now.apart()[axis_] / now.distance;
+            if (!(slope < 0)) return {false, way};
+            way += heading * (now.distance - level) / -slope;
+            if (heading * (end - way) <= 0) return {false, way};
+        }
+        return {true, way};
+    }
+
+    /// gap > 0: how far this pair lets the mesh go.
+    double approach(const Corners& a, const Corners& b) const {
+        Vec3 sweep;
+        sweep[axis_] = sign_ * best_;
+        if (plane_separation(a, b, sweep) >= gap_ - kSlideTolerance / 2) return best_;
+        const Contact stop =
+            first_contact(a, b, 0, best_, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
+        if (!stop.found) return best_;
+        const double now = closest(a, b, stop.way).distance;
+        // The gap's own floor does not sink with repeated moves; that of a pair too near to begin
+        // with follows it, a sixteenth for the iteration to end in.
+        const double floor = std::min(gap_ - kSlideTolerance, now - kSlideTolerance / 8);
+        if (floor <= 0) return 0;
+        const Contact fall =
+            first_contact(a, b, stop.way, best_, floor, floor + kSlideTolerance / 16);
+        return fall.found ? stop.way : best_;
+    }
+
+    /// gap 0: likewise.
+    double touch(const Corners& a, const Corners& b) const {
+        if (overlap_across(a, b) <= kTouchTolerance) return best_;
+        if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
+        const double far = 1 + size_along(a, b);
+        const Contact leave = first_contact(a, b, far, -far, 0, kReached, -1);
+        const Contact enter = first_contact(a, b, -far, far, 0, kReached);
+        if (!leave.found || !enter.found) return 0;
+        const bool flat = enter.way >= -kRecovery && leave.way <= kRecovery;
+        if (flat && faces_known_) {
+            // Two faces on each other. If a trails with its face and b's looks after it, they part.
+            // If they look at each other and have passed, it is overlapping a little already.
+            if (facing(a) < 0 && facing(b) > 0) return best_;
+            if (facing(a) > 0 && facing(b) < 0) return enter.way > 0 ? first_touch(a, b) : 0;
+        }
+        const bool behind = leave.way < -10 * kReached;
+        const bool soon_behind = !flat && leave.way <= kRecovery;
+        return behind || soon_behind ? best_ : first_touch(a, b);
+    }
+
+    double first_touch(const Corners& a, const Corners& b) const {
+        const Contact stop = first_contact(a, b, 0, best_, kSlideSlack / 2, kSlideSlack);
+        if (!stop.found) return best_;
+        return first_contact(a, b, stop.way, best_, 0, kReached).found ? stop.way : best_;
+    }
+
+    double size_along(const Corners& a, const Corners& b) const {
+        Box box;
+        for (int i = 0; i < 3; ++i) {
+            box.add(a[static_cast<std::size_t>(i)]);
+            box.add(b[static_cast<std::size_t>(i)]);
+        }
+        return box.size()[axis_];
+    }
+
+    /// The normal's component in the direction of the move.
+    double facing(const Corners& t) const { return sign_ * cross(t[1] - t[0], t[2] - t[0])[axis_]; }
+
+    /// By how much two triangles overlap as seen along the move: the least way across it that would
+    /// part them (negative or 0 when they do not overlap). Of flat polygons, so the directions to
+    /// try are the normals of their edges.
+    double overlap_across(const Corners& a, const Corners& b) const {
+        const int u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
+        double least = Box::kInfinity;
+        for (const Corners* t : {&a, &b}) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vec3 edge = (*t)[(i + 1) % 3] - (*t)[i];
+                const double length = std::hypot(edge[u], edge[v]);
+                if (!(length > 0)) continue;
+                const double nu = -edge[v] / length, nv = edge[u] / length;
+                double a0 = Box::kInfinity, a1 = -a0, b0 = a0, b1 = -a0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    // From a corner of a, so that rounding is that of the triangles' sizes.
+                    const Vec3 pa = a[k] - a[0], pb = b[k] - a[0];
+                    const double ha = nu * pa[u] + nv * pa[v], hb = nu * pb[u] + nv * pb[v];
+                    a0 = std::min(a0, ha), a1 = std::max(a1, ha);
+                    b0 = std::min(b0, hb), b1 = std::max(b1, hb);
+                }
+                least = std::min({least, a1 - b0, b1 - a0});
+            }
+        }
+        return std::isfinite(least) ? least : 0;
+    }
+
+    const Bvh& moving_;
+    const Bvh& still_;
+    Vec3 offset_;
+    int axis_, sign_;
+    bool touching_;
+    double gap_;
+    double best_;  ///< the way that is free as far as is known
+    bool faces_known_;
+    std::vector<Pair> stack_;
+};
+
+}  // namespace
+
+double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
+             double gap, double at_most) {
+    return Slide(moving, offset, still, direction, gap, at_most).run();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,236 @@
+#include "refine/refiner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "geometry/mesh_distance.hpp"
+#include "geometry/slide.hpp"
+
+namespace spectralpack {
+
+namespace {
+
+constexpr double kProof = 1e-9;      ///< mm: the gap is proved to this in the end
+constexpr double kLeastMove = 1e-9;  ///< mm: shorter ways are not worth going
+constexpr int kRecoveries = 3;       ///< attempts to leave those that are too near
+
+Box grown(const Box& box, double by) {
+    const Vec3 all{by, by, by};
+    return {box.min - all, box.max + all};
+}
+
+/// One copy on its way.
+class Walk {
+  public:
+    struct Neighbour {
+        const StandingCopy* copy;
+        double gap;   ///< to keep from it
+        double kept;  ///< min(gap, distance at the start)
+    };
+
+    Walk(const RefineSetup& setup, const StandingCopy& copy, std::vector<Neighbour> neighbours)
+        : setup_(setup), start_(copy), at_(copy), neighbours_(std::move(neighbours)) {}
+
+    Refined run(const std::array<int, 3>& direction) {
+        if (!measure()) return {start_.offset, 0, shortfall()};
+        for (int i = 0; i < kRecoveries && shortfall() > kProof; ++i) {
+            if (!recover()) break;
+        }
+        for (int round = 0; round < setup_.rounds; ++round) {
+            double way = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                if (direction[static_cast<std::size_t>(axis)] == 0) continue;
+                way += move({axis, direction[static_cast<std::size_t>(axis)]}, setup_.longest_move);
+            }
+            if (way == 0) break;  // nor would another round
+        }
+        if (!proved()) return {start_.offset, 0, shortfall()};
+        return {at_.offset, way_, shortfall()};
+    }
+
+  private:
+    double distance_to(const Neighbour& other) const {
+        return least_distance(*at_.surface, at_.offset, *other.copy->surface, other.copy->offset,
+                              other.gap)
+            .distance;
+    }
+
+    /// How much of the gaps is kept here; false when a surface is crossed. (At gap 0 there is
+    /// nothing to keep, and crossing is up to slide().)
+    bool measure() {
+        for (Neighbour& other : neighbours_) {
+            other.kept = other.gap > 0 ? distance_to(other) : 0;
+            if (other.gap > 0 && other.kept <= 0) return false;
+        }
+        return true;
+    }
+
+    double shortfall() const {
+        double most = 0;
+        for (const Neighbour& other : neighbours_) {
+            most = std::max(most, other.gap - other.kept);
+        }
+        return most > kProof ? most : 0;
+    }
+
+    /// Away from the worst neighbour, along the axis that leads most directly. True if that helped.
+    bool recover() {
+        const auto worst = std::max_element(
+            neighbours_.begin(), neighbours_.end(),
+            [](const Neighbour& a, const Neighbour& b) { return a.gap - a.kept < b.gap - b.kept; });
+        const ClosestPoints nearest = least_distance(
+            *at_.surface, at_.offset, *worst->copy->surface, worst->copy->offset, worst->gap);
+        const Vec3 apart = nearest.apart();
+        int axis = 0;
+        for (int i = 1; i < 3; ++i) {
+            if (std::abs(apart[i]) > std::abs(apart[axis])) axis = i;
+        }
+        const double slope = std::abs(apart[axis]) / nearest.distance;
+        const double before = shortfall();
+        move({axis, apart[axis] > 0 ? 1 : -1},
+             (worst->gap - worst->kept) / slope + kSlideSlack / 2);
+        return measure() && shortfall() < before;
+    }
+
+    /// Up to the wall, the first contact or `longest`. Returns the way gone.
+    double move(AxisDirection direction, double longest) {
+        const int axis = direction.axis;
+        const Box box = at_.box();
+        const double room = direction.sign > 0
+                                ? setup_.container[axis] - setup_.wall_gap - box.max[axis]
+                                : box.min[axis] - setup_.wall_gap;
+        double way = std::min(longest, room);
+        if (!(way > kLeastMove)) return 0;
+        Box swept = box;
+        (direction.sign > 0 ? swept.max : swept.min)[axis] += direction.sign * way;
+        struct Reached {
+            double from;
+            const Neighbour* other;
+        };
+        std::vector<Reached> reached;
+        for (const Neighbour& other : neighbours_) {
+            const Box there = other.copy->box();
+            if (distance(swept, there) > other.kept + kSlideSlack) continue;
+            const double from = direction.sign > 0 ? there.min[axis] - box.max[axis]
+                                                   : box.min[axis] - there.max[axis];
+            reached.push_back({from, &other});
+        }
+        // Whoever is met first shortens the way for the others. The result is the least of all, in
+        // any order.
+        std::stable_sort(reached.begin(), reached.end(),
+                         [](const Reached& a, const Reached& b) { return a.from < b.from; });
+        for (const Reached& r : reached) {
+            way = slide(*at_.surface, at_.offset - r.other->copy->offset, *r.other->copy->surface,
+                        direction, r.other->kept, way);
+            if (!(way > kLeastMove)) return 0;
+        }
+        at_.offset[axis] += direction.sign * way;
+        way_ += way;
+        return way;
+    }
+
+    /// The end again, by distances alone.
+    bool proved() const {
+        return way_ == 0 ||
+               std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& other) {
+                   return other.gap == 0 || distance_to(other) >= other.kept - kProof;
+               });
+    }
+
+    const RefineSetup& setup_;
+    const StandingCopy& start_;
+    StandingCopy at_;
+    std::vector<Neighbour> neighbours_;
+    double way_ = 0;
+};
+
+}  // namespace
+
+std::array<int, 3> descent(const std::array<Cost, 6>& neighbours) {
+    std::array<int, 3> direction{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Cost& before = neighbours[2 * axis];
+        const Cost& after = neighbours[2 * axis + 1];
+        direction[axis] = after < before ? 1 : before < after ? -1 : 0;
+    }
+    return direction;
+}
+
+Refiner::Refiner(const RefineSetup& setup) : setup_(setup), index_({Vec3{}, setup.container}) {
+    const Vec3& size = setup.container;
+    if (!std::isfinite(setup.wall_gap) || setup.wall_gap < 0) {
+        throw UsageError("the wall gap must be a number of millimetres, 0 or more");
+    }
+    const double least = std::min({size.x, size.y, size.z});
+    if (!(2 * setup.wall_gap < least)) {
+        throw UsageError("the wall gap leaves no room in the container");
+    }
+    if (!std::isfinite(setup.longest_move) || setup.longest_move < 0 || setup.rounds < 0 ||
+        !std::isfinite(size.x + size.y + size.z)) {
+        throw InternalError("refinement: the setup makes no sense");
+    }
+}
+
+Refiner::CopyId Refiner::add(StandingCopy copy) {
+    if (!std::isfinite(copy.gap) || copy.gap < 0) {
+        throw UsageError("a gap must be a number of millimetres, 0 or more");
+    }
+    const auto id = static_cast<CopyId>(copies_.size());
+    index_.add(id, copy.box());
+    largest_gap_ = std::max(largest_gap_, copy.gap);
+    copies_.emplace_back(std::move(copy));
+    return id;
+}
+
+void Refiner::remove(CopyId id) {
+    const StandingCopy* copy = find(id);
+    if (!copy) throw InternalError("refinement: the copy to remove does not stand here");
+    index_.remove(id, copy->box());
+    copies_[static_cast<std::size_t>(id)].reset();
+}
+
+const StandingCopy* Refiner::find(CopyId id) const {
+    if (id < 0 || id >= static_cast<CopyId>(copies_.size())) return nullptr;
+    const std::optional<StandingCopy>& copy = copies_[static_cast<std::size_t>(id)];
+    return copy ? &*copy : nullptr;
+}
+
+Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& direction) const {
+    if (!std::isfinite(copy.gap) || copy.gap < 0) {
+        throw UsageError("a gap must be a number of millimetres, 0 or more");
+    }
+    // A millimetre more than the rounds can go: for the recovery.
+    const double reach = setup_.rounds * setup_.longest_move + std::max(largest_gap_, copy.gap) + 1;
+    const Box around = grown(copy.box(), reach);
+    std::vector<Walk::Neighbour> neighbours;
+    for (const CopyId id : index_.near(around)) {
+        const StandingCopy* other = find(id);
+        if (distance(around, other->box()) > 0) continue;
+        neighbours.push_back({other, std::max(copy.gap, other->gap), 0});
+    }
+    return Walk(setup_, copy, std::move(neighbours)).run(direction);
+}
+
+double Refiner::clearance(const StandingCopy& copy, double upper_bound,
+                          std::optional<CopyId> except) const {
+    std::vector<CopyId> ids;
+    if (std::isfinite(upper_bound)) {
+        ids = index_.near(grown(copy.box(), upper_bound));
+    } else {
+        ids.resize(copies_.size());
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            ids[i] = static_cast<CopyId>(i);
+        }
+    }
+    double least = upper_bound;
+    for (const CopyId id : ids) {
+        const StandingCopy* other = find(id);
+        if (!other || id == except) continue;
+        least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least)
+                    .distance;
+    }
+    return least;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,69 @@
+#pragma once
+/// The tray's occupancy as bits, dilated by powers of two along each axis, so that "does a run of L voxels meet
+/// something here" is one look-up for L a power of two and two otherwise, whatever L is.
+///
+/// Invariant, for every layer of occupancy O (a gap class's objects, or the walls):
+///   bit X of table (axis, k) = OR over 0 <= i < 2^k of O(X + i e_axis), O = 0 outside the grid,
+/// for X from -margin to extent + margin on each axis.
+///
+/// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring words are a tile of
+/// 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight words elsewhere, shifted.
+
+#include <cstdint>
+#include <vector>
+
+#include "search/cpu/voxel_box.hpp"
+#include "voxel/bit_grid.hpp"
+
+namespace spectralpack {
+
+class BitTables {
+  public:
+    static constexpr int kLevels = 5;  ///< runs are covered by pieces of at most 2^kLevels voxels
+    static constexpr int kTables = 1 + 3 * kLevels;
+
+    BitTables() = default;
+    /// Throws ResourceError when an offset would not fit 31 bits. All empty.
+    BitTables(const Extent& grid, int margin, int layers);
+
+    /// Makes the tables of `layer` right after `occupied` changed within `changed`; O(words that can differ).
+    void refresh(int layer, const BitGrid& occupied, const VoxelBox& changed);
+
+    bool operator==(const BitTables&) const = default;
+
+    int margin() const { return margin_; }
+    int layers() const { return layers_; }
+    std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
+
+    /// Words to the neighbouring tile along x.
+    std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
+    /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as offsets.
+    const std::uint64_t* tile(int bx, int y, int z) const {
+        return words_.data() + (z * static_cast<std::int64_t>(columns_) + bx) * column_ + y;
+    }
+    struct Place {
+        std::int32_t offset = 0;
+        int shift = 0;
+    };
+    /// Where the run piece of 2^level voxels along `axis` that starts at displacement d lies from a tile;
+    /// -margin <= d on each axis.
+    Place place(int layer, int axis, int level, const VoxelIndex& d) const;
+
+  private:
+    using Word = std::uint64_t;
+
+    Word* table(int layer, int axis, int level) {
+        const int index = level == 0 ? 0 : 1 + axis * kLevels + level - 1;
+        return words_.data() + (static_cast<std::int64_t>(layer) * kTables + index) * table_;
+    }
+    void refresh_plain(int layer, const BitGrid& occupied, const VoxelBox& changed);
+
+    Extent grid_;
+    int margin_ = 0, layers_ = 0;
+    int columns_ = 0;          // words along x, one of them a zero at the end
+    std::int64_t column_ = 0;  // words along y
+    std::int64_t table_ = 0;
+    std::vector<Word> words_;
+};
+
+}  // namespace spectralpack

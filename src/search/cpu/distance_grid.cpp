@@ -1,0 +1,128 @@
+#include "search/cpu/distance_grid.hpp"
+
+#include <bit>
+#include <limits>
+
+#include "search/cpu/kernels.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what changed.
+void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y, int z,
+                   int& lo, int& hi) {
+    const BitGrid::Word* bits = solid.row(y, z);
+    for (int w = 0; w < solid.words_per_row(); ++w) {
+        for (BitGrid::Word word = bits[w]; word != 0;) {
+            const int bit = std::countr_zero(word);
+            const int length = std::countr_one(word >> bit);
+            word = bit + length < 64 ? word & (~BitGrid::Word{0} << (bit + length)) : 0;
+            int first = std::max(0, at.x + 64 * w + bit);
+            int last = std::min(nx, at.x + 64 * w + bit + length);
+            if (first >= last) continue;
+            std::fill(row + first, row + last, std::uint16_t{0});
+            for (std::uint16_t d = 1; first > 0 && row[first - 1] > d; ++d) row[--first] = d;
+            for (std::uint16_t d = 1; last < nx && row[last] > d; ++d) row[last++] = d;
+            lo = std::min(lo, first);
+            hi = std::max(hi, last);
+        }
+    }
+}
+
+/// Lowers row(i) from row(i - step), i from `first` on, up to `last` inclusive and beyond it while something
+/// changes, inside [0, count). Returns one past the farthest index seen, in steps.
+template <class RowLower>
+int sweep(int first, int last, int step, int count, const RowLower& lower) {
+    int i = first;
+    for (; i >= 0 && i < count; i += step) {
+        const bool changed = lower(i, i - step);
+        const bool inside = step > 0 ? i <= last : i >= last;
+        if (!changed && !inside) break;
+    }
+    return i;
+}
+
+}  // namespace
+
+DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
+    : extent_(extent), stride_((extent.x + 31) / 32 * 32) {
+    const int walls = std::min(extent.x, extent.y);
+    if ((walls + 1) / 2 >= std::numeric_limits<std::uint16_t>::max()) {
+        throw ResourceError("the tray is too wide for this engine");
+    }
+    values_.assign(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})), 0);
+    for (int z = 0; z < extent.z; ++z) {
+        const int above = ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
+        for (int y = 0; y < extent.y; ++y) {
+            const int other = std::min({above, z + 1, y + 1, extent.y - y});
+            std::uint16_t* values = row(y, z);
+            for (int x = 0; x < extent.x; ++x) {
+                values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent.x - x}));
+            }
+        }
+    }
+    tighten_most();
+}
+
+void DistanceGrid::tighten_most() {
+    most_ = max_of_row(values_.data(), values_.size());  // what pads a row is 0
+}
+
+VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
+    const Extent& s = solid.extent();
+    const VoxelBox box = intersection({at, at + VoxelIndex{s.x, s.y, s.z}}, whole(extent_));
+    if (box.empty()) return {};
+
+    // Along x, in the object's own rows.
+    VoxelBox changed = box;
+    changed.lo.x = extent_.x;
+    changed.hi.x = 0;
+    for (int z = box.lo.z; z < box.hi.z; ++z) {
+        for (int y = box.lo.y; y < box.hi.y; ++y) {
+            lower_along_x(row(y, z), extent_.x, solid, at, y - at.y, z - at.z, changed.lo.x,
+                          changed.hi.x);
+        }
+    }
+    if (changed.lo.x >= changed.hi.x) return {};
+    const int lo = changed.lo.x;
+    const auto width = static_cast<std::size_t>(changed.hi.x - lo);
+
+    // Along y, in the object's own layers.
+    std::vector<std::pair<int, int>> reach(static_cast<std::size_t>(box.hi.z - box.lo.z));
+    workers.for_ranges(box.hi.z - box.lo.z, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const int z = box.lo.z + static_cast<int>(i);
+            const auto lower = [&](int y, int from) {
+                return lower_row(row(y, z) + lo, row(from, z) + lo, width);
+            };
+            const int up = sweep(box.lo.y + 1, box.hi.y - 1, 1, extent_.y, lower);
+            const int down = sweep(std::min(up, extent_.y) - 2, box.lo.y, -1, extent_.y, lower);
+            reach[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.y)};
+        }
+    });
+    for (const auto& [down, up] : reach) {
+        changed.lo.y = std::min(changed.lo.y, down);
+        changed.hi.y = std::max(changed.hi.y, up);
+    }
+
+    // Along z, everywhere the first two came.
+    std::vector<std::pair<int, int>> height(static_cast<std::size_t>(changed.hi.y - changed.lo.y));
+    workers.for_ranges(changed.hi.y - changed.lo.y, 8, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const int y = changed.lo.y + static_cast<int>(i);
+            const auto lower = [&](int z, int from) {
+                return lower_row(row(y, z) + lo, row(y, from) + lo, width);
+            };
+            const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, extent_.z, lower);
+            const int down = sweep(std::min(up, extent_.z) - 2, box.lo.z, -1, extent_.z, lower);
+            height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.z)};
+        }
+    });
+    for (const auto& [down, up] : height) {
+        changed.lo.z = std::min(changed.lo.z, down);
+        changed.hi.z = std::max(changed.hi.z, up);
+    }
+    return changed;
+}
+
+}  // namespace spectralpack

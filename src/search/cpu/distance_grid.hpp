@@ -1,0 +1,54 @@
+#pragma once
+/// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added.
+///
+/// Invariant: at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything outside the grid
+/// included (above it only under a closed ceiling). It never exceeds (min(nx, ny) + 1) / 2, the distance to the
+/// nearer side wall, which is why 16 bits do.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "search/cpu/voxel_box.hpp"
+#include "voxel/distance_field.hpp"
+
+namespace spectralpack {
+
+class DistanceGrid {
+  public:
+    DistanceGrid() = default;
+    /// An empty grid. Throws ResourceError where 16 bits would not do.
+    DistanceGrid(const Extent& extent, Ceiling ceiling);
+
+    /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns a box outside of which
+    /// nothing changed. Exact: min(phi, distance to the object), computed axis by axis (the Manhattan distance is
+    /// separable), and only as far as it changes something: phi is 1-Lipschitz, so where the new object does not
+    /// lower a row, it does not lower the rows behind it.
+    VoxelBox add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
+
+    const Extent& extent() const { return extent_; }
+    int stride() const { return stride_; }  ///< elements from a row to the next one along y
+    std::uint16_t* row(int y, int z) { return values_.data() + offset(y, z); }
+    const std::uint16_t* row(int y, int z) const { return values_.data() + offset(y, z); }
+    std::uint16_t at(int x, int y, int z) const { return row(y, z)[x]; }
+
+    /// An upper bound on every value now.
+    int most() const { return most_; }
+    void tighten_most();  ///< makes it exact; O(voxels)
+
+    std::int64_t bytes() const { return static_cast<std::int64_t>(values_.size() * 2); }
+
+  private:
+    std::size_t offset(int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) +
+                static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(stride_);
+    }
+
+    Extent extent_;
+    int stride_ = 0;
+    int most_ = 0;
+    std::vector<std::uint16_t> values_;
+};
+
+}  // namespace spectralpack

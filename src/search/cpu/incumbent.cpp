@@ -1,0 +1,57 @@
+#include "search/cpu/incumbent.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace spectralpack {
+
+bool better(const Placed& a, const Placed& b) {
+    const auto rank = [](const Placed& p) {
+        return std::make_tuple(p.index, p.position.z, p.position.y, p.position.x);
+    };
+    if (a.cost != b.cost) return a.cost < b.cost;
+    return rank(a) < rank(b);
+}
+
+void Incumbent::offer(const Placed& found) {
+    const std::lock_guard lock(mutex_);
+    if (best_ && !better(found, *best_)) return;
+    best_ = found;
+    generation_.fetch_add(1, std::memory_order_release);
+}
+
+std::optional<Placed> Incumbent::get() const {
+    const std::lock_guard lock(mutex_);
+    return best_;
+}
+
+std::int64_t proximity_limit(const CostModel& model, int z, int layers, int reference_layers,
+                             const std::optional<Placed>& best, int index) {
+    if (!best) return kNoLimit;
+    const auto could_win = [&](std::int64_t rho) {
+        const Cost cost = cost_of(model, z, layers, reference_layers, rho);
+        return index > best->index ? cost < best->cost : cost <= best->cost;
+    };
+    constexpr std::int64_t kMost = std::int64_t{1} << 52;  // above any rho: 2^31 voxels of 16 bits each
+    if (!could_win(0)) return -1;
+    if (could_win(kMost)) return kNoLimit;
+    // Rounding apart, the limit is the difference of the costs: look there first.
+    std::int64_t yes = 0, no = kMost;
+    const std::int64_t guess = std::clamp(
+        model.height_at == HeightAt::top
+            ? best->cost.secondary
+            : static_cast<std::int64_t>(best->cost.primary -
+                                        cost_of(model, z, layers, reference_layers, 0).primary),
+        std::int64_t{1}, kMost - 2);
+    for (const std::int64_t near : {guess - 1, guess, guess + 1}) {
+        (could_win(near) ? yes : no) = near;
+        if (no == near) break;
+    }
+    while (no - yes > 1) {
+        const std::int64_t middle = yes + (no - yes) / 2;
+        (could_win(middle) ? yes : no) = middle;
+    }
+    return yes;
+}
+
+}  // namespace spectralpack

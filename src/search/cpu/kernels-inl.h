@@ -1,0 +1,189 @@
+/// The two inner loops of the search, once for each instruction set (Highway): included by a file that
+/// <hwy/foreach_target.h> includes again and again. Exact integer arithmetic, so that every instruction set gives the
+/// same answers.
+
+#if defined(SPECTRALPACK_CPU_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SPECTRALPACK_CPU_KERNELS_INL_H
+#undef SPECTRALPACK_CPU_KERNELS_INL_H
+#else
+#define SPECTRALPACK_CPU_KERNELS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "search/cpu/plan.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace spectralpack {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Bit i: values[i] <= limit. i in [0, 16).
+HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit) {
+#if HWY_TARGET == HWY_SCALAR
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 16; ++i) {
+        bits |= static_cast<std::uint32_t>(values[i] <= limit) << i;
+    }
+    return bits;
+#else
+    const hn::CappedTag<std::uint32_t, 16> d;
+    const auto bound = hn::Set(d, limit);
+    std::uint32_t above = 0;
+    for (std::size_t i = 0; i < 16; i += hn::MaxLanes(d)) {
+        std::uint8_t part[8] = {};
+        hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + i), bound), part);
+        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << i;
+    }
+    return ~above & 0xFFFFu;
+#endif
+}
+
+HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t limit, float patience, const SumBatch& batch) {
+    return static_cast<std::uint32_t>(patience * batch.share * static_cast<float>(limit));
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+/// live[j] &= ~(OR over groups, over their offsets o, of bits (tile + o)[j] and up, shifted right by the group's
+/// shift), the bits that move in coming from (tile + o + next)[j]. j in [0, 8).
+HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next, const std::int32_t* offsets,
+               const LookupGroup* groups, std::size_t group_count, std::uint64_t* live) {
+    std::uint64_t blocked[kTileRows] = {};
+    for (std::size_t g = 0; g < group_count; ++g) {
+        std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
+        for (std::int32_t i = groups[g].begin; i < groups[g].end; ++i) {
+            const std::uint64_t* at = tile + offsets[i];
+            for (int j = 0; j < kTileRows; ++j) {
+                low[j] |= at[j];
+                high[j] |= at[next + j];
+            }
+        }
+        const int shift = groups[g].shift;
+        for (int j = 0; j < kTileRows; ++j) {
+            blocked[j] |= low[j] >> shift | (shift == 0 ? 0 : high[j] << (64 - shift));
+        }
+    }
+    for (int j = 0; j < kTileRows; ++j) {
+        live[j] &= ~blocked[j];
+    }
+}
+
+/// Adds to sums[i] the sum over loads of table[i + plus] - table[i + minus] (modulo 2^16 within a batch, exact over
+/// batches, at most kSumLimit), for i in [0, 32). Give 0 for the lanes that are wanted, kSumLimit for the others.
+/// Stops after a batch when no lane is worth going on for: those that are above `limit` are not, nor those that are
+/// not going to be, below patience x limit x the batch's share. Sums are then lower bounds.
+HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
+              std::size_t batch_count, std::uint32_t limit, float patience, std::uint32_t* sums) {
+    for (std::size_t b = 0; b < batch_count; ++b) {
+        std::uint16_t sum[kLanes] = {};
+        for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
+            const std::uint16_t* plus = table + loads[i].plus;
+            const std::uint16_t* minus = table + loads[i].minus;
+            for (int j = 0; j < kLanes; ++j) {
+                sum[j] = static_cast<std::uint16_t>(sum[j] + plus[j] - minus[j]);
+            }
+        }
+        const std::uint32_t hopeless = HopelessBelow(limit, patience, batches[b]);
+        bool alive = false;
+        for (int j = 0; j < kLanes; ++j) {
+            sums[j] = std::min(kSumLimit, sums[j] + sum[j]);
+            alive |= sums[j] <= limit && sums[j] >= hopeless;
+        }
+        if (!alive) return;
+    }
+}
+
+#else
+
+HWY_INLINE void BlockTile(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next,
+               const std::int32_t* HWY_RESTRICT offsets, const LookupGroup* HWY_RESTRICT groups,
+               std::size_t group_count, std::uint64_t* HWY_RESTRICT live) {
+    const hn::CappedTag<std::uint64_t, kTileRows> d;
+    constexpr std::size_t kStep = hn::MaxLanes(d);
+    for (std::size_t j = 0; j < kTileRows; j += kStep) {
+        auto blocked = hn::Zero(d);
+        for (std::size_t g = 0; g < group_count; ++g) {
+            const LookupGroup& group = groups[g];
+            auto low = hn::Zero(d);
+            if (group.shift == 0) {
+                for (std::int32_t i = group.begin; i < group.end; ++i) {
+                    low = hn::Or(low, hn::LoadU(d, tile + j + offsets[i]));
+                }
+                blocked = hn::Or(blocked, low);
+                continue;
+            }
+            auto high = hn::Zero(d);
+            for (std::int32_t i = group.begin; i < group.end; ++i) {
+                const std::uint64_t* at = tile + j + offsets[i];
+                low = hn::Or(low, hn::LoadU(d, at));
+                high = hn::Or(high, hn::LoadU(d, at + next));
+            }
+            blocked = hn::Or(blocked, hn::Or(hn::ShiftRightSame(low, group.shift),
+                                             hn::ShiftLeftSame(high, 64 - group.shift)));
+        }
+        hn::StoreU(hn::AndNot(blocked, hn::LoadU(d, live + j)), d, live + j);
+    }
+}
+
+HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
+              const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
+              float patience, std::uint32_t* HWY_RESTRICT sums) {
+    const hn::CappedTag<std::uint16_t, kLanes> d16;
+    constexpr std::size_t kStep = hn::MaxLanes(d16);
+    constexpr std::size_t kVectors = kLanes / kStep;
+    const hn::Repartition<std::uint32_t, decltype(d16)> d32;
+    const hn::Half<decltype(d16)> half;
+    constexpr std::size_t kWide = kStep / 2;
+    using V16 = hn::Vec<decltype(d16)>;
+    using V32 = hn::Vec<decltype(d32)>;
+
+    V32 wide[2 * kVectors];
+    for (std::size_t v = 0; v < 2 * kVectors; ++v) {
+        wide[v] = hn::LoadU(d32, sums + v * kWide);
+    }
+    const auto most = hn::Set(d32, kSumLimit);
+    const auto bound = hn::Set(d32, limit);
+    for (std::size_t b = 0; b < batch_count; ++b) {
+        V16 sum[kVectors];
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            sum[v] = hn::Zero(d16);
+        }
+        for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
+            const std::uint16_t* plus = table + loads[i].plus;
+            const std::uint16_t* minus = table + loads[i].minus;
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                sum[v] = hn::Add(sum[v], hn::LoadU(d16, plus + v * kStep));
+                sum[v] = hn::Sub(sum[v], hn::LoadU(d16, minus + v * kStep));
+            }
+        }
+        const auto hopeless = hn::Set(d32, HopelessBelow(limit, patience, batches[b]));
+        auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            wide[2 * v] = hn::Min(
+                most, hn::Add(wide[2 * v], hn::PromoteTo(d32, hn::LowerHalf(half, sum[v]))));
+            wide[2 * v + 1] = hn::Min(
+                most, hn::Add(wide[2 * v + 1], hn::PromoteTo(d32, hn::UpperHalf(half, sum[v]))));
+            for (std::size_t w = 2 * v; w < 2 * v + 2; ++w) {
+                done = hn::And(done, hn::Or(hn::Gt(wide[w], bound), hn::Lt(wide[w], hopeless)));
+            }
+        }
+        if (hn::AllTrue(d32, done)) break;
+    }
+    for (std::size_t v = 0; v < 2 * kVectors; ++v) {
+        hn::StoreU(wide[v], d32, sums + v * kWide);
+    }
+}
+
+#endif
+
+}  // namespace HWY_NAMESPACE
+}  // namespace spectralpack
+HWY_AFTER_NAMESPACE();
+
+#endif

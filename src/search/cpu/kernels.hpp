@@ -1,0 +1,21 @@
+#pragma once
+/// Loops over rows of distances, compiled for every instruction set and chosen at run time (Highway).
+
+#include <cstddef>
+#include <cstdint>
+
+namespace spectralpack {
+
+/// row[i] = min(row[i], from[i] + 1) for i in [0, count); true when something changed.
+bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count);
+
+/// out[i] = a[i] + b[i] modulo 2^16.
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
+
+/// out[i] = min(a[i], b[i]); out may be a.
+void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
+
+/// Greatest of row[0..count), 0 for none.
+std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count);
+
+}  // namespace spectralpack

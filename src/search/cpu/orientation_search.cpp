@@ -1,0 +1,334 @@
+#include "search/cpu/orientation_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "search/cpu/orientation_search.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include "search/cpu/kernels-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace spectralpack {
+namespace HWY_NAMESPACE {
+
+constexpr int kBlock = TrayTables::kBlock;
+// Bricks are bounded in pairs, whose blocks fill the lanes of one sum.
+constexpr int kPair = kLanes / kBlocksX;
+// A coarse sum that has come to less than this part of its share of the limit is not going to rule anything out.
+constexpr float kPatience = 0.8f;
+
+/// What SumLanes() can take as a limit: nothing is above kSumLimit.
+std::uint32_t LaneLimit(std::int64_t limit) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(limit, 0, kSumLimit));
+}
+
+/// Each of 16 bits four times: blocks as positions along x.
+std::uint64_t Widened(std::uint32_t blocks) {
+    std::uint64_t bits = blocks & 0xFFFFu;
+    bits = (bits | bits << 24) & 0x000000FF000000FFu;
+    bits = (bits | bits << 12) & 0x000F000F000F000Fu;
+    bits = (bits | bits << 6) & 0x0303030303030303u;
+    bits = (bits | bits << 3) & 0x1111111111111111u;
+    return bits * 15;
+}
+
+/// The lowest bit of each nibble: something in the nibble is set.
+std::uint64_t AnyOfNibble(std::uint64_t bits) {
+    bits |= bits >> 1;
+    bits |= bits >> 2;
+    return bits & 0x1111111111111111u;
+}
+
+/// One thread's work on some brick layers of one orientation.
+class Pass {
+  public:
+    explicit Pass(OrientationTask& task)
+        : t_(task), context_(task.context), state_(task.state) {}
+
+    void Run(int begin, int end) {
+        for (int bz = begin; bz < end; ++bz) {
+            survivors_.clear();
+            LookAtLimits(bz);
+            if (most_ < 0) continue;
+            state_.open(bz);
+            for (int by = 0; by < state_.bricks().y; ++by) {
+                for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
+                    LookAtLimits(bz);
+                    SiftPair(bx, by, bz);
+                }
+            }
+            // Without anything to beat, the most promising come first; later, neighbours do.
+            if (context_.incumbent.generation() == 0) {
+                std::sort(survivors_.begin(), survivors_.end(),
+                          [](const Survivor& a, const Survivor& b) { return a.bound < b.bound; });
+            }
+            for (const Survivor& survivor : survivors_) {
+                Settle(survivor, bz);
+            }
+        }
+    }
+
+  private:
+    struct Survivor {
+        std::uint32_t bound = 0;
+        int bx = 0, by = 0;
+        bool sifted = false;  // in this search: the first batches need not be repeated
+    };
+    using Bounds = std::uint32_t[kBlocksY][kBlocksX];
+
+    /// The limits of brick layer bz's four layers, as the incumbent stands now.
+    void LookAtLimits(int bz) {
+        const std::uint64_t generation = context_.incumbent.generation();
+        if (bz == limits_layer_ && generation == limits_generation_) return;
+        limits_layer_ = bz;
+        limits_generation_ = generation;
+        const std::optional<Placed> best = context_.incumbent.get();
+        most_ = -1;
+        for (int i = 0; i < kBrickZ; ++i) {
+            const int z = kBrickZ * bz + i;
+            limits_[i] = z < state_.count().z
+                             ? proximity_limit(context_.model, z, t_.layers, context_.reference_layers,
+                                               best, t_.index)
+                             : -1;
+            most_ = std::max(most_, limits_[i]);
+        }
+    }
+
+    /// Sifts and bounds two bricks side by side.
+    void SiftPair(int bx, int by, int bz) {
+        const std::uint32_t limit = LaneLimit(most_);
+        std::uint32_t* bound[kBlocksY];
+        std::uint32_t open = 0;
+        for (int j = 0; j < kBlocksY; ++j) {
+            bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
+            for (int i = 0; i < kPair; ++i) {
+                open |= AtMost(bound[j] + i * kBlocksX, limit);
+            }
+        }
+        if (open == 0) return;
+        const int bricks = std::min(kPair, state_.bricks().x - bx);
+        bool sifted[kPair] = {};
+        for (int i = 0; i < bricks; ++i) {
+            sifted[i] = Sift(bx + i, by, bz);
+        }
+        for (int j = 0; j < kBlocksY; ++j) {
+            BoundRow(bx, by * kBlocksY + j, bz, bound[j]);
+        }
+        for (int i = 0; i < bricks; ++i) {
+            std::uint32_t least = kDead;
+            for (int j = 0; j < kBlocksY; ++j) {
+                for (int k = 0; k < kBlocksX; ++k) {
+                    least = std::min(least, bound[j][i * kBlocksX + k]);
+                }
+            }
+            if (least <= limit) survivors_.push_back({least, bx + i, by, sifted[i]});
+        }
+    }
+
+    /// The first batches of look-ups, once for each brick; blocks left with nothing die. True when it was done now.
+    bool Sift(int bx, int by, int bz) {
+        if (state_.sifted(bx, by, bz)) return false;
+        state_.set_sifted(bx, by, bz);
+        std::uint64_t* live = state_.live(bx, by, bz);
+        for (int i = 0; i < kBrickZ; ++i) {
+            Block(0, kSiftBatches, bx, by, kBrickZ * bz + i, live + kBrickY * i);
+        }
+        for (int j = 0; j < kBlocksY; ++j) {
+            std::uint64_t any = 0;
+            for (int z = 0; z < kBrickZ; ++z) {
+                for (int y = 0; y < kBlock; ++y) {
+                    any |= live[kBrickY * z + kBlock * j + y];
+                }
+            }
+            any = AnyOfNibble(any);
+            std::uint32_t* bound = state_.bound(bx, by * kBlocksY + j, bz);
+            for (int i = 0; i < kBlocksX; ++i) {
+                bound[i] = any >> (kBlock * i) & 1 ? bound[i] : kDead;
+            }
+        }
+        return true;
+    }
+
+    /// Clears what the look-ups of batches [begin, end) find to collide.
+    void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
+        const BitTables& bits = context_.tables.bits();
+        const CollisionPlan& plan = t_.collision;
+        const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
+        for (std::size_t b = begin; b < std::min(end, plan.batches.size()); ++b) {
+            std::uint64_t any = 0;
+            for (int y = 0; y < kBrickY; ++y) {
+                any |= words[y];
+            }
+            if (any == 0) return;
+            const CollisionPlan::Batch& batch = plan.batches[b];
+            BlockTile(tile, bits.next(), plan.offsets.data(), plan.groups.data() + batch.begin,
+                      static_cast<std::size_t>(batch.end - batch.begin), words);
+        }
+    }
+
+    /// Bounds the blocks of a row that have no bound yet.
+    void BoundRow(int bx, int block_y, int bz, std::uint32_t* bound) {
+        alignas(64) std::uint32_t sums[kLanes];
+        std::uint32_t unknown = 0;
+        for (int i = 0; i < kLanes; ++i) {
+            sums[i] = bound[i] == 0 ? 0 : kSumLimit;
+            unknown |= static_cast<std::uint32_t>(bound[i] == 0);
+        }
+        if (unknown == 0) return;
+        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
+                 t_.coarse.loads.data(), t_.coarse.batches.data(), t_.coarse.batches.size(),
+                 LaneLimit(most_), kPatience, sums);
+        for (int i = 0; i < kLanes; ++i) {
+            bound[i] = bound[i] == 0 ? sums[i] : bound[i];
+        }
+    }
+
+    /// Decides every position of the brick that could be the answer.
+    void Settle(const Survivor& survivor, int bz) {
+        const auto [bound_then, bx, by, sifted] = survivor;
+        LookAtLimits(bz);
+        if (most_ < 0 || bound_then > LaneLimit(most_)) return;
+        std::uint64_t* live = state_.live(bx, by, bz);
+        alignas(64) Bounds before;
+        alignas(64) Bounds after;
+        for (int j = 0; j < kBlocksY; ++j) {
+            std::copy_n(state_.bound(bx, by * kBlocksY + j, bz), kBlocksX, before[j]);
+            std::fill_n(after[j], kBlocksX, kDead);
+        }
+        for (int i = 0; i < kBrickZ; ++i) {
+            LookAtLimits(bz);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted ? kSiftBatches : 0, limits_[i],
+                       live + kBrickY * i, before, after);
+        }
+        for (int j = 0; j < kBlocksY; ++j) {
+            std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
+        }
+    }
+
+    void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit,
+                    std::uint64_t* live, const Bounds& before, Bounds& after) {
+        // Positions of blocks within the limit are settled, the others keep their block's bound.
+        alignas(64) std::uint64_t free[kBrickY];
+        alignas(64) std::uint64_t chosen[kBlocksY];
+        std::uint64_t any = 0;
+        for (int j = 0; j < kBlocksY; ++j) {
+            chosen[j] = limit >= 0 ? Widened(AtMost(before[j], LaneLimit(limit))) : 0;
+            std::uint64_t left = 0;
+            for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
+                free[y] = live[y] & chosen[j];
+                any |= free[y];
+                left |= live[y] & ~chosen[j];
+            }
+            for (left = AnyOfNibble(left); left != 0; left &= left - 1) {
+                const int i = std::countr_zero(left) / kBlock;
+                after[j][i] = std::min(after[j][i], before[j][i]);
+            }
+        }
+        if (any == 0) return;
+        Block(first_batch, t_.collision.batches.size(), bx, by, z, free);
+        for (int y = 0; y < kBrickY; ++y) {
+            live[y] &= free[y] | ~chosen[y / kBlock];
+            for (int half = 0; half < kBrickX; half += kLanes) {
+                const auto lanes = static_cast<std::uint32_t>(free[y] >> half);
+                if (lanes != 0) {
+                    Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
+                          after[y / kBlock] + half / kBlock);
+                }
+            }
+        }
+    }
+
+    /// rho of the free positions among (x .. x + 31, y, z); offers the best, lowers their blocks' bounds to it.
+    void Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
+        alignas(64) std::uint32_t sums[kLanes];
+        for (std::uint32_t i = 0; i < kLanes; ++i) {
+            sums[i] = lanes >> i & 1 ? 0 : kSumLimit;
+        }
+        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(), t_.exact.batches.data(),
+                 t_.exact.batches.size(), LaneLimit(limit), 0, sums);
+        std::uint32_t least = kDead;
+        for (std::uint32_t i = 0; i < kLanes; ++i) {
+            sums[i] = lanes >> i & 1 ? sums[i] : kDead;
+            least = std::min(least, sums[i]);
+        }
+        for (int b = 0; b < kLanes / kBlock; ++b) {
+            const std::uint32_t* block = sums + kBlock * b;
+            bound[b] = std::min({bound[b], block[0], block[1], block[2], block[3]});
+        }
+        if (least > LaneLimit(limit)) return;
+        if (least == kSumLimit) {
+            // Beyond what lanes hold: each for itself.
+            for (; lanes != 0; lanes &= lanes - 1) {
+                const VoxelIndex q{x + std::countr_zero(lanes), y, z};
+                Offer(q, proximity_at(context_.tables, t_.solid, q));
+            }
+            return;
+        }
+        Offer({x + static_cast<int>(std::find(sums, sums + kLanes, least) - sums), y, z}, least);
+    }
+
+    void Offer(const VoxelIndex& position, std::int64_t proximity) {
+        context_.incumbent.offer({cost_of(context_.model, position.z, t_.layers,
+                                          context_.reference_layers, proximity),
+                                  t_.index, position, proximity});
+    }
+
+    OrientationTask& t_;
+    SearchContext& context_;
+    PositionState& state_;
+    std::vector<Survivor> survivors_;
+    int limits_layer_ = -1;
+    std::uint64_t limits_generation_ = 0;
+    std::int64_t limits_[kBrickZ] = {};
+    std::int64_t most_ = -1;
+};
+
+void SearchLayers(OrientationTask& task, int begin, int end) {
+    Pass(task).Run(begin, end);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace spectralpack
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace spectralpack {
+
+HWY_EXPORT(SearchLayers);
+
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
+                          int index, int layers) {
+    const TrayTables& tables = context.tables;
+    const int most = tables.phi().most();
+    return {context,
+            state,
+            runs.solid,
+            plan_collision(runs, tables),
+            plan_sum(runs.solid, tables.sums(), most),
+            plan_sum(runs.solid, tables.coarse(), most),
+            index,
+            layers};
+}
+
+void search_layers(OrientationTask& task, int begin, int end) {
+    HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end);
+}
+
+std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
+    const DistanceGrid& phi = tables.phi();
+    const Extent& n = phi.extent();
+    std::int64_t sum = 0;
+    for (const Run& run : solid.runs) {
+        VoxelIndex v = q + run.start;
+        for (int i = 0; i < run.length; ++i, ++v[solid.axis]) {
+            if (n.contains(v)) sum += phi.at(v.x, v.y, v.z);
+        }
+    }
+    return sum;
+}
+
+}  // namespace spectralpack
+#endif

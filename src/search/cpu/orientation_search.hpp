@@ -1,0 +1,43 @@
+#pragma once
+/// The search over one orientation's positions, brick layer by brick layer: sift (a few look-ups everywhere), bound
+/// (pooled phi on blocks), settle what is left (the remaining look-ups, then the exact rho).
+
+#include <cstdint>
+#include <vector>
+
+#include "search/cpu/incumbent.hpp"
+#include "search/cpu/plan.hpp"
+#include "search/cpu/position_cache.hpp"
+
+namespace spectralpack {
+
+/// One search's question and its answer so far; shared by all orientations and threads.
+struct SearchContext {
+    const TrayTables& tables;
+    CostModel model;
+    int reference_layers = 0;
+    Incumbent incumbent;
+};
+
+/// An orientation to search. Refers to what it was made from.
+struct OrientationTask {
+    SearchContext& context;
+    PositionState& state;
+    const Runs& solid;
+    CollisionPlan collision;
+    SumPlan exact, coarse;
+    int index = 0;   ///< in Shape::orientations
+    int layers = 0;  ///< the solid's extent along z
+};
+
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
+                          int index, int layers);
+
+/// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the answer. Different
+/// ranges may run on different threads.
+void search_layers(OrientationTask& task, int begin, int end);
+
+/// rho(q), whatever its size; voxels outside the grid count nothing. O(voxels).
+std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q);
+
+}  // namespace spectralpack

@@ -1,0 +1,185 @@
+#include "search/cpu/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
+
+namespace spectralpack {
+namespace {
+
+constexpr std::int64_t kSumRange = 65535;  // what 16 bits hold
+constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
+constexpr std::size_t kFirstBatch = 8;     // look-ups; later batches grow
+constexpr std::size_t kLastBatch = 512;
+
+struct Piece {
+    BitTables::Place place;
+    int level = 0;
+};
+
+/// Pieces of 2^k voxels that together cover the run and nothing else.
+void cover(const Run& run, int axis, const VoxelIndex& offset, int layer, const BitTables& bits,
+           std::vector<Piece>& pieces) {
+    int level = 0;
+    while (level < BitTables::kLevels && (2 << level) <= run.length) ++level;
+    const int size = 1 << level;
+    for (int done = 0; done < run.length; done += size) {
+        VoxelIndex d = run.start + offset;
+        d[axis] += std::min(done, run.length - size);
+        pieces.push_back({bits.place(layer, axis, level, d), level});
+    }
+}
+
+/// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th from another start,
+/// so that each stretch of about `stretch` is spread over all and yet walks memory in one direction.
+template <class Visit>
+void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit) {
+    const std::size_t strides = (count + stretch - 1) / stretch;
+    std::size_t size = 1;
+    while (size < strides) size *= 2;
+    for (std::size_t i = 0; i < size; ++i) {
+        std::size_t start = 0;  // i with its bits reversed: consecutive starts lie far apart
+        for (std::size_t bit = 1; bit < size; bit *= 2) {
+            if (i & bit) start += size / 2 / bit;
+        }
+        if (start >= strides) continue;
+        for (std::size_t k = start; k < count; k += strides) {
+            visit(k);
+        }
+    }
+}
+
+/// What `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far apart.
+template <class T, class Level>
+std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
+                        const Level& level) {
+    std::vector<std::vector<T>> shelves(levels);
+    for (const T& item : items) {
+        shelves[static_cast<std::size_t>(level(item))].push_back(item);
+    }
+    std::vector<T> result;
+    result.reserve(items.size());
+    for (auto shelf = shelves.rbegin(); shelf != shelves.rend(); ++shelf) {
+        for_each_spread(shelf->size(), stretch, [&](std::size_t i) { result.push_back((*shelf)[i]); });
+    }
+    return result;
+}
+
+/// Appends a batch of look-ups, grouped by shift.
+void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
+    std::array<std::int32_t, 65> begin{};
+    for (const Piece& piece : pieces) {
+        ++begin[static_cast<std::size_t>(piece.place.shift) + 1];
+    }
+    const auto first_group = static_cast<std::int32_t>(plan.groups.size());
+    begin[0] = static_cast<std::int32_t>(plan.offsets.size());
+    for (std::size_t shift = 0; shift < 64; ++shift) {
+        begin[shift + 1] += begin[shift];
+        if (begin[shift + 1] > begin[shift]) {
+            plan.groups.push_back({static_cast<int>(shift), begin[shift], begin[shift + 1]});
+        }
+    }
+    plan.offsets.resize(plan.offsets.size() + pieces.size());
+    for (const Piece& piece : pieces) {
+        plan.offsets[static_cast<std::size_t>(begin[static_cast<std::size_t>(piece.place.shift)]++)] =
+            piece.place.offset;
+    }
+    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size())});
+}
+
+}  // namespace
+
+OrientationRuns make_runs(const OrientedShape& shape) {
+    OrientationRuns result;
+    result.solid = fewest_runs(*shape.solid);
+    for (std::size_t c = 0; c < shape.widened.size(); ++c) {
+        std::size_t same = 0;
+        while (shape.widened[same] != shape.widened[c]) ++same;
+        if (same < c) {
+            result.of_class.push_back(result.of_class[same]);
+            continue;
+        }
+        result.of_class.push_back(static_cast<int>(result.widened.size()));
+        result.widened.push_back({fewest_runs(shape.widened[c]->voxels), shape.widened[c]->offset});
+    }
+    return result;
+}
+
+int overhang(const Shape& shape) {
+    int most = 0;
+    for (const OrientedShape& oriented : shape.orientations) {
+        for (const auto& widened : oriented.widened) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const int beyond = widened->voxels.extent()[axis] + widened->offset[axis] -
+                                   oriented.solid->extent()[axis];
+                most = std::max({most, -widened->offset[axis], beyond});
+            }
+        }
+    }
+    return most;
+}
+
+CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables) {
+    std::vector<Piece> pieces;
+    for (int layer = 0; layer < tables.layers(); ++layer) {
+        if (!tables.occupied(layer)) continue;
+        const bool walls = layer == static_cast<int>(runs.of_class.size());
+        const auto* widened =
+            walls ? nullptr
+                  : &runs.widened[static_cast<std::size_t>(
+                        runs.of_class[static_cast<std::size_t>(layer)])];
+        const Runs& shape = walls ? runs.solid : widened->runs;
+        const VoxelIndex offset = walls ? VoxelIndex{} : widened->offset;
+        for (const Run& run : shape.runs) {
+            cover(run, shape.axis, offset, layer, tables.bits(), pieces);
+        }
+    }
+    const std::vector<Piece> ordered = by_level(pieces, BitTables::kLevels + 1, kFirstBatch,
+                                                [](const Piece& piece) { return piece.level; });
+    CollisionPlan plan;
+    std::size_t size = kFirstBatch;
+    for (std::size_t begin = 0; begin < ordered.size();) {
+        const std::size_t end = std::min(ordered.size(), begin + size);
+        append_batch({ordered.data() + begin, end - begin}, plan);
+        begin = end;
+        if (plan.batches.size() >= kSiftBatches) size = std::min(2 * size, kLastBatch);
+    }
+    return plan;
+}
+
+SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
+    SumPlan plan;
+    plan.loads.reserve(runs.runs.size());
+    const int longest = static_cast<int>(kSumRange / std::max(1, most));
+    std::int64_t room = 0;  // voxels the batch can still take
+    std::size_t count = kLoadsPerBatch;
+    std::int64_t summed = 0;
+    const auto halvings = [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); };
+    for (const Run& run : by_level(runs.runs, 33, kLoadsPerBatch, halvings)) {
+        for (int done = 0; done < run.length;) {
+            const int length = std::min(run.length - done, longest);
+            if (length > room || count == kLoadsPerBatch) {
+                const auto at = static_cast<std::int32_t>(plan.loads.size());
+                plan.batches.push_back({at, at, 0});
+                room = longest;
+                count = 0;
+            }
+            VoxelIndex from = run.start;
+            from[runs.axis] += done;
+            VoxelIndex to = from;
+            to[runs.axis] += length;
+            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from)});
+            plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
+            summed += length;
+            plan.batches.back().share =
+                static_cast<float>(summed) / static_cast<float>(runs.voxels);
+            room -= length;
+            ++count;
+            done += length;
+        }
+    }
+    return plan;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,79 @@
+#pragma once
+/// What a shape's orientation asks of the tables, worked out once: which look-ups decide a collision, which loads
+/// make up rho.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "search/cpu/runs.hpp"
+#include "search/cpu/tray_tables.hpp"
+#include "search/shape.hpp"
+
+namespace spectralpack {
+
+/// An orientation's voxels as runs.
+struct OrientationRuns {
+    Runs solid;
+    struct Widened {
+        Runs runs;
+        VoxelIndex offset;
+    };
+    std::vector<Widened> widened;   ///< the distinct ones
+    std::vector<int> of_class;      ///< into `widened`, for each gap class
+};
+
+OrientationRuns make_runs(const OrientedShape& shape);
+
+/// Voxels by which the widened shapes reach beyond the solid on any side.
+int overhang(const Shape& shape);
+
+/// Words of a tile: 64 positions along x (the bits) by 8 along y (the words).
+inline constexpr int kTileRows = 8;
+/// Positions summed at once along x.
+inline constexpr int kLanes = 32;
+/// Sums are kept at most here, "this or more".
+inline constexpr std::uint32_t kSumLimit = 0xFFFE0000u;
+
+/// Look-ups into bit tables that share the shift of a bit within its word.
+struct LookupGroup {
+    int shift = 0;  ///< 0..63
+    std::int32_t begin = 0, end = 0;  ///< into the offsets
+};
+
+/// Pairs of loads from sum tables whose differences add up to less than 65536.
+struct SumBatch {
+    std::int32_t begin = 0, end = 0;  ///< into the loads
+    float share = 1;  ///< of all voxels that are summed once this batch is
+};
+struct SumLoad {
+    std::int32_t plus = 0, minus = 0;  ///< element offsets from the position
+};
+
+/// The batches that every position goes through; the others are for what is left.
+inline constexpr std::size_t kSiftBatches = 4;
+
+/// Look-ups in batches: a position survives a batch or not, and most die in the first few.
+struct CollisionPlan {
+    std::vector<std::int32_t> offsets;
+    std::vector<LookupGroup> groups;
+    struct Batch {
+        std::int32_t begin = 0, end = 0;  ///< groups
+    };
+    std::vector<Batch> batches;
+};
+
+/// Covers every widened voxel against its class's objects and every solid voxel against the walls, in pieces of
+/// 2^k voxels that may overlap. The first batch takes long pieces from all over the shape.
+CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables);
+
+struct SumPlan {
+    std::vector<SumLoad> loads;
+    std::vector<SumBatch> batches;
+};
+
+/// Every solid voxel exactly once, long runs first, since they tell most for a load; runs are split so that no batch's
+/// sum can reach 65536 with phi <= most.
+SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most);
+
+}  // namespace spectralpack

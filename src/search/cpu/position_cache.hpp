@@ -1,0 +1,104 @@
+#pragma once
+/// What is known about the positions of a shape's orientations from earlier searches in the same tray, so that
+/// further copies only look at what could have changed.
+///
+/// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4. Invariants, as long
+/// as objects are only added:
+///   live: a clear bit is a position that collides. A set bit may or may not be free.
+///   bound: rho(q) >= bound for every free position q of the block, as of `version`; kDead: none is free, for good.
+/// Forgetting any of this costs time, never the answer.
+
+#include <cstdint>
+#include <list>
+#include <unordered_map>
+#include <vector>
+
+#include "search/cpu/tray_tables.hpp"
+#include "search/shape.hpp"
+
+namespace spectralpack {
+
+inline constexpr int kBrickX = 64, kBrickY = 8, kBrickZ = 4;
+inline constexpr int kBlocksX = kBrickX / TrayTables::kBlock;  ///< blocks of a brick along x
+inline constexpr int kBlocksY = kBrickY / TrayTables::kBlock;
+inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
+
+class PositionState {
+  public:
+    /// `count` candidate positions per axis. Nothing is known.
+    void reset(const Extent& count);
+
+    const Extent& count() const { return count_; }
+    const Extent& bricks() const { return bricks_; }
+
+    /// The brick's 4 tiles of 8 words.
+    std::uint64_t* live(int bx, int by, int bz) {
+        return live_.data() + brick(bx, by, bz) * (kBrickY * kBrickZ);
+    }
+    /// The bounds of row `block_y` of blocks in brick layer bz, from brick bx on.
+    std::uint32_t* bound(int bx, int block_y, int bz) {
+        return bound_.data() + (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bound_rows_) +
+                                static_cast<std::size_t>(block_y)) *
+                                   static_cast<std::size_t>(bound_stride_) +
+               static_cast<std::size_t>(bx * kBlocksX);
+    }
+    /// True once the brick's first batch of look-ups has been made.
+    bool sifted(int bx, int by, int bz) const { return sifted_[brick(bx, by, bz)] != 0; }
+    void set_sifted(int bx, int by, int bz) { sifted_[brick(bx, by, bz)] = 1; }
+
+    /// Prepares brick layer bz for use: at first all its candidates are live and all its bounds 0. Different layers
+    /// may be opened by different threads at once.
+    void open(int bz);
+
+    /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it become 0.
+    void forget(const VoxelBox& changed, const Extent& extent);
+
+    std::int64_t bytes() const;
+    static std::int64_t bytes_for(const Extent& count);
+
+  private:
+    std::size_t brick(int bx, int by, int bz) const {
+        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) +
+                static_cast<std::size_t>(by)) *
+                   static_cast<std::size_t>(bricks_.x) +
+               static_cast<std::size_t>(bx);
+    }
+
+    Extent count_, bricks_;
+    int bound_rows_ = 0, bound_stride_ = 0;
+    std::vector<std::uint64_t> live_;
+    std::vector<std::uint32_t> bound_;
+    std::vector<std::uint8_t> sifted_;
+    std::vector<std::uint8_t> open_;  // by brick layer
+};
+
+/// States by shape, within a budget; what was least useful for its size goes first.
+class PositionCache {
+  public:
+    explicit PositionCache(std::int64_t budget) : budget_(budget) {}
+
+    struct Entry {
+        std::vector<PositionState> states;  ///< by orientation of the shape
+        std::uint64_t version = 0;          ///< of the tables the bounds belong to
+        std::int64_t bytes = 0;
+        std::int64_t hits = 0;
+        std::uint64_t last_use = 0;
+    };
+
+    /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays until the next
+    /// call.
+    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables);
+
+    std::int64_t bytes() const { return bytes_; }
+
+  private:
+    void make_room(std::int64_t bytes);
+
+    std::int64_t budget_;
+    std::int64_t bytes_ = 0;
+    std::uint64_t epoch_ = 0, uses_ = 0;
+    std::unordered_map<std::uint64_t, Entry> entries_;
+    std::vector<PositionState> spare_;  // of entries that went: their memory is used again
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,139 @@
+#include "search/cpu/sum_tables.hpp"
+
+#include <limits>
+
+#include "search/cpu/kernels.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr int kOverrun = 256;  // lanes past the last position are read, never used
+
+}  // namespace
+
+SumTables::SumTables(const Extent& grid, int block)
+    : grid_(grid),
+      block_(block),
+      phase_((grid.x + block) / block),
+      stride_(phase_ * block),
+      table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
+    if (3 * table_ + stride_ + kOverrun > std::numeric_limits<std::int32_t>::max()) {
+        throw ResourceError("the tray is too large for this engine");
+    }
+    values_.assign(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun), 0);
+    if (block > 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
+}
+
+/// Prefix sums of one row from x on.
+void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) const {
+    std::uint16_t sum = out[within(x)];
+    if (block_ == 1) {
+        for (; x < grid_.x; ++x) {
+            sum = static_cast<std::uint16_t>(sum + from[x]);
+            out[x + 1] = sum;
+        }
+        return;
+    }
+    int phase = x % block_;
+    int at = within(x);
+    for (; x < grid_.x; ++x) {
+        sum = static_cast<std::uint16_t>(sum + from[at]);
+        at += phase_;
+        if (++phase == block_) {
+            phase = 0;
+            at -= stride_ - 1;
+        }
+        out[at] = sum;
+    }
+}
+
+void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
+    const Extent& n = grid_;
+    const int lo = box.lo.x;
+    const int hi = std::min(n.x, box.hi.x + block_ - 1);
+    const auto width = static_cast<std::size_t>(hi - lo);
+    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
+        const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
+        std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
+        std::vector<std::uint16_t> least(width + static_cast<std::size_t>(block_));
+        const auto layer_row = [&](int y) {
+            return layer.data() + width * static_cast<std::size_t>(y - box.lo.y);
+        };
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
+            for (int y = box.lo.y; y < box.lo.y + rows; ++y) {
+                std::uint16_t* out = layer_row(y);
+                std::copy_n(phi.row(y, z) + lo, width, out);
+                for (int dz = 1; dz < block_ && z + dz < n.z; ++dz) {
+                    min_rows(out, out, phi.row(y, z + dz) + lo, width);
+                }
+            }
+            for (int y = box.lo.y; y < box.hi.y; ++y) {
+                std::copy_n(layer_row(y), width, least.data());
+                for (int dy = 1; dy < block_ && y + dy < n.y; ++dy) {
+                    min_rows(least.data(), least.data(), layer_row(y + dy), width);
+                }
+                // Beyond the grid nothing counts.
+                std::fill(least.begin() + static_cast<std::ptrdiff_t>(width), least.end(),
+                          std::numeric_limits<std::uint16_t>::max());
+                for (int step = 1; step < block_; step *= 2) {
+                    min_rows(least.data(), least.data(), least.data() + step, width);
+                }
+                std::uint16_t* out = pooled_.data() + row(y, z);
+                for (int x = lo; x < box.hi.x; ++x) {
+                    out[within(x)] = least[static_cast<std::size_t>(x - lo)];
+                }
+            }
+        }
+    });
+}
+
+void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
+    VoxelBox box = intersection(changed, whole(grid_));
+    if (box.empty()) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = std::max(0, box.lo[axis] - (block_ - 1));
+    }
+    if (block_ > 1) pool(phi, box, workers);
+
+    std::uint16_t* along_x = values_.data();
+    std::uint16_t* along_y = values_.data() + table_;
+    std::uint16_t* along_z = values_.data() + 2 * table_;
+    // Whole stretches of a row, one for each phase.
+    const int first = box.lo.x / block_;
+    const auto count = static_cast<std::size_t>((box.hi.x - 1) / block_ + 1 - first);
+    const auto for_each_stretch = [&](const auto& visit) {
+        for (int p = 0; p < block_; ++p) {
+            visit(p * phase_ + first);
+        }
+    };
+    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
+            for (int y = box.lo.y; y < box.hi.y; ++y) {
+                std::uint16_t* out = along_x + row(y, z);
+                const std::uint16_t* from = pooled_row(phi, y, z);
+                sum_along(out, from, box.lo.x);
+            }
+            for (int y = box.lo.y; y < grid_.y; ++y) {
+                std::uint16_t* out = along_y + row(y, z);
+                const std::uint16_t* from = pooled_row(phi, y, z);
+                for_each_stretch([&](int i) {
+                    add_rows(out + stride_ + i, out + i, from + i, count);
+                });
+            }
+        }
+    });
+    workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
+        const std::int64_t up = row(0, 1);
+        for (int z = box.lo.z; z < grid_.z; ++z) {
+            for (int y = box.lo.y + static_cast<int>(begin); y < box.lo.y + static_cast<int>(end); ++y) {
+                std::uint16_t* out = along_z + row(y, z);
+                const std::uint16_t* from = pooled_row(phi, y, z);
+                for_each_stretch([&](int i) {
+                    add_rows(out + up + i, out + i, from + i, count);
+                });
+            }
+        }
+    });
+}
+
+}  // namespace spectralpack

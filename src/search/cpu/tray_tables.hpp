@@ -1,0 +1,59 @@
+#pragma once
+/// Everything the engine derives from a tray, brought up to date from the tray's journal: bit tables, phi, its
+/// prefix sums. Follows one tray at a time; a different one, or a wider margin, starts afresh.
+
+#include <cstdint>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "search/cpu/bit_tables.hpp"
+#include "search/cpu/distance_grid.hpp"
+#include "search/cpu/sum_tables.hpp"
+#include "search/tray.hpp"
+
+namespace spectralpack {
+
+class TrayTables {
+  public:
+    /// Blocks of positions that the coarse bound looks at.
+    static constexpr int kBlock = 4;
+
+    /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond A.
+    void follow(const Tray& tray, int margin, const Workers& workers);
+
+    const BitTables& bits() const { return bits_; }
+    const DistanceGrid& phi() const { return phi_; }
+    const SumTables& sums() const { return sums_; }
+    const SumTables& coarse() const { return coarse_; }
+
+    /// True when layer `layer` holds anything: gap classes first, then the walls.
+    bool occupied(int layer) const { return layer_used_[static_cast<std::size_t>(layer)]; }
+    int layers() const { return bits_.layers(); }
+
+    /// Grows whenever what was derived before is void (a new tray, an object removed).
+    std::uint64_t epoch() const { return epoch_; }
+    std::uint64_t version() const { return version_; }
+    /// Box outside of which phi is as it was at version `since` of this epoch.
+    VoxelBox changed_since(std::uint64_t since) const;
+
+    std::int64_t bytes() const;
+
+    /// Recomputes everything from the tray and throws InternalError where it differs; debug builds do so now and
+    /// then by themselves.
+    void check(const Tray& tray) const;
+
+  private:
+    void rebuild(const Tray& tray, int margin, const Workers& workers);
+    void rebuild_phi(const Tray& tray, const Workers& workers);
+    void note_occupied(const Tray& tray);
+
+    BitTables bits_;
+    DistanceGrid phi_;
+    SumTables sums_, coarse_;
+    std::vector<bool> layer_used_;
+    std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
+    std::uint64_t epoch_start_ = 0;            // version at which the epoch began
+    std::vector<VoxelBox> changes_;            // of phi, one for each version since then
+};
+
+}  // namespace spectralpack

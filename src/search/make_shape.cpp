@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "search/shape.hpp"
+#include "voxel/permute.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Widened = std::vector<std::shared_ptr<const WidenedVoxels>>;  ///< one for each gap class
+using AxisOrder = std::array<int, 3>;
+
+constexpr double kSameSize = 1e-6;  ///< mm: sizes closer than this have the same candidates
+
+bool same(const OrientedVoxels& a, const OrientedVoxels& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(a.size[axis] - b.size[axis]) > kSameSize) return false;
+    }
+    return a.solid == b.solid;
+}
+
+/// The first of each set of equal orientations.
+std::vector<std::size_t> distinct_orientations(const std::vector<OrientedVoxels>& voxels) {
+    std::vector<std::size_t> distinct;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const bool seen = std::ranges::any_of(
+            distinct, [&](std::size_t earlier) { return same(voxels[earlier], voxels[i]); });
+        if (!seen) distinct.push_back(i);
+    }
+    return distinct;
+}
+
+/// order with turn.rows[a] == of.rows[order[a]], where there is one: then what `turn` does to a
+/// mesh is what `of` does with the axes exchanged, to the last bit.
+std::optional<AxisOrder> exchanged_axes(const Mat3& turn, const Mat3& of) {
+    AxisOrder order{0, 1, 2};
+    do {
+        bool equal = true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            equal = equal && turn.rows[a] == of.rows[static_cast<std::size_t>(order[a])];
+        }
+        if (equal) return order;
+    } while (std::ranges::next_permutation(order).found);
+    return std::nullopt;
+}
+
+/// A+g for each gap class; `make` is called once for each distinct g.
+template <class Make>
+Widened for_each_gap(double own_gap, const std::vector<double>& gap_classes, const Make& make) {
+    Widened widened;
+    for (std::size_t c = 0; c < gap_classes.size(); ++c) {
+        const bool as_before = c > 0 && gap_classes[c] <= own_gap;  // both ask for the own gap
+        widened.push_back(as_before ? widened.back()
+                                    : std::make_shared<const WidenedVoxels>(
+                                          make(c, std::max(own_gap, gap_classes[c]))));
+    }
+    return widened;
+}
+
+}  // namespace
+
+Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
+                 double voxel_size, double gap, const std::vector<double>& gap_classes,
+                 const Workers& workers) {
+    const auto own_class = std::ranges::find(gap_classes, gap);
+    if (own_class == gap_classes.end() || !std::ranges::is_sorted(gap_classes)) {
+        throw InternalError("a part's gap is not among the job's gap classes");
+    }
+    Shape shape;
+    shape.id = id;
+    shape.gap_class = static_cast<int>(own_class - gap_classes.begin());
+
+    std::vector<OrientedVoxels> voxels =
+        voxelize_orientations(mesh, rotations, voxel_size, workers);
+    struct Source {
+        std::size_t root;  ///< in shape.orientations: the first that differs in its axes only
+        AxisOrder axes;
+    };
+    std::vector<Source> sources;
+    std::vector<std::size_t> roots;
+    for (const std::size_t i : distinct_orientations(voxels)) {
+        std::optional<Source> source;
+        for (std::size_t k = 0; k < roots.size() && !source; ++k) {
+            const int root = shape.orientations[roots[k]].orientation;
+            const auto axes =
+                exchanged_axes(rotations[i], rotations[static_cast<std::size_t>(root)]);
+            if (axes) source = Source{roots[k], *axes};
+        }
+        if (!source) roots.push_back(sources.size());
+        sources.push_back(source.value_or(Source{sources.size(), {0, 1, 2}}));
+        shape.orientations.push_back({static_cast<int>(i),
+                                      voxels[i].size,
+                                      voxels[i].min,
+                                      std::make_shared<const BitGrid>(std::move(voxels[i].solid)),
+                                      {}});
+    }
+
+    // Widening costs more than all else here, so each root is widened and the others get its grids
+    // with the axes exchanged: 8 of the cube's 24 rotations are roots.
+    workers.for_each(static_cast<std::int64_t>(roots.size()), [&](std::int64_t k) {
+        OrientedShape& root = shape.orientations[roots[static_cast<std::size_t>(k)]];
+        const Mat3& rotation = rotations[static_cast<std::size_t>(root.orientation)];
+        const Mesh turned = transformed(mesh, {rotation, {}});
+        root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
+            return wanted > 0 ? widen(*root.solid, turned, voxel_size, wanted, workers)
+                              : WidenedVoxels{*root.solid, {}};
+        });
+    });
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i].root == i) continue;
+        const Widened& of_root = shape.orientations[sources[i].root].widened;
+        const AxisOrder& axes = sources[i].axes;
+        shape.orientations[i].widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double) {
+            const VoxelIndex& offset = of_root[c]->offset;
+            return WidenedVoxels{permuted(of_root[c]->voxels, axes),
+                                 {offset[axes[0]], offset[axes[1]], offset[axes[2]]}};
+        });
+    }
+    return shape;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,24 @@
+#include "verify/words.hpp"
+
+#include <charconv>
+
+namespace spectralpack {
+
+std::string short_number(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+    return {text, end.ptr};
+}
+
+std::string copy_name(const Packing& packing, const Placement& placement) {
+    const auto part = static_cast<std::size_t>(placement.part);
+    const bool known = placement.part >= 0 && part < packing.parts.size();
+    return (known ? packing.parts[part].name : "part " + std::to_string(placement.part)) + " #" +
+           std::to_string(placement.copy);
+}
+
+std::string tray_prefix(const Packing& packing, int tray) {
+    return packing.trays.size() > 1 ? "tray " + std::to_string(tray) + ": " : "";
+}
+
+}  // namespace spectralpack

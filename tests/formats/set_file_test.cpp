@@ -1,0 +1,62 @@
+#include "formats/set_file.hpp"
+
+#include "files.hpp"
+#include "support/data.hpp"
+
+namespace spectralpack {
+namespace {
+
+std::vector<SetRow> read(const std::string& text) {
+    const test::TemporaryFolder folder;
+    return read_set(test::write_bytes(folder / "set.csv", text));
+}
+
+TEST(SetFile, ColumnsComeInAnyOrderAndCountAndScaleMayBeMissing) {
+    const auto full = read("scale,mesh,count\r\n0.5,\"a, b.stl\",3\r\n\r\n 2 , c.stl , 1 \r\n");
+    ASSERT_EQ(full.size(), 2u);
+    EXPECT_EQ(full[0].mesh, "a, b.stl");
+    EXPECT_EQ(full[0].count, 3);
+    EXPECT_EQ(full[0].scale, 0.5);
+    EXPECT_EQ(full[0].line, 2);
+    EXPECT_EQ(full[1].count, 1);
+    EXPECT_EQ(full[1].line, 4);
+    const auto bare = read("mesh\na.stl\n");
+    ASSERT_EQ(bare.size(), 1u);
+    EXPECT_EQ(bare[0].count, 1);
+    EXPECT_EQ(bare[0].scale, 1);
+}
+
+TEST(SetFile, WhatIsWrongIsRefusedWithItsLine) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"mesh,colour\na.stl,red\n", "line 1"},
+        {"mesh;count\na.stl;1\n", "line 1"},
+        {"count\n1\n", "line 1"},
+        {"mesh,mesh\na,b\n", "line 1"},
+        {"mesh,count\n\na.stl\n", "line 3"},
+        {"mesh,count\na.stl,0\n", "line 2"},
+        {"mesh,count\na.stl,-1\n", "line 2"},
+        {"mesh,count\na.stl,1.5\n", "line 2"},
+        {"mesh,count\na.stl,9999999999\n", "line 2"},
+        {"mesh,count\na.stl,\n", "line 2"},
+        {"mesh,scale\na.stl,\"0,5\"\n", "line 2"},
+        {"mesh,scale\na.stl,0\n", "line 2"},
+        {"mesh,scale\na.stl,nan\n", "line 2"},
+        {"mesh,scale\na.stl,1e999\n", "line 2"},
+        {"mesh,count\n ,1\n", "line 2"}};
+    for (const auto& [text, place] : cases) {
+        EXPECT_EQ(test::refusal([&] { read(text); }).place(), place) << text;
+    }
+    EXPECT_TRUE(test::contains(test::refusal([] { read(""); }).cause(), "empty"));
+}
+
+TEST(SetFile, TheBenchmarkSetsAreRead) {
+    SPECTRALPACK_NEEDS_DATA();
+    int copies = 0;
+    for (const SetRow& row : read_set(*test::benchmark_data() / "sets" / "pieces.csv")) {
+        copies += row.count;
+    }
+    EXPECT_EQ(copies, 1446);
+}
+
+}  // namespace
+}  // namespace spectralpack

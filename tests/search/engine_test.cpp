@@ -1,0 +1,378 @@
+/// What every engine must answer: the definition (brute_force.hpp) on small random scenes, and
+/// answers that are known in advance.
+
+#include <gtest/gtest.h>
+
+#include "brute_force.hpp"
+#include "engines.hpp"
+#include "random_scene.hpp"
+#include "search/verifying_search.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+class EngineTest : public testing::TestWithParam<EngineFactory> {
+  protected:
+    std::unique_ptr<PlacementSearch> make_engine(int threads = 2) const {
+        return GetParam().make(Workers(threads));
+    }
+    /// The engine with the definition looking over its shoulder: throws at the first difference.
+    VerifyingSearch make_verified() const {
+        return {make_engine(), std::make_unique<BruteForceSearch>(), {}};
+    }
+};
+
+std::shared_ptr<const BitGrid> full_box(const Extent& extent) {
+    BitGrid box(extent);
+    box.fill(true);
+    return std::make_shared<const BitGrid>(std::move(box));
+}
+
+/// `solid` unwidened against every gap class, at 1 mm voxels.
+OrientedShape plain_shape(std::shared_ptr<const BitGrid> solid, int gap_classes = 1) {
+    const Extent& e = solid->extent();
+    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}});
+    return {0,
+            {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)},
+            {},
+            std::move(solid),
+            {static_cast<std::size_t>(gap_classes), wide}};
+}
+
+Shape one_box(std::uint64_t id, const Extent& extent) {
+    return {id, 0, {plain_shape(full_box(extent))}};
+}
+
+TraySetup box_tray(const Extent& n) {
+    TraySetup setup;
+    setup.voxel_size = 1;
+    setup.size = {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+    return setup;
+}
+
+/// Asks for every shape of the scene, and for free positions with and without an object.
+void ask_everything(VerifyingSearch& search, Scene& scene, RandomStream& random) {
+    for (const Shape& shape : scene.shapes) {
+        const SearchResult result =
+            search.best_placement(scene.tray, shape, random_model(random), {});
+        EXPECT_FALSE(result.stopped);
+        const int index = between(random, 0, static_cast<int>(shape.orientations.size()) - 1);
+        FreeQuery query;
+        query.padding = between(random, 1, 3);
+        if (!scene.present.empty() && one_in(random, 2)) {
+            query.without = scene.present[random.below(scene.present.size())];
+        }
+        search.free_positions(scene.tray, shape, index, query);
+        // As a packing does, so that the tray fills up with objects that touch.
+        if (result.best && one_in(random, 3)) {
+            place(scene, shape, result.best->index, result.best->position);
+        }
+    }
+}
+
+void check_random_scenes(VerifyingSearch search, const SceneLimits& limits, std::uint64_t seeds) {
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        Scene scene = random_scene(random, limits, 1 + 100 * seed);
+        for (int step = 0; step < 5; ++step) {
+            ASSERT_NO_THROW(ask_everything(search, scene, random));
+            random_change(scene, random);
+        }
+    }
+    EXPECT_GT(search.verified(), static_cast<std::int64_t>(seeds) * 10);
+}
+
+TEST_P(EngineTest, AnswersTheDefinitionInRandomScenes) {
+    check_random_scenes(make_verified(), {}, 150);
+}
+
+TEST_P(EngineTest, AnswersTheDefinitionInLongRows) {
+    for (int axis = 0; axis < 3; ++axis) {
+        SCOPED_TRACE(axis);
+        check_random_scenes(make_verified(), long_scene(axis), 8);
+    }
+}
+
+TEST_P(EngineTest, AnswersTheDefinitionWithWideGaps) {
+    SceneLimits limits;
+    limits.most = {8, 7, 6};
+    limits.reach = 9;  // beyond the grid on every side: nothing may wrap
+    limits.gap_classes = 4;
+    check_random_scenes(make_verified(), limits, 40);
+}
+
+TEST_P(EngineTest, KeepsSeveralTraysAndTheirCopiesApart) {
+    VerifyingSearch search = make_verified();
+    RandomStream random(7);
+    std::vector<Scene> scenes;
+    scenes.push_back(random_scene(random, {}, 1));
+    scenes.push_back(scenes[0]);  // the same shapes in a tray that goes its own way from here
+    scenes.push_back(random_scene(random, {}, 100));
+    for (int step = 0; step < 30; ++step) {
+        Scene& scene = scenes[random.below(scenes.size())];
+        random_change(scene, random);
+        ASSERT_NO_THROW(ask_everything(search, scene, random));
+        if (one_in(random, 10)) scenes[1] = scenes[0];
+    }
+}
+
+TEST_P(EngineTest, FillsATrayAndEmptiesItAgain) {
+    VerifyingSearch search = make_verified();
+    RandomStream random(11);
+    SceneLimits limits;
+    limits.objects = 0;
+    limits.least = {9, 7, 5};
+    Scene scene = random_scene(random, limits);
+    const CostModel model{4, HeightAt::bottom};
+    const auto answers = [&] {
+        std::vector<SearchResult> all;
+        for (const Shape& shape : scene.shapes) {
+            all.push_back(search.best_placement(scene.tray, shape, model, {}));
+        }
+        return all;
+    };
+    const std::vector<SearchResult> empty = answers();
+    for (const Shape& shape : scene.shapes) {
+        for (;;) {
+            const SearchResult result = search.best_placement(scene.tray, shape, model, {});
+            if (!result.best) break;
+            place(scene, shape, result.best->index, result.best->position);
+        }
+    }
+    EXPECT_FALSE(scene.present.empty());
+    for (const SearchResult& result : answers()) {
+        EXPECT_FALSE(result.best);
+    }
+    shuffle(scene.present, random);
+    for (const ObjectId id : scene.present) {
+        scene.tray.remove(id);
+        search.best_placement(scene.tray, scene.shapes[0], model, {});
+    }
+    const std::vector<SearchResult> again = answers();
+    for (std::size_t i = 0; i < empty.size(); ++i) {
+        EXPECT_EQ(empty[i].best, again[i].best);
+    }
+}
+
+TEST_P(EngineTest, PutsTheFirstBoxIntoTheCorner) {
+    const Tray tray(box_tray({9, 7, 5}));
+    for (const double penalty : {0.0, 4.0, 1e8}) {
+        const auto result =
+            make_engine()->best_placement(tray, one_box(1, {3, 2, 1}), {penalty, {}}, {});
+        ASSERT_TRUE(result.best);
+        EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
+        // Layer 0: the distance to the floor is 1 throughout.
+        EXPECT_EQ(result.best->proximity, 6);
+        EXPECT_EQ(result.best->cost, (Cost{6, 0}));
+    }
+}
+
+TEST_P(EngineTest, TellsTheCostsOfTheWinnersNeighbours) {
+    // One voxel in the corner of an open tray: beside it the distance is 1 too, outside it is 0.
+    TraySetup setup = box_tray({9, 7, 4});
+    setup.ceiling = Ceiling::open;
+    const Tray tray(setup);
+    const auto result = make_engine()->best_placement(tray, one_box(1, {1, 1, 1}), {64, {}}, {});
+    ASSERT_TRUE(result.best);
+    EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
+    EXPECT_EQ(result.best->neighbours, (std::array<Cost, 6>{Cost{0, 0}, Cost{1, 0}, Cost{0, 0},
+                                                            Cost{1, 0}, Cost{-1, 0}, Cost{2, 0}}));
+}
+
+TEST_P(EngineTest, FindsTheOnlyPlaceForAnObjectAsLargeAsTheTray) {
+    const auto engine = make_engine();
+    Tray tray(box_tray({6, 5, 4}));
+    const Shape shape = one_box(1, {6, 5, 4});
+    const auto result = engine->best_placement(tray, shape, {}, {});
+    ASSERT_TRUE(result.best);
+    EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
+    const ObjectId speck = tray.add({full_box({1, 1, 1}), {5, 4, 3}, 0, false});
+    EXPECT_FALSE(engine->best_placement(tray, shape, {}, {}).best);
+    tray.remove(speck);
+    EXPECT_EQ(engine->best_placement(tray, shape, {}, {}).best, result.best);
+    EXPECT_FALSE(engine->best_placement(tray, one_box(2, {7, 5, 4}), {}, {}).best);
+}
+
+TEST_P(EngineTest, FindsTheHoleThatFits) {
+    const auto engine = make_engine();
+    Tray tray(box_tray({12, 9, 7}));
+    BitGrid block({12, 9, 7});
+    block.fill(true);
+    subtract(block, *full_box({3, 2, 2}), {7, 4, 3});
+    tray.add({std::make_shared<const BitGrid>(block), {0, 0, 0}, 0, false});
+    const auto fits = engine->best_placement(tray, one_box(1, {3, 2, 2}), {1e8, {}}, {});
+    ASSERT_TRUE(fits.best);
+    EXPECT_EQ(fits.best->position, (VoxelIndex{7, 4, 3}));
+    EXPECT_FALSE(engine->best_placement(tray, one_box(2, {2, 3, 2}), {0, {}}, {}).best);
+    // It is free to stand there, and cannot leave by any step.
+    const auto free = engine->free_positions(tray, one_box(1, {3, 2, 2}), 0, {});
+    const VoxelIndex at = VoxelIndex{7, 4, 3} - free.origin;
+    EXPECT_TRUE(free.free.get(at.x, at.y, at.z));
+    EXPECT_FALSE(free.free.get(at.x + 1, at.y, at.z));
+    EXPECT_FALSE(free.free.get(at.x, at.y, at.z + 1));
+}
+
+TEST_P(EngineTest, FindsNothingInAFullTrayOrABlockedOne) {
+    const auto engine = make_engine();
+    Tray full(box_tray({5, 4, 3}));
+    full.add({full_box({5, 4, 3}), {0, 0, 0}, 0, false});
+    EXPECT_FALSE(engine->best_placement(full, one_box(1, {1, 1, 1}), {}, {}).best);
+
+    TraySetup setup = box_tray({5, 4, 3});
+    setup.blocked = *full_box({5, 4, 3});
+    const Tray blocked(setup);
+    EXPECT_FALSE(engine->best_placement(blocked, one_box(1, {1, 1, 1}), {}, {}).best);
+    // A virtual container stops no motion, a physical one does.
+    EXPECT_EQ(engine->free_positions(blocked, one_box(1, {1, 1, 1}), 0, {}).free.count(),
+              7 * 6 * 5);
+    setup.blocked_is_physical = true;
+    EXPECT_EQ(engine->free_positions(Tray(setup), one_box(1, {1, 1, 1}), 0, {}).free.count(),
+              7 * 6 * 5 - 5 * 4 * 3);
+}
+
+TEST_P(EngineTest, BreaksTiesByOrientationThenZThenYThenX) {
+    // Two equal orientations: the first wins.
+    const Tray tray(box_tray({7, 5, 3}));
+    Shape shape = one_box(1, {7, 5, 3});
+    shape.orientations.push_back(shape.orientations[0]);
+    shape.orientations[1].orientation = 4;
+    const auto engine = make_engine();
+    const auto twin = engine->best_placement(tray, shape, {0, {}}, {});
+    ASSERT_TRUE(twin.best);
+    EXPECT_EQ(twin.best->index, 0);
+    // The least rho is 3, anywhere along the walls: of these the one with the least z, y, x.
+    const auto corner = engine->best_placement(tray, one_box(2, {1, 1, 3}), {0, {}}, {});
+    ASSERT_TRUE(corner.best);
+    EXPECT_EQ(corner.best->position, (VoxelIndex{0, 0, 0}));
+}
+
+TEST_P(EngineTest, MeasuresHeightAtTheTopWhereAsked) {
+    // Lying (3 x 1 x 1) the box ends lower than standing (1 x 1 x 3), whatever the proximity.
+    const Tray tray(box_tray({7, 5, 4}));
+    Shape shape{1, 0, {plain_shape(full_box({1, 1, 3})), plain_shape(full_box({3, 1, 1}))}};
+    shape.orientations[1].orientation = 1;
+    const auto result = make_engine()->best_placement(tray, shape, {1e8, HeightAt::top}, {});
+    ASSERT_TRUE(result.best);
+    EXPECT_EQ(result.best->index, 1);
+    EXPECT_EQ(result.best->cost, (Cost{1, 3}));
+}
+
+TEST_P(EngineTest, KeepsAGapFromObjectsButNotFromWalls) {
+    TraySetup setup = box_tray({12, 3, 2});
+    setup.gap_classes = {0, 1};
+    Tray tray(setup);
+    tray.add({full_box({2, 3, 2}), {0, 0, 0}, 0, false});
+    BitGrid wide({4, 3, 2});
+    wide.fill(true);
+    Shape shape{1, 1, {plain_shape(full_box({2, 3, 2}), 2)}};
+    const auto widened =
+        std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-1, 0, 0}});
+    shape.orientations[0].widened = {widened, widened};
+    const auto engine = make_engine();
+    const FreePositions moving = engine->free_positions(tray, shape, 0, {});
+    for (const int expected : {3, 6, 9}) {
+        const auto result = engine->best_placement(tray, shape, {4, {}}, {});
+        ASSERT_TRUE(result.best);
+        EXPECT_EQ(result.best->position, (VoxelIndex{expected, 0, 0}));
+        tray.add({full_box({2, 3, 2}), result.best->position, 1, false});
+    }
+    EXPECT_FALSE(engine->best_placement(tray, shape, {4, {}}, {}).best);
+    // Motion is free of gaps: the object may touch.
+    const VoxelIndex touching = VoxelIndex{2, 0, 0} - moving.origin;
+    EXPECT_TRUE(moving.free.get(touching.x, touching.y, touching.z));
+}
+
+TEST_P(EngineTest, NeverWrapsWhatOverhangs) {
+    // The widened object reaches far beyond the grid at x = 0; the only object stands at the far
+    // end.
+    TraySetup setup = box_tray({8, 3, 2});
+    setup.gap_classes = {3};
+    Tray tray(setup);
+    tray.add({full_box({1, 3, 2}), {7, 0, 0}, 0, false});
+    BitGrid wide({9, 9, 8});
+    wide.fill(true);
+    Shape shape{1, 0, {plain_shape(full_box({3, 3, 2}))}};
+    shape.orientations[0].widened = {
+        std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-3, -3, -3}})};
+    const auto result = make_engine()->best_placement(tray, shape, {}, {});
+    ASSERT_TRUE(result.best);
+    EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
+}
+
+TEST_P(EngineTest, PadsFreePositionsSoThatTheOutermostAreOutside) {
+    Tray tray(box_tray({6, 5, 4}));
+    tray.add({full_box({6, 5, 4}), {0, 0, 0}, 0, false});
+    for (const int padding : {1, 2, 5}) {
+        const FreePositions free =
+            make_engine()->free_positions(tray, one_box(1, {3, 1, 2}), 0, {std::nullopt, padding});
+        EXPECT_EQ(free.origin, (VoxelIndex{-2 - padding, -padding, -1 - padding}));
+        const Extent e{8 + 2 * padding, 5 + 2 * padding, 5 + 2 * padding};
+        EXPECT_EQ(free.free.extent(), e);
+        EXPECT_EQ(free.free.count(), e.count() - 8 * 5 * 5);
+        EXPECT_TRUE(free.free.get(padding - 1, padding, padding));
+        EXPECT_FALSE(free.free.get(padding, padding, padding));
+    }
+}
+
+TEST_P(EngineTest, TakesAnObjectOutButNotWhatItShares) {
+    Tray tray(box_tray({6, 5, 4}));
+    const ObjectId first = tray.add({full_box({2, 5, 4}), {0, 0, 0}, 0, false});
+    tray.add({full_box({2, 5, 4}), {1, 0, 0}, 0, false});
+    const Shape voxel = one_box(1, {1, 1, 1});
+    const FreePositions free = make_engine()->free_positions(tray, voxel, 0, {first, 1});
+    EXPECT_TRUE(free.free.get(1, 1, 1));   // position (0, 0, 0) was the first's alone
+    EXPECT_FALSE(free.free.get(2, 1, 1));  // (1, 0, 0) was shared
+    EXPECT_FALSE(free.free.get(3, 1, 1));
+    EXPECT_TRUE(free.free.get(4, 1, 1));
+}
+
+TEST_P(EngineTest, StopsWhenToldTo) {
+    const Tray tray(box_tray({6, 5, 4}));
+    StopSource source;
+    const auto engine = make_engine();
+    EXPECT_FALSE(engine->best_placement(tray, one_box(1, {2, 2, 2}), {}, source.token()).stopped);
+    source.request(StopReason::cancelled);
+    EXPECT_TRUE(engine->best_placement(tray, one_box(1, {2, 2, 2}), {}, source.token()).stopped);
+    const auto again = engine->best_placement(tray, one_box(1, {2, 2, 2}), {}, {});
+    EXPECT_FALSE(again.stopped);
+    EXPECT_TRUE(again.best);
+}
+
+TEST_P(EngineTest, AnswersAlikeWithAnyNumberOfThreads) {
+    std::vector<std::unique_ptr<PlacementSearch>> many;
+    for (const int threads : {1, 2, 5}) {
+        many.push_back(make_engine(threads));
+    }
+    RandomStream random(3);
+    SceneLimits limits;
+    limits.most = {20, 14, 11};
+    limits.orientations = 9;
+    for (int i = 0; i < 10; ++i) {
+        Scene scene = random_scene(random, limits, 1 + 100 * static_cast<std::uint64_t>(i));
+        for (const Shape& shape : scene.shapes) {
+            const CostModel model = random_model(random);
+            const auto expected = many[0]->best_placement(scene.tray, shape, model, {});
+            const FreePositions free = many[0]->free_positions(scene.tray, shape, 0, {});
+            for (const auto& engine : many) {
+                EXPECT_EQ(engine->best_placement(scene.tray, shape, model, {}).best, expected.best);
+                EXPECT_EQ(engine->free_positions(scene.tray, shape, 0, {}).free, free.free);
+            }
+        }
+    }
+}
+
+TEST_P(EngineTest, HoldsMemoryOnceItHasWorked) {
+    const auto engine = make_engine();
+    const Tray tray(box_tray({30, 20, 10}));
+    EXPECT_GE(engine->memory(), 0);
+    engine->best_placement(tray, one_box(1, {3, 2, 2}), {}, {});
+    EXPECT_GT(engine->memory(), 30 * 20 * 10 / 8);
+}
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EngineTest);
+INSTANTIATE_TEST_SUITE_P(Engines, EngineTest, testing::ValuesIn(engines()),
+                         [](const auto& which) { return which.param.name; });
+
+}  // namespace
+}  // namespace spectralpack::test

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "model/orientation.hpp"
+#include "search/shape.hpp"
+#include "support/shapes.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+const std::vector<double> kNoGap{0};
+
+Shape shape_of(const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size,
+               double gap = 0, const std::vector<double>& gaps = kNoGap, int threads = 2) {
+    return make_shape(7, mesh, rotations, voxel_size, gap, gaps, Workers(threads));
+}
+
+/// An L of two boxes: no rotation maps it onto itself.
+Mesh bracket() {
+    return merged(box_mesh({0, 0, 0}, {7, 3, 2}), box_mesh({0, 0, 1.5}, {2.5, 2, 5}));
+}
+
+Mesh turned(const Mesh& mesh, const Mat3& rotation) {
+    return transformed(mesh, {rotation, {}});
+}
+
+bool same_size(const Vec3& a, const Vec3& b) {
+    return std::abs(a.x - b.x) <= 1e-6 && std::abs(a.y - b.y) <= 1e-6 &&
+           std::abs(a.z - b.z) <= 1e-6;
+}
+
+TEST(MakeShape, MergesOrientationsOfABox) {
+    const auto rotations = orientation_set("90");
+    EXPECT_EQ(shape_of(cube_mesh(6), rotations, 2).orientations.size(), 1u);
+    EXPECT_EQ(shape_of(box_mesh({0, 0, 0}, {8, 4, 4}), rotations, 2).orientations.size(), 3u);
+    const Shape box = shape_of(box_mesh({-1, 5, 2}, {7, 9, 4}), rotations, 2);
+    EXPECT_EQ(box.orientations.size(), 6u);
+    EXPECT_EQ(box.id, 7u);
+    EXPECT_EQ(box.orientations[0].orientation, 0);
+    EXPECT_EQ(box.orientations[0].solid->extent(), (Extent{4, 2, 1}));
+    EXPECT_EQ(box.orientations[0].min, (Vec3{-1, 5, 2}));
+}
+
+TEST(MakeShape, KeepsEqualVoxelsOfUnequalSizesApart) {
+    // 3.5 and 4 mm both take two voxels, but have other candidates.
+    const auto rotations = orientation_set("90");
+    EXPECT_EQ(shape_of(box_mesh({0, 0, 0}, {3.5, 4, 4}), rotations, 2).orientations.size(), 3u);
+}
+
+TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
+    for (const char* step : {"90", "45"}) {
+        const auto rotations = orientation_set(step);
+        for (const Mesh& mesh : {bracket(), torus_mesh(4, 1.5, 24, 12)}) {
+            const Shape shape = shape_of(mesh, rotations, 1.25);
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < rotations.size(); ++i) {
+                const Mesh one = turned(mesh, rotations[i]);
+                const BitGrid solid = voxelize(one, 1.25, Workers(1));
+                const Vec3 size = bounding_box(one).size();
+                if (next < shape.orientations.size() &&
+                    shape.orientations[next].orientation == static_cast<int>(i)) {
+                    const OrientedShape& kept = shape.orientations[next++];
+                    EXPECT_EQ(*kept.solid, solid);
+                    EXPECT_TRUE(same_size(kept.size, size));
+                    EXPECT_TRUE(same_size(kept.min, bounding_box(one).min));
+                    continue;
+                }
+                bool seen = false;  // left out: an earlier one is equal
+                for (std::size_t k = 0; k < next; ++k) {
+                    seen = seen || (*shape.orientations[k].solid == solid &&
+                                    same_size(shape.orientations[k].size, size));
+                }
+                EXPECT_TRUE(seen) << "orientation " << i << " of " << step;
+            }
+            EXPECT_EQ(next, shape.orientations.size());
+            for (std::size_t a = 0; a < next; ++a) {
+                for (std::size_t b = 0; b < a; ++b) {
+                    EXPECT_FALSE(*shape.orientations[a].solid == *shape.orientations[b].solid &&
+                                 same_size(shape.orientations[a].size, shape.orientations[b].size));
+                }
+            }
+        }
+    }
+}
+
+TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
+    const auto rotations = orientation_set("90");
+    const std::vector<double> gaps{0, 0.5, 2};
+    const Mesh mesh = bracket();
+    for (std::size_t own = 0; own < gaps.size(); ++own) {
+        SCOPED_TRACE(own);
+        const Shape shape = shape_of(mesh, rotations, 1, gaps[own], gaps);
+        EXPECT_EQ(shape.gap_class, static_cast<int>(own));
+        for (const OrientedShape& oriented : shape.orientations) {
+            ASSERT_EQ(oriented.widened.size(), gaps.size());
+            const Mesh one =
+                turned(mesh, rotations[static_cast<std::size_t>(oriented.orientation)]);
+            for (std::size_t c = 0; c < gaps.size(); ++c) {
+                const double gap = std::max(gaps[own], gaps[c]);
+                const WidenedVoxels expected = gap > 0
+                                                   ? widen(*oriented.solid, one, 1, gap, Workers(1))
+                                                   : WidenedVoxels{*oriented.solid, {}};
+                EXPECT_EQ(oriented.widened[c]->offset, expected.offset);
+                EXPECT_EQ(oriented.widened[c]->voxels, expected.voxels);
+                // Equal gaps share one grid.
+                EXPECT_EQ(oriented.widened[c] == oriented.widened[own], c <= own);
+            }
+        }
+    }
+}
+
+TEST(MakeShape, DoesNotDependOnThreads) {
+    const auto rotations = orientation_set("45");
+    const Shape one = shape_of(bracket(), rotations, 0.75, 1, {0, 1}, 1);
+    const Shape many = shape_of(bracket(), rotations, 0.75, 1, {0, 1}, 4);
+    ASSERT_EQ(one.orientations.size(), many.orientations.size());
+    for (std::size_t i = 0; i < one.orientations.size(); ++i) {
+        EXPECT_EQ(one.orientations[i].orientation, many.orientations[i].orientation);
+        EXPECT_EQ(*one.orientations[i].solid, *many.orientations[i].solid);
+        EXPECT_EQ(one.orientations[i].widened[0]->voxels, many.orientations[i].widened[0]->voxels);
+    }
+}
+
+TEST(MakeShape, RefusesAGapThatTheJobDoesNotHave) {
+    EXPECT_THROW(shape_of(cube_mesh(4), {Mat3{}}, 2, 0.5, {0, 1}), InternalError);
+    EXPECT_THROW(shape_of(cube_mesh(4), {Mat3{}}, 2, 1, {1, 0}), InternalError);
+}
+
+}  // namespace
+}  // namespace spectralpack::test

@@ -1,0 +1,275 @@
+#pragma once
+/// Small random trays, shapes and changes for testing engines. Everything follows from the
+/// RandomStream, so a seed names a scene on every machine. Grids are non-cubic, shapes are
+/// hand-made bit grids (an engine does not care that orientations of one mesh belong together),
+/// widened grids have negative offsets.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/random.hpp"
+#include "search/cost.hpp"
+#include "search/shape.hpp"
+#include "search/tray.hpp"
+
+namespace spectralpack::test {
+
+struct SceneLimits {
+    Extent least{1, 1, 1};  ///< of the tray's grid
+    Extent most{13, 9, 7};
+    int shapes = 3;
+    int orientations = 4;  ///< at most, per shape
+    int gap_classes = 3;   ///< at most
+    int reach = 2;         ///< voxels by which A+g goes beyond A, at most
+    int objects = 8;       ///< in the tray at first, at most
+};
+
+/// Rows of several words along `axis`, thin across: for what engines do at word and block
+/// boundaries.
+inline SceneLimits long_scene(int axis) {
+    SceneLimits limits;
+    limits.least = {2, 2, 2};
+    limits.most = {6, 5, 4};
+    limits.least[axis] = 60;
+    limits.most[axis] = 140;
+    limits.reach = 3;
+    return limits;
+}
+
+struct Scene {
+    Tray tray;
+    std::vector<Shape> shapes;
+    std::vector<ObjectId> present;  ///< objects standing in the tray
+};
+
+/// True with probability 1 / n.
+inline bool one_in(RandomStream& random, int n) {
+    return random.below(static_cast<std::uint64_t>(n)) == 0;
+}
+
+/// Uniform in [low, high].
+inline int between(RandomStream& random, int low, int high) {
+    return low + static_cast<int>(random.below(static_cast<std::uint64_t>(high - low) + 1));
+}
+
+inline Extent random_extent(RandomStream& random, const Extent& least, const Extent& most) {
+    Extent extent;
+    for (int axis = 0; axis < 3; ++axis) {
+        extent[axis] = between(random, least[axis], most[axis]);
+    }
+    return extent;
+}
+
+/// Calls visit(x, y, z) for every voxel, x fastest.
+template <class Visit>
+void for_each_voxel(const Extent& extent, const Visit& visit) {
+    for (int z = 0; z < extent.z; ++z) {
+        for (int y = 0; y < extent.y; ++y) {
+            for (int x = 0; x < extent.x; ++x) {
+                visit(x, y, z);
+            }
+        }
+    }
+}
+
+/// Each voxel set with probability 1 / n.
+inline BitGrid random_bits(RandomStream& random, const Extent& extent, int n) {
+    BitGrid bits(extent);
+    for_each_voxel(extent, [&](int x, int y, int z) { bits.set(x, y, z, one_in(random, n)); });
+    return bits;
+}
+
+/// Never empty: a full box, a hollow box, a tube, a comb (teeth along x), sparse or dense noise.
+inline BitGrid random_solid(RandomStream& random, const Extent& e) {
+    BitGrid bits(e);
+    const int kind = between(random, 0, 5);
+    const auto inside = [](int i, int n) { return i > 0 && i < n - 1; };
+    if (kind >= 4) {
+        bits = random_bits(random, e, kind == 4 ? 2 : 6);
+        const Extent any = random_extent(random, {0, 0, 0}, {e.x - 1, e.y - 1, e.z - 1});
+        bits.set(any.x, any.y, any.z);
+        return bits;
+    }
+    for_each_voxel(e, [&](int x, int y, int z) {
+        bool solid = true;
+        if (kind == 1) solid = !(inside(x, e.x) && inside(y, e.y) && inside(z, e.z));
+        if (kind == 2) solid = !(inside(x, e.x) && inside(z, e.z));
+        if (kind == 3) solid = y == 0 || x % 2 == 0;
+        bits.set(x, y, z, solid);
+    });
+    return bits;
+}
+
+/// Contains `solid`, reaches up to `reach` voxels further on each side (each side its own), rough
+/// outside.
+inline WidenedVoxels random_widened(RandomStream& random, const BitGrid& solid, int reach) {
+    const Extent none{0, 0, 0}, most{reach, reach, reach};
+    const Extent low = random_extent(random, none, most), high = random_extent(random, none, most);
+    const Extent& a = solid.extent();
+    WidenedVoxels wide{
+        random_bits(random, {a.x + low.x + high.x, a.y + low.y + high.y, a.z + low.z + high.z}, 3),
+        {-low.x, -low.y, -low.z}};
+    unite(wide.voxels, solid, {low.x, low.y, low.z});
+    return wide;
+}
+
+/// A length that takes `voxels` voxels: exactly, or up to an eighth short of a whole one less.
+inline double random_length(RandomStream& random, int voxels, double voxel_size) {
+    const double short_by = one_in(random, 2) ? 0 : between(random, 1, 7) / 8.0;
+    return (voxels - short_by) * voxel_size;
+}
+
+inline OrientedShape random_orientation(RandomStream& random, const TraySetup& setup,
+                                        const Extent& tray, int own_class, int reach) {
+    OrientedShape shape;
+    Extent extent;
+    const int kind = between(random, 0, 11);
+    for (int axis = 0; axis < 3; ++axis) {
+        // Two draws: small objects are more common, as in a packing.
+        extent[axis] = std::min(between(random, 1, tray[axis]), between(random, 1, tray[axis]));
+        if (kind == 0) extent[axis] = 1;
+        if (kind == 1) extent[axis] = tray[axis];
+        shape.size[axis] = random_length(random, extent[axis], setup.voxel_size);
+        if (kind == 1 && !one_in(random, 4)) shape.size[axis] = setup.size[axis];
+    }
+    if (kind == 2) {
+        const int axis = between(random, 0, 2);  // too large for the tray
+        extent[axis] = tray[axis] + between(random, 1, 2);
+        shape.size[axis] = extent[axis] * setup.voxel_size;
+    }
+    auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
+    shape.solid = solid;
+    const double own = setup.gap_classes[static_cast<std::size_t>(own_class)];
+    std::shared_ptr<const WidenedVoxels> previous;
+    double previous_gap = -1;
+    for (const double other : setup.gap_classes) {
+        const double gap = std::max(own, other);
+        if (gap != previous_gap) {
+            previous = std::make_shared<const WidenedVoxels>(
+                gap > 0 ? random_widened(random, *solid, reach) : WidenedVoxels{*solid, {}});
+            previous_gap = gap;
+        }
+        shape.widened.push_back(previous);
+    }
+    return shape;
+}
+
+inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetup& setup,
+                          const Extent& tray, const SceneLimits& limits) {
+    Shape shape;
+    shape.id = id;
+    shape.gap_class = between(random, 0, static_cast<int>(setup.gap_classes.size()) - 1);
+    const int count = between(random, 1, limits.orientations);
+    int orientation = -1;
+    for (int i = 0; i < count; ++i) {
+        orientation += between(random, 1, 3);  // indices merged away leave holes
+        shape.orientations.push_back(
+            random_orientation(random, setup, tray, shape.gap_class, limits.reach));
+        shape.orientations.back().orientation = orientation;
+    }
+    return shape;
+}
+
+/// Keep-out boxes, or a rough mask, or the whole grid, or nothing.
+inline BitGrid random_blocked(RandomStream& random, const Extent& tray) {
+    BitGrid blocked;
+    const int kind = between(random, 0, 7);
+    if (kind <= 3) return blocked;
+    blocked = BitGrid(tray);
+    if (kind == 4) blocked = random_bits(random, tray, 12);
+    if (kind == 5 && one_in(random, 3)) blocked.fill(true);
+    if (kind >= 6) {
+        const Extent box = random_extent(random, {1, 1, 1}, tray);
+        BitGrid full({(box.x + 1) / 2, (box.y + 1) / 2, (box.z + 1) / 2});
+        full.fill(true);
+        unite(blocked, full,
+              {between(random, 0, tray.x - 1), between(random, 0, tray.y - 1),
+               between(random, 0, tray.z - 1)});
+    }
+    return blocked;
+}
+
+inline TraySetup random_setup(RandomStream& random, const SceneLimits& limits) {
+    TraySetup setup;
+    setup.voxel_size = std::vector<double>{2, 1, 0.5, 0.7}[random.below(4)];
+    const Extent tray = random_extent(random, limits.least, limits.most);
+    for (int axis = 0; axis < 3; ++axis) {
+        setup.size[axis] = tray[axis] == 1  // a tray is at least one whole voxel long
+                               ? setup.voxel_size
+                               : random_length(random, tray[axis], setup.voxel_size);
+    }
+    const int classes = between(random, 1, limits.gap_classes);
+    setup.gap_classes.clear();
+    double gap = one_in(random, 3) ? 0.25 : 0;
+    for (int c = 0; c < classes; ++c) {
+        setup.gap_classes.push_back(gap);
+        gap += 0.5;
+    }
+    setup.ceiling = one_in(random, 3) ? Ceiling::open : Ceiling::closed;
+    setup.reference_layers = one_in(random, 3) ? between(random, 1, 3 * tray.z) : 0;
+    setup.blocked = random_blocked(random, tray);
+    setup.blocked_is_physical = one_in(random, 2);
+    return setup;
+}
+
+/// p = 0, 4, 1e8 or something between, measured at the bottom or at the top.
+inline CostModel random_model(RandomStream& random) {
+    CostModel model;
+    model.height_penalty = std::vector<double>{0, 4, 1e8, 123.456}[random.below(4)];
+    model.height_at = one_in(random, 4) ? HeightAt::top : HeightAt::bottom;
+    return model;
+}
+
+/// Adds an object of a random shape and orientation anywhere, overhanging and sharing voxels at
+/// times.
+inline void add_random_object(Scene& scene, RandomStream& random) {
+    const Shape& shape = scene.shapes[random.below(scene.shapes.size())];
+    const OrientedShape& oriented = shape.orientations[random.below(shape.orientations.size())];
+    const Extent& n = scene.tray.extent();
+    const Extent& a = oriented.solid->extent();
+    const bool overhang = one_in(random, 4);
+    VoxelIndex position;
+    for (int axis = 0; axis < 3; ++axis) {
+        position[axis] = overhang ? between(random, -a[axis], n[axis])
+                                  : between(random, 0, std::max(0, n[axis] - a[axis]));
+    }
+    scene.present.push_back(
+        scene.tray.add({oriented.solid, position, shape.gap_class, one_in(random, 5)}));
+}
+
+/// Adds an object or, once in three times, removes one.
+inline void random_change(Scene& scene, RandomStream& random) {
+    if (scene.present.empty() || !one_in(random, 3)) {
+        add_random_object(scene, random);
+        return;
+    }
+    const std::size_t gone = random.below(scene.present.size());
+    scene.tray.remove(scene.present[gone]);
+    scene.present.erase(scene.present.begin() + static_cast<std::ptrdiff_t>(gone));
+}
+
+/// Shape ids start at `first_id`: give scenes that one engine sees different ones.
+inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {},
+                          std::uint64_t first_id = 1) {
+    Scene scene{Tray(random_setup(random, limits)), {}, {}};
+    for (int i = 0; i < limits.shapes; ++i) {
+        scene.shapes.push_back(random_shape(random, first_id + static_cast<std::uint64_t>(i),
+                                            scene.tray.setup(), scene.tray.extent(), limits));
+    }
+    const int objects = between(random, 0, limits.objects);
+    for (int i = 0; i < objects; ++i) {
+        add_random_object(scene, random);
+    }
+    return scene;
+}
+
+/// What a packing does: the object stands where the search says.
+inline void place(Scene& scene, const Shape& shape, int index, const VoxelIndex& position) {
+    scene.present.push_back(
+        scene.tray.add({shape.orientations[static_cast<std::size_t>(index)].solid, position,
+                        shape.gap_class, false}));
+}
+
+}  // namespace spectralpack::test

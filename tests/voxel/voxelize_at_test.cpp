@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "random_mesh.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+const Workers kOne(1);
+
+/// `mesh` with a triangle that is only the point `at`.
+Mesh with_point(Mesh mesh, const Vec3& at) {
+    const auto last = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(at);
+    mesh.triangles.push_back({last, last, last});
+    return mesh;
+}
+
+/// A point on a voxel corner marks no voxel but moves the box minimum there: so voxelize() itself
+/// can be made to see a mesh off the grid.
+TEST(VoxelizeAt, IsVoxelizeOfTheMeshWithAPointOnTheGrid) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        test::RandomMesh random(seed);
+        const Mesh mesh = seed % 4 ? random.closed() : random.soup();
+        const double voxel_size = random.within(0.4, 1.5);
+        const VoxelIndex position{static_cast<int>(random.below(9)),
+                                  static_cast<int>(random.below(9)), -3};
+        const Vec3 inside = random.point(1e-3, 1 - 1e-3);  // of the voxel
+        const Vec3 corner =
+            voxel_size * (inside + Vec3{position.x + 0.0, position.y + 0.0, position.z + 0.0});
+        const StandingVoxels found = voxelize_at(mesh, corner, voxel_size, kOne);
+        EXPECT_EQ(found.position, position);
+        EXPECT_EQ(found.solid,
+                  voxelize(with_point(mesh, bounding_box(mesh).min - voxel_size * inside),
+                           voxel_size, kOne))
+            << "seed " << seed;
+    }
+}
+
+TEST(VoxelizeAt, OnTheGridItIsVoxelize) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        test::RandomMesh random(seed);
+        const Mesh mesh = random.closed();
+        const StandingVoxels found = voxelize_at(mesh, {6, -1.5, 0}, 0.5, kOne);
+        EXPECT_EQ(found.position, (VoxelIndex{12, -3, 0}));
+        EXPECT_EQ(found.solid, voxelize(mesh, 0.5, kOne));
+    }
+}
+
+TEST(VoxelizeAt, ACubeThatOverhangsByLessThanTheShrinkStaysInItsVoxels) {
+    const Mesh cube = test::cube_mesh(20);
+    BitGrid full(Extent{10, 10, 10});
+    full.fill(true);
+    for (const double overhang : {-1e-4, -1e-7, 0.0, 1e-7, 1e-4}) {
+        const StandingVoxels found = voxelize_at(cube, {4 + overhang, 8, 2 - overhang}, 2, kOne);
+        EXPECT_EQ(found.position, (VoxelIndex{2, 4, 1})) << overhang;
+        EXPECT_EQ(found.solid, full) << overhang;
+    }
+    EXPECT_EQ(voxelize_at(cube, {4.001, 8, 2}, 2, kOne).solid.extent(), (Extent{11, 10, 10}));
+    EXPECT_EQ(voxelize_at(cube, {3.999, 8, 2}, 2, kOne).position, (VoxelIndex{1, 4, 1}));
+}
+
+TEST(VoxelizeAt, RefusesCornersThatAreNowhere) {
+    const Mesh cube = test::cube_mesh(20);
+    EXPECT_THROW(voxelize_at(cube, {1e300, 0, 0}, 2, kOne), ResourceError);
+    EXPECT_THROW(voxelize_at(cube, {0, std::numeric_limits<double>::quiet_NaN(), 0}, 2, kOne),
+                 ResourceError);
+}
+
+}  // namespace
+}  // namespace spectralpack
