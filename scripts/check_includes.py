@@ -23,9 +23,10 @@ ALLOWED = {
     "search/reference": BASE + ["geometry", "voxel", "search"],
     "search/cpu": BASE + ["geometry", "voxel", "search"],
     "search/cuda": BASE + ["geometry", "voxel", "search"],
-    "packing": BASE + ["geometry", "model", "voxel", "search"],
+    "refine": BASE + ["geometry", "model", "voxel", "search"],
+    "packing": BASE + ["geometry", "model", "voxel", "search", "refine"],
     "api": BASE + ["geometry", "model", "formats", "voxel", "render", "verify", "search",
-                   "search/reference", "search/cpu", "search/cuda", "packing", "spectralpack"],
+                   "search/reference", "search/cpu", "search/cuda", "refine", "packing", "spectralpack"],
     "spectralpack": BASE + ["geometry", "model", "voxel", "render", "verify"],
     "cli": ["spectralpack"],
 }

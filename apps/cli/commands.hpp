@@ -13,6 +13,7 @@ struct Command {
 
 Command add_pack_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
+Command add_inspect_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 
 }  // namespace spectralpack::cli

@@ -17,7 +17,7 @@ namespace {
 using namespace spectralpack;
 using namespace spectralpack::cli;
 
-constexpr std::array kNotBuilt{"plan", "inspect", "prepare", "generate", "bench", "serve", "view"};
+constexpr std::array kNotBuilt{"plan", "prepare", "generate", "bench", "serve", "view"};
 
 int status_of(ErrorKind kind) {
     switch (kind) {
@@ -34,13 +34,23 @@ int complain(const std::string& message, int status) {
     return status;
 }
 
+/// The arguments that meant nothing to the parser: it may complain of something else first.
+std::string not_understood(const CLI::App& app) {
+    std::string list;
+    for (const std::string& argument : app.remaining(true)) {
+        list += (list.empty() ? " (not understood: " : " ") + printable(argument);
+    }
+    return list.empty() ? "" : list + "; a file whose name starts with a dash is named like ./-part.stl)";
+}
+
 int run(int argc, char** argv) {
     CLI::App app{"Packs 3D parts densely into a build volume, without collisions.", "spectralpack"};
     app.set_version_flag("--version", "spectralpack " SPECTRALPACK_VERSION);
     app.require_subcommand(1);
     app.footer("Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
                "'spectralpack COMMAND --help' explains a command.");
-    const std::array commands{add_pack_command(app), add_check_command(app), add_render_command(app)};
+    const std::array commands{add_pack_command(app), add_check_command(app),
+                              add_inspect_command(app), add_render_command(app)};
 
     if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
         return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);
@@ -49,7 +59,9 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        return complain(fmt::format("{}\nRun with --help for what there is.", error.what()), kUsage);
+        return complain(fmt::format("{}{}\nRun with --help for what there is.", error.what(),
+                                    not_understood(app)),
+                        kUsage);
     }
     for (const Command& command : commands) {
         if (command.app->parsed()) return command.run();
@@ -63,7 +75,7 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const Error& error) {
-        return complain(error.what(), status_of(error.kind()));
+        return complain(printable(error.what()), status_of(error.kind()));
     } catch (const std::bad_alloc&) {
         return complain("out of memory", kOutOfResources);
     } catch (const std::exception& error) {

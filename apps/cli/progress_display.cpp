@@ -74,7 +74,20 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
 
 void ProgressDisplay::on_warning(const std::string& message) {
     finish();
-    fmt::print(stderr, "spectralpack: warning: {}\n", message);
+    if (style_ == ProgressStyle::json) {
+        fmt::print(stderr, "{{\"warning\": {}}}\n", json_string(message));
+    } else {
+        fmt::print(stderr, "spectralpack: warning: {}\n", printable(message));
+    }
+}
+
+void ProgressDisplay::on_error(const std::string& message) {
+    finish();
+    if (style_ == ProgressStyle::json) {
+        fmt::print(stderr, "{{\"error\": {}}}\n", json_string(message));
+    } else {
+        fmt::print(stderr, "spectralpack: {}\n", printable(message));
+    }
 }
 
 void ProgressDisplay::finish() {

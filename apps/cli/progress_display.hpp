@@ -19,6 +19,9 @@ class ProgressDisplay : public Listener {
     void on_progress(const Progress& progress) override;
     void on_warning(const std::string& message) override;
 
+    /// Something that went wrong; the run goes on with the rest.
+    void on_error(const std::string& message);
+
     /// Ends the bar's line, so that other output starts on a fresh one.
     void finish();
 

@@ -45,7 +45,7 @@ void print_left_over(const Packing& packing) {
     for (std::size_t i = 0; i < entries.size() && i < kMostListed; ++i) {
         const Entry& entry = entries[i];
         fmt::print("    {} x {}: {}\n", entry.copies,
-                   packing.parts[static_cast<std::size_t>(entry.part)].name, reason_text(entry.reason));
+                   printable(packing.parts[static_cast<std::size_t>(entry.part)].name), reason_text(entry.reason));
     }
     if (entries.size() > kMostListed) {
         fmt::print("    and {} more parts; the packing file lists them all\n", entries.size() - kMostListed);
@@ -95,7 +95,7 @@ void print_estimate(const Estimate& estimate, const PackOptions& options) {
                percent_text(estimate.box_ratio));
     fmt::print("  height     penalty p = {:g}\n", estimate.height_penalty);
     for (const std::string& part : estimate.too_large) {
-        fmt::print("  too large  {}\n", part);
+        fmt::print("  too large  {}\n", printable(part));
     }
     fmt::print("Nothing was packed or written (--dry-run).\n");
 }

@@ -23,6 +23,13 @@ Vec3 parse_size(const std::string& text, const char* option) {
     return size;
 }
 
+double parse_unit(const std::string& text) {
+    if (text == "mm") return 1;
+    if (text == "inch") return 25.4;
+    if (text == "m") return 1000;
+    throw UsageError(fmt::format("--unit takes one of inch, m, mm; not '{}'", text));
+}
+
 std::int64_t parse_bytes(const std::string& text, const char* option) {
     double value = 0;
     const char* end = text.data() + text.size();
@@ -41,6 +48,16 @@ std::int64_t parse_bytes(const std::string& text, const char* option) {
         throw UsageError(fmt::format("{} takes a number of bytes like 500M or 2G, not '{}'", option, text));
     }
     return static_cast<std::int64_t>(bytes);
+}
+
+std::string printable(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool second = i > 0 && static_cast<unsigned char>(text[i - 1]) == 0xc2;
+        if (byte < 0x20 || byte == 0x7f) text[i] = '?';
+        if (second && byte >= 0x80 && byte < 0xa0) text[i - 1] = text[i] = '?';  // U+0080 to U+009F
+    }
+    return text;
 }
 
 std::string duration_text(double seconds) {

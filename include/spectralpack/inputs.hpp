@@ -2,10 +2,12 @@
 /// What a user names as input, made into a list of mesh files with counts and scales.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "model/job_settings.hpp"
 
 namespace spectralpack {
 
@@ -15,17 +17,21 @@ struct PartSource {
     int count = 1;
     double scale = 1;
     std::string origin;  ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
+    std::optional<std::string> name = {};  ///< for people; none: as the file says
+    std::optional<double> gap = {};        ///< mm; none: the job's
 };
 
 struct ExpandedInputs {
     std::vector<PartSource> parts;
     std::vector<InputError> unusable;  ///< named inputs that are missing or unreadable
+    std::optional<JobSettings> job;    ///< what a job file among them says besides its parts
 };
 
 /// Each argument is a mesh file, FILE:COUNT, FILE:COUNT@SCALE, a folder of meshes (searched through, sorted
-/// bytewise) or a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty).
-/// A file whose name really ends in ":3" is taken as named. Throws UsageError for a count or scale that is not
-/// positive.
+/// bytewise), a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty) or a
+/// job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
+/// count or scale that is not positive and for what a job file asks for and is not built, InputError for a job
+/// file that cannot be read: what it says of the others is not known then.
 ExpandedInputs expand_inputs(const std::vector<std::string>& arguments,
                              const std::filesystem::path& mesh_dir);
 

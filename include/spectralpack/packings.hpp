@@ -2,6 +2,7 @@
 /// Packings on disk: reading, judging, drawing and writing them.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/listener.hpp"
@@ -31,12 +32,23 @@ std::string check_report_json(const Scene& scene, const CheckReport& report);
 /// The packing file's text, with mesh paths as they are.
 std::string packing_json(const Scene& scene);
 
+/// `text` as a string of JSON; bytes that are not UTF-8 become U+FFFD.
+std::string json_string(const std::string& text);
+
 /// Endings that write_output() knows, for messages: ".json .3mf .stl .csv .png".
 bool is_output_file(const std::filesystem::path& path);
 const char* output_endings();
 
 /// Writes the packing as its ending says: .json .3mf .stl .csv .png. Whole or not at all.
 void write_output(const Scene& scene, const std::filesystem::path& path, int threads);
+
+/// Endings that write_report() knows: .html .csv.
+bool is_report_file(const std::filesystem::path& path);
+
+/// A report for people: a page with pictures and figures (.html), or a table of the parts (.csv). With the material's
+/// density in g/cm^3 it has masses. Whole or not at all.
+void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
+                  int threads);
 
 /// A picture with the given options.
 void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,

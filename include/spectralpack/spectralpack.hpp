@@ -8,5 +8,6 @@
 ///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
 
 #include "spectralpack/inputs.hpp"
+#include "spectralpack/inspect.hpp"
 #include "spectralpack/pack.hpp"
 #include "spectralpack/packings.hpp"

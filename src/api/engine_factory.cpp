@@ -30,6 +30,16 @@ std::int64_t memory_of_reference(const EngineNeed&, const Workers&) { return 0; 
 constexpr bool kHasReference = false;
 #endif
 
+/// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
+/// dilated along three axes for each gap class and the walls (2 bytes a voxel each); margins round up.
+std::int64_t memory_of_cpu(const EngineNeed& need) {
+    const auto padded = [&](int margin) {
+        return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
+                                need.tray.z + 1 + 2 * margin});
+    };
+    return 16 * padded(0) + 2 * (need.gap_classes + 1) * padded(need.overhang);
+}
+
 }  // namespace
 
 EngineKind resolve_engine(EngineKind kind) {
@@ -49,13 +59,12 @@ std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache
                                              const Workers& workers) {
     if (kind == EngineKind::reference) return make_reference(workers);
     CpuOptions options;
-    options.cache_bytes = cache_bytes;
+    options.cache_memory = cache_bytes;
     return make_cpu_search(options, workers);
 }
 
 std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers) {
-    return kind == EngineKind::reference ? memory_of_reference(need, workers)
-                                         : cpu_memory(need.tray, need.gap_classes, workers.threads());
+    return kind == EngineKind::reference ? memory_of_reference(need, workers) : memory_of_cpu(need);
 }
 
 const char* engine_name(EngineKind kind) {

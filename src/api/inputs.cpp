@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <regex>
 #include <system_error>
 
+#include "formats/job_file.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
 
@@ -43,6 +45,13 @@ std::optional<CountAndScale> split_argument(const std::string& argument) {
     return result;
 }
 
+int product(int count, int times, const std::string& file, const std::string& place) {
+    if (count > kMaxCount / times) {
+        throw InputError(file, place, "comes to over ten million copies");
+    }
+    return count * times;
+}
+
 class Expander {
   public:
     explicit Expander(fs::path mesh_dir) : mesh_dir_(std::move(mesh_dir)) {}
@@ -71,26 +80,42 @@ class Expander {
         } else if (ending == ".csv") {
             set(file, wanted);
         } else if (ending == ".json") {
-            throw UsageError(file + ": job files are not built yet; name meshes, folders or .csv sets");
+            job(file, wanted);
         } else {
             inputs_.parts.push_back({file, wanted.count, wanted.scale, ""});
         }
     }
 
     void set(const std::string& file, const CountAndScale& wanted) {
-        std::vector<SetRow> rows;
+        const fs::path base = mesh_dir_.empty() ? fs::path(file).parent_path() : mesh_dir_;
+        std::vector<PartSource> parts;
         try {
-            rows = read_set(file);
+            for (const SetRow& row : read_set(file)) {
+                const std::string place = "line " + std::to_string(row.line);
+                const int count = product(row.count, wanted.count, file, place);
+                parts.push_back({(base / row.mesh).string(), count, row.scale * wanted.scale,
+                                 file + " " + place});
+            }
         } catch (const InputError& error) {
             inputs_.unusable.push_back(error);
             return;
         }
-        const fs::path base = mesh_dir_.empty() ? fs::path(file).parent_path() : mesh_dir_;
-        for (const SetRow& row : rows) {
-            inputs_.parts.push_back({(base / row.mesh).string(), row.count * wanted.count,
-                                     row.scale * wanted.scale,
-                                     file + " line " + std::to_string(row.line)});
+        std::move(parts.begin(), parts.end(), std::back_inserter(inputs_.parts));
+    }
+
+    void job(const std::string& file, const CountAndScale& wanted) {
+        if (inputs_.job) {
+            throw UsageError(file + ": is the second job file, after " + inputs_.job->file +
+                             "; one run has one job");
         }
+        JobFile job = read_job(file);
+        for (JobPart& part : job.parts) {
+            const int count = product(part.count, wanted.count, file, part.key + ".count");
+            inputs_.parts.push_back({std::move(part.mesh), count, part.scale * wanted.scale,
+                                     file + " " + part.key,
+                                     std::move(part.name), part.gap});
+        }
+        inputs_.job = std::move(job.settings);
     }
 
     void folder(const std::string& root, const CountAndScale& wanted) {

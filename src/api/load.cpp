@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -82,7 +83,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
             FileContent& content = contents[begin + static_cast<std::size_t>(i)];
             try {
-                content.meshes = read_meshes(files[begin + static_cast<std::size_t>(i)]);
+                content.meshes = read_meshes(files[begin + static_cast<std::size_t>(i)], job.unit);
                 for (LoadedMesh& loaded : content.meshes) {
                     content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
                 }
@@ -122,9 +123,9 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         part.count = source.count;
         part.scale = source.scale;
         part.unit = job.unit;
-        part.gap = job.options.gap;
+        part.gap = source.gap.value_or(job.options.gap);
         if (content.error) {
-            part.name = std::filesystem::path(source.mesh).stem().string();
+            part.name = source.name.value_or(std::filesystem::path(source.mesh).stem().string());
             const std::string& place = content.error->place();
             add(part, nullptr, 0, place.empty() ? content.error->cause()
                                                 : place + ": " + content.error->cause());
@@ -132,7 +133,13 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         }
         for (std::size_t i = 0; i < content.meshes.size(); ++i) {
             const LoadedMesh& loaded = content.meshes[i];
-            part.name = loaded.name;
+            if (loaded.instances > std::numeric_limits<int>::max() / source.count) {
+                throw InputError(source.mesh, loaded.object ? "object " + *loaded.object : "",
+                                 "comes to more copies than can be counted");
+            }
+            part.name = !source.name                ? loaded.name
+                        : content.meshes.size() == 1 ? *source.name
+                                                     : *source.name + " " + loaded.name;
             part.object = loaded.object;
             part.item_transform = loaded.item_transform;
             part.count = source.count * loaded.instances;

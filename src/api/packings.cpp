@@ -2,9 +2,11 @@
 
 #include <map>
 
+#include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
+#include "formats/report.hpp"
 
 namespace spectralpack {
 namespace {
@@ -79,6 +81,31 @@ void write_output(const Scene& scene, const std::filesystem::path& path, int thr
         throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " +
                          output_endings());
     }
+}
+
+bool is_report_file(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return ending == ".html" || ending == ".csv";
+}
+
+void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
+                  int threads) {
+    if (!is_report_file(path)) {
+        throw UsageError("cannot tell the kind of report " + path.string() + " by its ending: use .html or .csv");
+    }
+    ReportExtras extras;
+    extras.material_density = material_density;
+    if (path.extension() == ".csv") {
+        replace_file(path, report_csv(scene.packing, extras));
+        return;
+    }
+    RenderOptions options;
+    const Workers workers(threads);
+    for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {
+        options.tray = static_cast<int>(tray);
+        extras.pictures.push_back(encode_png(render(scene.packing, scene.meshes, options, workers)));
+    }
+    replace_file(path, report_html(scene.packing, extras));
 }
 
 void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,

@@ -9,7 +9,7 @@
 namespace spectralpack {
 namespace {
 
-/// Coordinates as text compress about as well at the fastest level, in a third of the time.
+/// The fastest level takes a third of the default's time on meshes, for a quarter more bytes.
 constexpr std::uint32_t kDeflateLevel = 1;
 /// 1 January 1980, the first day ZIP knows.
 constexpr std::uint16_t kNoTime = 0, kNoDate = (1 << 5) | 1;

@@ -9,29 +9,37 @@ namespace {
 // A long lens: little distortion, so that sizes in the picture can be compared, but still depth.
 constexpr double kHalfView = 13;  // degrees, along the picture's shorter side
 constexpr double kMargin = 0.07;  // of the picture, on each side
+constexpr double kNearest =
+    0.5;  // of the depth of what is shown: nearer, a rod seen from its end looks wild
 
 constexpr double kRadians = std::numbers::pi / 180;
 
-/// How far back and aside the camera must stand for |a - aside| <= (depth - back) * tangent to hold for all points:
-/// two bounds, each tight for one of them.
+/// How far back and aside the camera must stand so that |a - aside| <= (depth - back) * tangent
+/// holds for all points (a, depth): two bounds, each tight for one of them.
 struct Fit {
     double back = 0, aside = 0;
 };
 
-class AxisFit {
-  public:
-    explicit AxisFit(double tangent) : tangent_(tangent) {}
-
-    void add(double a, double depth) {
-        high_ = std::max(high_, a - tangent_ * depth);
-        low_ = std::max(low_, -a - tangent_ * depth);
+Fit fit_axis(std::span<const Vec3> points, const Vec3& axis, const Vec3& forward, double tangent) {
+    double high = -std::numeric_limits<double>::infinity(), low = high;
+    for (const Vec3& point : points) {
+        const double a = dot(point, axis), depth = dot(point, forward);
+        high = std::max(high, a - tangent * depth);
+        low = std::max(low, -a - tangent * depth);
     }
-    Fit get() const { return {-(high_ + low_) / (2 * tangent_), (high_ - low_) / 2}; }
+    return {-(high + low) / (2 * tangent), (high - low) / 2};
+}
 
-  private:
-    double tangent_;
-    double high_ = -std::numeric_limits<double>::infinity(), low_ = high_;
-};
+/// The same for a camera that stands further back: as far aside as leaves equal margins.
+double centred(std::span<const Vec3> points, const Vec3& axis, const Vec3& forward, double tangent,
+               double back) {
+    double narrow = 0, wide = tangent;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (narrow + wide) / 2;
+        (fit_axis(points, axis, forward, middle).back < back ? narrow : wide) = middle;
+    }
+    return fit_axis(points, axis, forward, wide).aside;
+}
 
 }  // namespace
 
@@ -46,7 +54,8 @@ PicturePoint Camera::project(const Vec3& point) const {
             (1 - dot(v, up) / (depth * tan_y)) * height / 2, depth};
 }
 
-Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width, int height) {
+Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width,
+                  int height) {
     const double a = azimuth * kRadians, e = elevation * kRadians;
     Camera camera;
     camera.width = width;
@@ -58,14 +67,19 @@ Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation
     camera.tan_x = std::tan(kHalfView * kRadians) * width / shorter;
     camera.tan_y = std::tan(kHalfView * kRadians) * height / shorter;
 
-    AxisFit across(camera.tan_x * (1 - 2 * kMargin)), upright(camera.tan_y * (1 - 2 * kMargin));
+    const double across = camera.tan_x * (1 - 2 * kMargin),
+                 upright = camera.tan_y * (1 - 2 * kMargin);
+    double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const Vec3& point : points) {
-        across.add(dot(point, camera.right), dot(point, camera.forward));
-        upright.add(dot(point, camera.up), dot(point, camera.forward));
+        first = std::min(first, dot(point, camera.forward));
+        last = std::max(last, dot(point, camera.forward));
     }
-    const Fit x = across.get(), y = upright.get();
-    camera.eye =
-        x.aside * camera.right + y.aside * camera.up + std::min(x.back, y.back) * camera.forward;
+    const double back = std::min({fit_axis(points, camera.right, camera.forward, across).back,
+                                  fit_axis(points, camera.up, camera.forward, upright).back,
+                                  first - kNearest * (last - first)});
+    camera.eye = centred(points, camera.right, camera.forward, across, back) * camera.right +
+                 centred(points, camera.up, camera.forward, upright, back) * camera.up +
+                 back * camera.forward;
     return camera;
 }
 

@@ -13,7 +13,8 @@ Vec3 unit(const Vec3& v) {
 
 /// Which corners (3 * triangle + place in it) meet at a vertex.
 struct Around {
-    explicit Around(const Mesh& mesh) : begin(mesh.vertices.size() + 1), corners(3 * mesh.triangles.size()) {
+    explicit Around(const Mesh& mesh)
+        : begin(mesh.vertices.size() + 1), corners(3 * mesh.triangles.size()) {
         for (const Triangle& t : mesh.triangles) {
             for (const std::uint32_t vertex : t) {
                 ++begin[vertex + 1];
@@ -35,16 +36,18 @@ struct Around {
 std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
     const Around around(mesh);
     std::vector<Vec3> flat(mesh.triangles.size());
-    std::vector<double> angle(3 * mesh.triangles.size());
+    std::vector<double> weight(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < flat.size(); ++t) {
         std::array<Vec3, 3> p;
         for (std::size_t k = 0; k < 3; ++k) {
             p[k] = mesh.vertices[mesh.triangles[t][k]];
         }
-        flat[t] = unit(cross(p[1] - p[0], p[2] - p[0]));
+        const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+        flat[t] = unit(normal);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 a = unit(p[(k + 1) % 3] - p[k]), b = unit(p[(k + 2) % 3] - p[k]);
-            angle[3 * t + k] = std::acos(std::min(1.0, std::max(-1.0, dot(a, b))));
+            weight[3 * t + k] =
+                length(normal) * std::acos(std::min(1.0, std::max(-1.0, dot(a, b))));
         }
     }
     std::vector<CornerNormals> result(flat.size());
@@ -58,7 +61,7 @@ std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
                 for (std::size_t i = first; i < last; ++i) {
                     const std::size_t corner = around.corners[i];
                     const Vec3& other = flat[corner / 3];
-                    if (dot(other, flat[t]) > kCrease) sum = sum + angle[corner] * other;
+                    if (dot(other, flat[t]) > kCrease) sum = sum + weight[corner] * other;
                 }
                 if (length(sum) > 0) normal = unit(sum);
             }

@@ -7,8 +7,8 @@
 namespace spectralpack {
 namespace {
 
-constexpr double kHalfWidth = 0.75, kSoftness = 0.5, kDash = 7, kSpace = 6;  // pixels
-constexpr double kBefore = 0.9, kBehind = 0.3;                                // opacities
+constexpr double kHalfWidth = 0.85, kSoftness = 0.5, kDash = 7, kSpace = 6;  // pixels
+constexpr double kNear = 0.9, kFar = 0.45, kHidden = 0.3;                    // opacities
 constexpr double kTouching = 2e-3;  // stage units: a surface this near the edge does not hide it
 
 }  // namespace
@@ -17,12 +17,20 @@ Outline::Outline(const Stage& stage)
     : pixel_(std::max(0.8, std::min(stage.camera.width, stage.camera.height) / 1200.0)) {
     for (const Box& box : stage.containers) {
         const auto corner = [&](int i) {
-            return stage.camera.project({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+            return stage.camera.project({i & 1 ? box.max.x : box.min.x,
+                                         i & 2 ? box.max.y : box.min.y,
                                          i & 4 ? box.max.z : box.min.z});
         };
+        int furthest = 0;
+        for (int i = 1; i < 8; ++i) {
+            if (corner(i).depth > corner(furthest).depth) furthest = i;
+        }
         for (int i = 0; i < 8; ++i) {
             for (const int axis : {1, 2, 4}) {
-                if (!(i & axis)) edges_.push_back({corner(i), corner(i | axis)});
+                const int j = i | axis;
+                if (i == j) continue;
+                edges_.push_back(
+                    {corner(i), corner(j), i == furthest || j == furthest ? kFar : kNear});
             }
         }
     }
@@ -34,7 +42,8 @@ std::vector<Outline::Edge> Outline::near(int x0, int y0, int x1, int y1) const {
     for (const Edge& edge : edges_) {
         const auto [left, right] = std::minmax(edge.from.x, edge.to.x);
         const auto [top, bottom] = std::minmax(edge.from.y, edge.to.y);
-        if (right + margin < x0 || left - margin > x1 || bottom + margin < y0 || top - margin > y1) continue;
+        if (right + margin < x0 || left - margin > x1 || bottom + margin < y0 || top - margin > y1)
+            continue;
         result.push_back(edge);
     }
     return result;
@@ -55,11 +64,13 @@ double Outline::opacity(const Edge& edge, double x, double y, double depth) cons
     // Perspective keeps 1 / depth straight.
     const double t = on_edge / length;
     const double edge_depth = 1 / ((1 - t) / edge.from.depth + t / edge.to.depth);
-    if (edge_depth < depth + kTouching) return kBefore * cover;
+    if (edge_depth < depth + kTouching) return edge.strength * cover;
     const bool dash = std::fmod(on_edge, (kDash + kSpace) * pixel_) < kDash * pixel_;
-    return dash ? kBehind * cover : 0;
+    return dash ? kHidden * cover : 0;
 }
 
-Vec3 Outline::colour() { return from_oklch(0.33, 0.03, 255); }
+Vec3 Outline::colour() {
+    return from_oklch(0.33, 0.03, 255);
+}
 
 }  // namespace spectralpack

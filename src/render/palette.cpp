@@ -11,19 +11,20 @@ struct Oklch {
     double lightness, chroma, hue;
 };
 
-// Neighbours in this order are far apart in hue; all are light enough to carry shading and an ink line.
-constexpr std::array<Oklch, 12> kHues{{{0.70, 0.105, 232},
-                                       {0.75, 0.125, 40},
-                                       {0.80, 0.100, 165},
-                                       {0.84, 0.125, 88},
-                                       {0.69, 0.115, 295},
-                                       {0.76, 0.120, 135},
-                                       {0.73, 0.125, 8},
-                                       {0.80, 0.085, 200},
-                                       {0.79, 0.125, 62},
-                                       {0.65, 0.120, 262},
-                                       {0.82, 0.120, 112},
-                                       {0.73, 0.115, 335}}};
+// Neighbours in this order are far apart in hue; all are light enough to carry shading and an ink
+// line.
+constexpr std::array<Oklch, 12> kHues{{{0.70, 0.100, 238},
+                                       {0.75, 0.115, 42},
+                                       {0.79, 0.085, 168},
+                                       {0.84, 0.115, 86},
+                                       {0.69, 0.100, 292},
+                                       {0.76, 0.100, 135},
+                                       {0.73, 0.115, 14},
+                                       {0.79, 0.075, 205},
+                                       {0.79, 0.115, 64},
+                                       {0.64, 0.110, 264},
+                                       {0.82, 0.105, 112},
+                                       {0.73, 0.100, 340}}};
 
 Vec3 unclipped(const Oklch& colour) {
     const double angle = colour.hue * std::numbers::pi / 180;
@@ -31,7 +32,8 @@ Vec3 unclipped(const Oklch& colour) {
     const double l_root = colour.lightness + 0.3963377774 * a + 0.2158037573 * b;
     const double m_root = colour.lightness - 0.1055613458 * a - 0.0638541728 * b;
     const double s_root = colour.lightness - 0.0894841775 * a - 1.2914855480 * b;
-    const double l = l_root * l_root * l_root, m = m_root * m_root * m_root, s = s_root * s_root * s_root;
+    const double l = l_root * l_root * l_root, m = m_root * m_root * m_root,
+                 s = s_root * s_root * s_root;
     return {+4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
             -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
@@ -41,8 +43,10 @@ bool in_gamut(const Vec3& c) {
     return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x <= 1 && c.y <= 1 && c.z <= 1;
 }
 
-/// The fractional part of start + i / golden ratio^power: consecutive ones are far apart.
-double spread(double start, int i, double step) { return std::fmod(start + i * step, 1.0); }
+/// The fractional part of start + i step; with the steps below consecutive ones are far apart.
+double spread(double start, int i, double step) {
+    return std::fmod(start + i * step, 1.0);
+}
 
 }  // namespace
 

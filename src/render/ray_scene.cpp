@@ -20,17 +20,19 @@ using Device = std::unique_ptr<RTCDevice, Release<RTCDevice, rtcReleaseDevice>>;
 using EmbreeScene = std::unique_ptr<RTCScene, Release<RTCScene, rtcReleaseScene>>;
 using Geometry = std::unique_ptr<RTCGeometry, Release<RTCGeometry, rtcReleaseGeometry>>;
 
-/// A mesh as rays see it, moved and scaled into a unit box: single precision then serves for any coordinates.
+/// A mesh as rays see it, moved and scaled into a unit box: single precision then serves for any
+/// coordinates.
 struct RayMesh {
     EmbreeScene scene;
     Transform to_mesh;  ///< from the unit box to the mesh's own coordinates
     std::vector<CornerNormals> normals;
 };
 
-/// What turns normals of a mesh into normals of a copy of it: the cofactors of its linear map, which are the inverse
-/// transposed but for a factor, without a division.
+/// What turns normals of a mesh into normals of a copy of it: the cofactors of its linear map,
+/// which are the inverse transposed but for a factor, without a division.
 Mat3 cofactors(const Mat3& m) {
-    return {{cross(m.rows[1], m.rows[2]), cross(m.rows[2], m.rows[0]), cross(m.rows[0], m.rows[1])}};
+    return {
+        {cross(m.rows[1], m.rows[2]), cross(m.rows[2], m.rows[0]), cross(m.rows[0], m.rows[1])}};
 }
 
 void put(float* at, const Vec3& v) {
@@ -59,8 +61,9 @@ struct RayScene::Held {
     Device device;
     std::vector<RayMesh> meshes;
     EmbreeScene all;
-    std::vector<int> mesh_of;      ///< by copy
-    std::vector<Mat3> normals_to;  ///< by copy: from its mesh's normals to the stage's, but for their length
+    std::vector<int> mesh_of;  ///< by copy
+    std::vector<Mat3>
+        normals_to;  ///< by copy: from its mesh's normals to the stage's, but for their length
 
     void expect_success() const {
         if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) {
@@ -99,8 +102,8 @@ struct RayScene::Held {
 };
 
 RayScene::RayScene(const Stage& stage) : held_(std::make_unique<Held>()) {
-    // Not "threads=1": that would limit the threads of the whole process while the device lives. The hierarchy comes
-    // out the same for any number of them.
+    // Not "threads=1": that would limit the threads of the whole process while the device lives.
+    // The hierarchy comes out the same for any number of them.
     held_->device.reset(rtcNewDevice(nullptr));
     if (!held_->device) throw ResourceError("the ray tracing library cannot run on this machine");
     for (const auto& mesh : stage.meshes) {
@@ -154,7 +157,8 @@ RayHit RayScene::first(const Vec3& origin, const Vec3& direction) const {
         return w * corners[0][axis] + u * corners[1][axis] + v * corners[2][axis];
     };
     const Vec3 face = to_stage * Vec3{ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z};
-    const double side = dot(face, direction) > 0 ? -1 : 1;  // seen from inside, or of an inside-out mesh
+    const double side =
+        dot(face, direction) > 0 ? -1 : 1;  // seen from inside, or of an inside-out mesh
     hit.face = unit_or(side * face, unit_or(-direction, {0, 0, 1}));
     hit.smooth = unit_or(side * (to_stage * Vec3{mixed(0), mixed(1), mixed(2)}), hit.face);
     return hit;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -19,16 +20,20 @@ struct Image {
 
 struct RenderOptions {
     int width = 1600, height = 1200;
-    double azimuth = 35;    ///< degrees: where the camera stands round the container; 0 looks along +y, 90 along -x
+    double azimuth = 35;    ///< degrees: where the camera stands round the container; 0 looks along
+                            ///< +y, 90 along -x
     double elevation = 28;  ///< degrees above it, in [-90, 90]; from below there is no floor
-    int tray = -1;                        ///< which tray; -1: all, side by side
-    int samples = 3;                      ///< per pixel and axis, against jagged edges
+    int tray = -1;          ///< which tray; -1: all, side by side
+    int samples = 3;        ///< per pixel and axis, against jagged edges
 };
 
-/// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the container
-/// outlined, ambient occlusion and a soft shadow on the floor.
+/// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the
+/// container outlined, ambient occlusion and a soft shadow on the floor.
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
              const RenderOptions& options, const Workers& workers);
+
+/// The bytes of a PNG file.
+std::string encode_png(const Image& image);
 
 /// Throws ResourceError when the file cannot be written.
 void write_png(const Image& image, const std::filesystem::path& path);

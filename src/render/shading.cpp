@@ -13,12 +13,15 @@ constexpr double kKeyLight = 1.0, kSkyLight = 0.72, kGroundLight = 0.42;
 constexpr double kSheen = 0.05, kSheenPower = 22;
 constexpr double kKeyLeft = 62, kKeyUp = 52;  // degrees from the camera's heading, above the floor
 constexpr double kKeyRadius = 0.10;           // tangent of half the angle the key light fills
-constexpr double kSkyReach = 0.7;             // stage units: what is further off takes no sky light away
-constexpr double kOffSurface = 2e-4;          // stage units
+constexpr double kSkyReach = 0.7;     // stage units: what is further off takes no sky light away
+constexpr double kOffSurface = 2e-4;  // stage units
 
-Vec3 unit(const Vec3& v) { return 1 / length(v) * v; }
+Vec3 unit(const Vec3& v) {
+    return 1 / length(v) * v;
+}
 
-/// Two directions at right angles to a unit vector (Duff et al., "Building an orthonormal basis, revisited", 2017).
+/// Two directions at right angles to a unit vector (Duff et al., "Building an orthonormal basis,
+/// revisited", 2017).
 struct Frame {
     explicit Frame(const Vec3& n) : normal(n) {
         const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
@@ -29,7 +32,8 @@ struct Frame {
     Vec3 across, along, normal;
 };
 
-/// Points of the unit disc, evenly spread, also those of any run of consecutive numbers (Roberts's R2 sequence).
+/// Points of the unit disc, evenly spread, also those of any run of consecutive numbers (Roberts's
+/// R2 sequence).
 Vec3 disc_point(int i) {
     const double u = std::fmod(0.5 + i * 0.7548776662466927, 1.0);
     const double v = std::fmod(0.5 + i * 0.5698402909980532, 1.0);
@@ -50,10 +54,12 @@ double toned(double c) {
     return c <= kKnee ? c : kKnee + (1 - kKnee) * std::tanh((c - kKnee) / (1 - kKnee));
 }
 
-/// Light that other surfaces of the same colour hand on (Jimenez et al., "Practical real-time strategies for
-/// accurate indirect occlusion", 2016): crevices keep their colour instead of turning black.
+/// Light that other surfaces of the same colour hand on (Jimenez et al., "Practical real-time
+/// strategies for accurate indirect occlusion", 2016): crevices keep their colour instead of
+/// turning black.
 double handed_on(double open, double albedo) {
-    const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
+    const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417,
+                 c = 2.7552 * albedo + 0.6903;
     return std::max(open, ((open * a + b) * open + c) * open);
 }
 
@@ -61,7 +67,8 @@ double handed_on(double open, double albedo) {
 
 Shading::Shading(const Camera& camera) : camera_(camera) {
     const double left = kKeyLeft * std::numbers::pi / 180, up = kKeyUp * std::numbers::pi / 180;
-    const Vec3 back = unit(cross(camera.right, Vec3{0, 0, 1}));  // level, from the scene towards the viewer
+    const Vec3 back =
+        unit(cross(camera.right, Vec3{0, 0, 1}));  // level, from the scene towards the viewer
     key_ = unit(std::cos(up) * (-std::sin(left) * camera.right + std::cos(left) * back) +
                 Vec3{0, 0, std::sin(up)});
     for (std::size_t i = 0; i < sky_rays_.size(); ++i) {
@@ -74,8 +81,8 @@ Shading::Shading(const Camera& camera) : camera_(camera) {
     }
 }
 
-Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& position, const Vec3& face,
-                           const Vec3& smooth) const {
+Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& position,
+                           const Vec3& face, const Vec3& smooth) const {
     const Vec3 origin = position + kOffSurface * face;
     const auto first = static_cast<std::size_t>(cell(x, y));
     const Frame frame(smooth);
@@ -84,7 +91,8 @@ Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& posi
         const Vec3 ray = frame * sky_rays_[i];
         // Rays that a smooth normal sends into the facet count as those that graze it.
         const double into = std::min(0.0, dot(ray, face));
-        if (!scene.blocked(origin, ray - (2 * into) * face, kSkyReach)) result.sky += 1.0 / kSkyRays;
+        if (!scene.blocked(origin, ray - (2 * into) * face, kSkyReach))
+            result.sky += 1.0 / kSkyRays;
     }
     if (dot(smooth, key_) <= 0) return result;
     for (std::size_t i = first * kKeyRays; i < (first + 1) * kKeyRays; ++i) {
@@ -99,7 +107,8 @@ Vec3 Shading::surface(const Vec3& albedo, const Vec3& normal, const Vec3& view,
                       const Exposure& exposure) const {
     const double key = kKeyLight * exposure.key * std::max(0.0, dot(normal, key_));
     const double up = (1 + normal.z) / 2;
-    const Vec3 sky = kSkyLight * up * Vec3{0.97, 1.0, 1.05} + kGroundLight * (1 - up) * Vec3{1.05, 1, 0.95};
+    const Vec3 sky =
+        kSkyLight * up * Vec3{0.97, 1.0, 1.05} + kGroundLight * (1 - up) * Vec3{1.05, 1, 0.95};
     const double facing = std::max(0.0, dot(normal, unit(key_ + view)));
     const double sheen = kSheen * exposure.key * std::pow(facing, kSheenPower);
     Vec3 colour;
@@ -118,7 +127,8 @@ Vec3 Shading::background(double x, double y) const {
 Vec3 Shading::floor(const Vec3& background, const Exposure& exposure) const {
     const double light = 0.62 * handed_on(exposure.sky, 0.5) + 0.38 * exposure.key;
     const double shade = 1 - 0.6 * (1 - light);
-    return {background.x * shade, background.y * shade, background.z * (shade + 0.03 * (1 - shade))};
+    return {background.x * shade, background.y * shade,
+            background.z * (shade + 0.03 * (1 - shade))};
 }
 
 }  // namespace spectralpack

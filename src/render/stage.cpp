@@ -1,6 +1,7 @@
 #include "render/stage.hpp"
 
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "core/error.hpp"
@@ -10,7 +11,8 @@ namespace spectralpack {
 namespace {
 
 constexpr double kAside = 0.15;   // space between two trays of a row, of their width
-constexpr double kBehind = 0.55;  // space between two rows, of the trays' height and depth
+constexpr double kBehind = 1.3;   // space between two rows, of the trays' height
+constexpr double kSteepest = 15;  // degrees: seen from lower than this, rows would hide one another
 
 std::array<Vec3, 8> corners(const Box& box) {
     std::array<Vec3, 8> result;
@@ -50,8 +52,7 @@ class StageBuilder {
         measure();
         set_out();
         normalize();
-        stage_.camera = fit_camera(stage_corners(), options_.azimuth, options_.elevation,
-                                   options_.width, options_.height);
+        stage_.camera = fit(stage_corners());
         return std::move(stage_);
     }
 
@@ -85,8 +86,8 @@ class StageBuilder {
         return meshes_[part];
     }
 
-    /// Box of a tray with all that is in it, in container coordinates. Exact only where a copy's turned box leaves
-    /// the container, which saves going through all vertices of all copies.
+    /// Box of a tray with all that is in it, in container coordinates. Exact only where a copy's
+    /// turned box leaves the container, which saves going through all vertices of all copies.
     void measure() {
         const Box container{{0, 0, 0}, packing_.container.size};
         shown_ = container;
@@ -112,29 +113,45 @@ class StageBuilder {
         }
     }
 
+    /// Picks the number of trays to a row that brings the furthest tray nearest.
     void set_out() {
+        const double angle = options_.azimuth * std::numbers::pi / 180;
+        const Vec3 size = shown_.size(), right{std::cos(angle), std::sin(angle), 0};
+        const Vec3 back{-right.y, right.x, 0};
+        const auto extent = [&](const Vec3& axis) {
+            return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y;
+        };
+        to_right_ = (1 + kAside) * extent(right) * right;
+        to_back_ = (extent(back) + kBehind * size.z) * back;
+
         const auto count = static_cast<int>(trays_.size());
+        const int least = options_.elevation < kSteepest ? count : 1;
         double nearest = 0;
         int best = 0;
-        for (int columns = count; columns >= 1; --columns) {
+        for (int columns = count; columns >= least; --columns) {
             columns_ = columns;
             const std::vector<Vec3> points = stage_corners();
-            const Camera camera = fit_camera(points, options_.azimuth, options_.elevation,
-                                             options_.width, options_.height);
-            const double distance = length(camera.eye - points.front());
-            if (best == 0 || distance < nearest) {
+            const Camera camera = fit(points);
+            double furthest = 0;
+            for (const Vec3& point : points) {
+                furthest = std::max(furthest, length(camera.eye - point));
+            }
+            if (best == 0 || furthest < nearest) {
                 best = columns;
-                nearest = distance;
+                nearest = furthest;
             }
         }
         columns_ = best;
     }
 
+    Camera fit(const std::vector<Vec3>& points) const {
+        return fit_camera(points, options_.azimuth, options_.elevation, options_.width,
+                          options_.height);
+    }
+
     Vec3 tray_origin(std::size_t tray) const {
-        const auto columns = static_cast<std::size_t>(columns_);
-        const Vec3 size = shown_.size();
-        return {static_cast<double>(tray % columns) * (1 + kAside) * size.x,
-                static_cast<double>(tray / columns) * (size.y + kBehind * (size.y + size.z)), 0};
+        const auto i = static_cast<int>(tray);
+        return (i % columns_) * to_right_ + (i / columns_) * to_back_;
     }
 
     /// Corners of all trays' boxes: in millimetres, or in stage units once those are chosen.
@@ -182,6 +199,7 @@ class StageBuilder {
     const RenderOptions& options_;
     std::vector<const TrayPacking*> trays_;  ///< null: a packing without trays
     Box shown_;
+    Vec3 to_right_, to_back_;  ///< from a tray to the next of its row, and to the next row
     int columns_ = 1;
     Transform to_stage_;
     Stage stage_;

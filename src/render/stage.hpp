@@ -17,8 +17,9 @@ struct StagedCopy {
     Vec3 colour;     ///< linear sRGB
 };
 
-/// Lengths are in stage units: everything shown fits a sphere of radius 1 round the origin, whatever its size in
-/// millimetres, so that single precision and fixed tolerances serve for a ring as for a bridge.
+/// Lengths are in stage units: everything shown fits a sphere of radius 1 round the origin,
+/// whatever its size in millimetres, so that single precision and fixed tolerances serve for a ring
+/// as for a bridge.
 struct Stage {
     std::vector<std::shared_ptr<const Mesh>> meshes;  ///< distinct ones
     std::vector<StagedCopy> copies;                   ///< tray by tray, in packing order
@@ -27,9 +28,10 @@ struct Stage {
     Camera camera;
 };
 
-/// Several trays stand in rows, first tray front left, as many to a row as let them be largest in the picture.
-/// Copies that stick out of their container are in the picture too; a copy that its transform flattens is left out.
-/// Throws UsageError for a tray that is not there, or a packing that places a part without a mesh.
+/// Several trays stand side by side as the camera sees them, first tray front left, in as many rows
+/// as let them be largest in the picture. Copies that stick out of their container are in the
+/// picture too; a copy that its transform flattens is left out. Throws UsageError for a tray that
+/// is not there, or a packing that places a part without a mesh.
 Stage set_stage(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
                 const RenderOptions& options);
 

@@ -10,15 +10,18 @@ namespace {
 
 constexpr int kRim = Shading::kPattern / 2;  // half the window that exposures are averaged over
 constexpr int kSide = kTileSide + 2 * kRim;
-constexpr double kCrease = 0.7;              // largest cosine between normals on two sides of a drawn crease
-constexpr double kStep = 0.02;               // stage units in depth that make an edge within one copy
+constexpr double kCrease = 0.7;  // largest cosine between normals on two sides of a drawn crease
+constexpr double kStep = 0.02;   // stage units in depth that make an edge within one copy
 constexpr double kEdgeInk = 0.62, kCreaseInk = 0.2;
-constexpr double kFarFloor = 4;              // stage units from the centre: no shadow reaches there
+constexpr double kFarFloor = 4;  // stage units from the centre: no shadow reaches there
 
 class TilePainter {
   public:
     TilePainter(const PaintInput& input, int left, int top)
-        : in_(input), n_(input.samples), left_(left - kRim), top_(top - kRim),
+        : in_(input),
+          n_(input.samples),
+          left_(left - kRim),
+          top_(top - kRim),
           seen_(input.stage, input.rays, left_, top_, kSide, n_),
           edges_(input.outline.near(left_, top_, left_ + kSide, top_ + kSide)) {}
 
@@ -47,8 +50,10 @@ class TilePainter {
   private:
     void expose_pixel(int x, int y) {
         for (Fragment& f : seen_.fragments(x, y)) {
-            if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor)) continue;
-            f.exposure = in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
+            if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor))
+                continue;
+            f.exposure =
+                in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
         }
     }
 
@@ -60,7 +65,8 @@ class TilePainter {
         for (int dy = -kRim; dy <= kRim; ++dy) {
             for (int dx = -kRim; dx <= kRim; ++dx) {
                 // Half the weight at the ends: each cell of the pattern then counts the same.
-                const double weight = (std::abs(dx) == kRim ? 0.5 : 1) * (std::abs(dy) == kRim ? 0.5 : 1);
+                const double weight =
+                    (std::abs(dx) == kRim ? 0.5 : 1) * (std::abs(dy) == kRim ? 0.5 : 1);
                 for (const Fragment& other : seen_.fragments(x + dx, y + dy)) {
                     if (!f.same_surface(other.copy, other.smooth) ||
                         std::abs(dot(other.position - f.position, f.face)) > flatness) {
@@ -84,13 +90,15 @@ class TilePainter {
                 f.colour = in_.shading.floor(background, averaged(x, y, f));
             } else {
                 const Vec3 to_eye = in_.stage.camera.eye - f.position;
-                f.colour = in_.shading.surface(in_.stage.copies[static_cast<std::size_t>(f.copy)].colour,
-                                               f.smooth, 1 / length(to_eye) * to_eye, averaged(x, y, f));
+                f.colour =
+                    in_.shading.surface(in_.stage.copies[static_cast<std::size_t>(f.copy)].colour,
+                                        f.smooth, 1 / length(to_eye) * to_eye, averaged(x, y, f));
             }
         }
     }
 
-    /// Thin lines where one copy ends before another, on the further one, and fainter ones along creases.
+    /// Thin lines where one copy ends before another, on the further one, and fainter ones along
+    /// creases.
     double ink(int sx, int sy) const {
         const Sample& here = seen_.sample(sx, sy);
         const Fragment& f = seen_.fragment(here);
@@ -117,7 +125,8 @@ class TilePainter {
         if (edges_.empty()) return strongest;
         const auto [x, y] = seen_.place(sx, sy);
         for (const Outline::Edge& edge : edges_) {
-            strongest = std::max(strongest, in_.outline.opacity(edge, x, y, seen_.sample(sx, sy).depth));
+            strongest =
+                std::max(strongest, in_.outline.opacity(edge, x, y, seen_.sample(sx, sy).depth));
         }
         return strongest;
     }

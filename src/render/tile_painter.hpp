@@ -1,6 +1,6 @@
 #pragma once
-/// One tile of the picture at a time. Tiles know nothing of each other: each also traces a small rim of its
-/// neighbours' pixels, so that the result does not depend on which is painted when.
+/// One tile of the picture at a time. Tiles know nothing of each other: each also traces a small
+/// rim of its neighbours' pixels, so that the result does not depend on which is painted when.
 
 #include "render/outline.hpp"
 #include "render/ray_scene.hpp"
@@ -21,7 +21,8 @@ struct PaintInput {
     int samples;  ///< per pixel and axis
 };
 
-/// Paints the tile whose upper left pixel is (left, top). About 4 MB of working memory at 3 samples.
+/// Paints the tile whose upper left pixel is (left, top). About 4 MB of working memory at 3
+/// samples.
 void paint_tile(const PaintInput& input, int left, int top, Image& image);
 
 }  // namespace spectralpack

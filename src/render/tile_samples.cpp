@@ -7,9 +7,16 @@
 
 namespace spectralpack {
 
-TileSamples::TileSamples(const Stage& stage, const RayScene& rays, int left, int top, int side, int n)
-    : stage_(stage), rays_(rays), left_(left), top_(top), side_(side), n_(n),
-      samples_(static_cast<std::size_t>(side * side * n * n)), begin_{0} {
+TileSamples::TileSamples(const Stage& stage, const RayScene& rays, int left, int top, int side,
+                         int n)
+    : stage_(stage),
+      rays_(rays),
+      left_(left),
+      top_(top),
+      side_(side),
+      n_(n),
+      samples_(static_cast<std::size_t>(side * side * n * n)),
+      begin_{0} {
     first_look_.reserve(static_cast<std::size_t>(2 * side * side));
     for (int y = 0; y < side; ++y) {
         for (int x = 0; x < side; ++x) {
@@ -84,7 +91,8 @@ void TileSamples::trace_pixel(int x, int y) {
         for (int sx = x * n_; sx < (x + 1) * n_; ++sx) {
             const Seen seen = all_alike ? first_look_[2 * pixel(x, y)] : look(sx, sy);
             std::size_t i = first;
-            while (i < fragments_.size() && !fragments_[i].same_surface(seen.hit.copy, seen.hit.smooth)) {
+            while (i < fragments_.size() &&
+                   !fragments_[i].same_surface(seen.hit.copy, seen.hit.smooth)) {
                 ++i;
             }
             if (i == fragments_.size()) {

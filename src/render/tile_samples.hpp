@@ -1,5 +1,6 @@
 #pragma once
-/// What the camera sees in one tile of the picture and a rim around it: samples, and the surfaces they fall on.
+/// What the camera sees in one tile of the picture and a rim around it: samples, and the surfaces
+/// they fall on.
 
 #include <cstdint>
 #include <limits>
@@ -32,11 +33,12 @@ struct Sample {
     float depth = std::numeric_limits<float>::infinity();
 };
 
-/// `side` x `side` pixels from (left, top), each of n x n samples, jittered by a hash of their place in the picture.
-/// Coordinates below count from there, in pixels (x, y) or samples (sx, sy).
+/// `side` x `side` pixels from (left, top), each of n x n samples, jittered by a hash of their
+/// place in the picture. Coordinates below count from there, in pixels (x, y) or samples (sx, sy).
 class TileSamples {
   public:
-    /// Two rays go to each pixel; the others only where those and the neighbours' do not all fall on one surface.
+    /// Two rays go to each pixel; the others only where those and the neighbours' do not all fall
+    /// on one surface.
     TileSamples(const Stage& stage, const RayScene& rays, int left, int top, int side, int n);
 
     const Sample& sample(int sx, int sy) const { return samples_[index(sx, sy)]; }
@@ -48,7 +50,8 @@ class TileSamples {
     /// Where in the picture a sample lies, pixels.
     std::pair<double, double> place(int sx, int sy) const;
 
-    /// How far off a plane through `position` a point seen by a pixel nearby may lie and still be taken as on it.
+    /// How far off a plane through `position` a point seen by a pixel nearby may lie and still be
+    /// taken as on it.
     double flatness(const Vec3& position) const;
 
   private:
@@ -60,7 +63,9 @@ class TileSamples {
     bool uniform(int x, int y) const;
     void trace_pixel(int x, int y);
 
-    std::size_t index(int sx, int sy) const { return static_cast<std::size_t>(sy * side_ * n_ + sx); }
+    std::size_t index(int sx, int sy) const {
+        return static_cast<std::size_t>(sy * side_ * n_ + sx);
+    }
     std::size_t pixel(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
 
     const Stage& stage_;

@@ -174,7 +174,9 @@ Relation compare(const PosedSolid& posed_a, const PosedSolid& posed_b, double to
     SurfaceInside a_in_b(a, b, inverse(b_to_a), tolerance), b_in_a(b, a, b_to_a, tolerance);
 
     const auto shared = [&](Kind kind) {
-        return Relation{kind, 0, std::max({near.crossing, a_in_b.deepest(), b_in_a.deepest()})};
+        // The search may have ended at its first crossing; how bad it is takes all of them.
+        const Nearness all = find_nearness(a, b, b_to_a, 0, 0, Box::kInfinity);
+        return Relation{kind, 0, std::max({all.crossing, a_in_b.deepest(), b_in_a.deepest()})};
     };
     if (near.crossing > tolerance) return shared(Kind::overlap);
 

@@ -16,6 +16,10 @@ inline BitGrid::Word bits_between(int first, int last) {
 template <class Word, class Visit>
 void for_run_words(Word* row, int first, int last, Visit visit) {
     const int first_word = first / BitGrid::kWordBits, last_word = last / BitGrid::kWordBits;
+    if (first_word == last_word) {  // nearly always
+        visit(row[first_word], bits_between(first % BitGrid::kWordBits, last % BitGrid::kWordBits));
+        return;
+    }
     for (int word = first_word; word <= last_word; ++word) {
         visit(row[word],
               bits_between(word == first_word ? first % BitGrid::kWordBits : 0,

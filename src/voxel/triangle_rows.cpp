@@ -16,12 +16,6 @@ double inverse(double a) {
     return std::abs(a) < 1e-200 ? 1e200 : 1 / a;
 }
 
-/// Least and greatest of a triangle's three projections, as middle and half width.
-struct Spread {
-    Spread(double a, double b) : middle((a + b) / 2), half(std::abs(a - b) / 2) {}
-    double middle, half;
-};
-
 }  // namespace
 
 VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape,
@@ -68,32 +62,26 @@ TriangleRows::TriangleRows(const GridTriangle& triangle, const VoxelShape& shape
 
     const Vec3 normal = cross(edges[0], edges[1]);
     const double per_x = inverse(normal.x);
-    offset_[0] = dot(normal, v[0]) * per_x;
-    per_y_[0] = -normal.y * per_x;
-    per_z_[0] = -normal.z * per_x;
-    half_[0] = (extent(normal.x, normal.y, normal.z) + 8 * longest * error) * std::abs(per_x);
+    offset_ = dot(normal, v[0]) * per_x;
+    per_y_ = -normal.y * per_x;
+    per_z_ = -normal.z * per_x;
+    half_ = (extent(normal.x, normal.y, normal.z) + 8 * longest * error + 1e-60) * std::abs(per_x);
 
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& e = edges[i];
         const Vec3& a = v[i];
         const Vec3& c = v[i == 0 ? 2 : i - 1];  // the corner that is not on the edge
         const double inverse_y = inverse(e.y), inverse_z = inverse(e.z);
-
-        const Spread xy(e.y * a.x - e.x * a.y, e.y * c.x - e.x * c.y);
-        offset_[1 + i] = xy.middle * inverse_y;
-        per_y_[1 + i] = e.x * inverse_y;
-        per_z_[1 + i] = 0;
-        half_[1 + i] = (xy.half + extent(e.y, e.x, 0) + 4 * error) * std::abs(inverse_y);
-
-        const Spread xz(e.z * a.x - e.x * a.z, e.z * c.x - e.x * c.z);
-        offset_[4 + i] = xz.middle * inverse_z;
-        per_y_[4 + i] = 0;
-        per_z_[4 + i] = e.x * inverse_z;
-        half_[4 + i] = (xz.half + extent(e.z, e.x, 0) + 4 * error) * std::abs(inverse_z);
-
-        const Spread yz(e.z * a.y - e.y * a.z, e.z * c.y - e.y * c.z);
-        in_layer_[i] = {yz.middle * inverse_z, e.y * inverse_z,
-                        (yz.half + extent(e.z, e.y, 0) + 4 * error) * std::abs(inverse_z)};
+        // The product of the edge with z is e.y x - e.x y: two projections, of the edge and of the
+        // other corner.
+        const auto bound = [&](double first, double second, double across, double along,
+                               double by) {
+            const double half = std::abs(first - second) / 2 + extent(across, along, 0) + 4 * error;
+            return Bound{(first + second) / 2 * by, along * by, half * std::abs(by)};
+        };
+        xy_[i] = bound(e.y * a.x - e.x * a.y, e.y * c.x - e.x * c.y, e.y, e.x, inverse_y);
+        xz_[i] = bound(e.z * a.x - e.x * a.z, e.z * c.x - e.x * c.z, e.z, e.x, inverse_z);
+        yz_[i] = bound(e.z * a.y - e.y * a.z, e.z * c.y - e.y * c.z, e.z, e.y, inverse_z);
     }
 }
 

@@ -50,32 +50,62 @@ class TriangleRows {
     /// Calls visit(first x, last x, y, z) for every row of the range that has voxels that pass.
     template <class Visit>
     void for_each(Visit visit) const {
-        for (int k = 0; k <= range_.high.z - range_.low.z; ++k) {
-            double low = 0, high = range_.high.y - range_.low.y;
-            for (int axis = 0; axis < 3; ++axis) {
-                const double centre = in_layer_[axis].offset + in_layer_[axis].per_z * k;
-                low = std::max(low, centre - in_layer_[axis].half);
-                high = std::min(high, centre + in_layer_[axis].half);
+        const int rows = range_.high.y - range_.low.y + 1,
+                  layers = range_.high.z - range_.low.z + 1;
+        for (int begin = 0; begin < rows; begin += kBlock) {
+            const int end = std::min(rows, begin + kBlock);
+            std::array<Interval, kBlock> of_y;  // bounds of x by the axes in the xy plane
+            for (int j = begin; j < end; ++j) {
+                of_y[static_cast<std::size_t>(j - begin)] =
+                    meet(xy_, j, {0.0, static_cast<double>(range_.high.x - range_.low.x)});
             }
-            if (!(low <= high)) continue;
-            std::array<double, kRowAxes> layer;
-            for (int axis = 0; axis < kRowAxes; ++axis) {
-                layer[axis] = offset_[axis] + per_z_[axis] * k;
-            }
-            for (int j = round_up(low); j <= static_cast<int>(high); ++j) {
-                visit_row(layer, j, k, visit);
+            for (int k = 0; k < layers; ++k) {
+                const Interval y = meet(yz_, k, {static_cast<double>(begin), end - 1.0});
+                if (y.empty()) continue;
+                const Interval of_z =
+                    meet(xz_, k, {0.0, static_cast<double>(range_.high.x - range_.low.x)});
+                const double offset = offset_ + per_z_ * k;
+                for (int j = round_up(y.low); j <= static_cast<int>(y.high); ++j) {
+                    const double centre = offset + per_y_ * j;
+                    Interval x = of_y[static_cast<std::size_t>(j - begin)];
+                    x.cut(of_z.low, of_z.high);
+                    x.cut(centre - half_, centre + half_);
+                    if (x.empty()) continue;
+                    const int first = round_up(x.low), last = static_cast<int>(x.high);
+                    if (first > last) continue;
+                    visit(range_.low.x + first, range_.low.x + last, range_.low.y + j,
+                          range_.low.z + k);
+                }
             }
         }
     }
 
   private:
-    static constexpr int kRowAxes =
-        7;  ///< that bound x: the normal, three in the xy plane, three in the xz plane
+    static constexpr int kBlock = 64;  ///< rows whose bounds are kept at a time
 
-    /// An axis of the yz plane: bounds y for a given z.
-    struct LayerAxis {
-        double offset, per_z, half;
+    struct Interval {
+        double low, high;
+
+        bool empty() const { return !(low <= high); }
+        void cut(double other_low, double other_high) {
+            low = std::max(low, other_low);
+            high = std::min(high, other_high);
+        }
     };
+
+    /// Bounds one coordinate of the voxel centre by another: offset + slope * other +- half.
+    /// Coordinates are counted from the centre of the range's first voxel.
+    struct Bound {
+        double offset, slope, half;
+    };
+
+    static Interval meet(const std::array<Bound, 3>& bounds, int at, Interval interval) {
+        for (const Bound& bound : bounds) {
+            const double centre = bound.offset + bound.slope * at;
+            interval.cut(centre - bound.half, centre + bound.half);
+        }
+        return interval;
+    }
 
     /// Of a value that is not negative.
     static int round_up(double value) {
@@ -83,25 +113,9 @@ class TriangleRows {
         return whole + (whole < value ? 1 : 0);
     }
 
-    template <class Visit>
-    void visit_row(const std::array<double, kRowAxes>& layer, int j, int k, Visit& visit) const {
-        double low = 0, high = range_.high.x - range_.low.x;
-        for (int axis = 0; axis < kRowAxes; ++axis) {
-            const double centre = layer[axis] + per_y_[axis] * j;
-            low = std::max(low, centre - half_[axis]);
-            high = std::min(high, centre + half_[axis]);
-        }
-        if (!(low <= high)) return;
-        const int first = round_up(low), last = static_cast<int>(high);
-        if (first <= last) {
-            visit(range_.low.x + first, range_.low.x + last, range_.low.y + j, range_.low.z + k);
-        }
-    }
-
     VoxelRange range_;
-    std::array<LayerAxis, 3> in_layer_;
-    /// x in offset + per_y * y + per_z * z +- half, for voxel centres counted from range_.low.
-    std::array<double, kRowAxes> offset_, per_y_, per_z_, half_;
+    std::array<Bound, 3> xy_, xz_, yz_;     ///< x by y, x by z, y by z; one for each edge
+    double offset_, per_y_, per_z_, half_;  ///< x by y and z: the triangle's plane
 };
 
 }  // namespace spectralpack

@@ -9,7 +9,9 @@
 
 #include "core/error.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "voxel/axis_turns.hpp"
 #include "voxel/enclosed.hpp"
+#include "voxel/grid_mesh.hpp"
 #include "voxel/permute.hpp"
 #include "voxel/surface.hpp"
 #include "voxel/winding.hpp"
@@ -21,9 +23,6 @@ constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
 constexpr double kMaxAlong = 1 << 30;
 constexpr std::int64_t kGrain = 1 << 13;  ///< triangles a task takes at least
 
-/// Which axes of a mesh are reversed before it is voxelised: x becomes -x.
-using Signs = std::array<bool, 3>;
-
 Extent grid_extent(const Vec3& size, double voxel_size) {
     const Extent extent{voxels_along(size.x, voxel_size), voxels_along(size.y, voxel_size),
                         voxels_along(size.z, voxel_size)};
@@ -34,35 +33,6 @@ Extent grid_extent(const Vec3& size, double voxel_size) {
     }
     return extent;
 }
-
-/// A mesh seen from its grid.
-class GridMesh {
-  public:
-    GridMesh(const Mesh& mesh, const Box& box, const Signs& reversed, double voxel_size)
-        : triangles_(mesh.triangles), vertices_(mesh.vertices.size()) {
-        // Differences and quotients round alike for x and -x: a reversed mesh gets the bits it
-        // would get if it were turned first.
-        for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            for (int axis = 0; axis < 3; ++axis) {
-                const double v = mesh.vertices[i][axis];
-                const double distance = reversed[static_cast<std::size_t>(axis)]
-                                            ? box.max[axis] - v
-                                            : v - box.min[axis];
-                vertices_[i][axis] = distance / voxel_size;
-            }
-        }
-    }
-
-    std::int64_t size() const { return static_cast<std::int64_t>(triangles_.size()); }
-    GridTriangle operator[](std::int64_t i) const {
-        const Triangle& t = triangles_[static_cast<std::size_t>(i)];
-        return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
-    }
-
-  private:
-    const std::vector<Triangle>& triangles_;
-    std::vector<Vec3> vertices_;
-};
 
 BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed,
                      const Workers& workers) {
@@ -92,32 +62,6 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed,
 
 bool encloses_solid(const Mesh& mesh) {
     return count_edges(MeshEdges(mesh)).closed;
-}
-
-/// A rotation that takes axes to axes: its axis i is `axes[i]` of the mesh with `reversed` axes (of
-/// the mesh).
-struct AxisTurn {
-    std::array<int, 3> axes;
-    Signs reversed;
-};
-
-std::optional<AxisTurn> axis_turn(const Mat3& rotation) {
-    AxisTurn turn{{-1, -1, -1}, {}};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            const double entry = rotation.rows[static_cast<std::size_t>(row)][column];
-            if (entry == 0) continue;
-            if (std::abs(entry) != 1 || turn.axes[static_cast<std::size_t>(row)] != -1)
-                return std::nullopt;
-            turn.axes[static_cast<std::size_t>(row)] = column;
-            turn.reversed[static_cast<std::size_t>(column)] = entry < 0;
-        }
-    }
-    const auto& a = turn.axes;
-    if (a[0] < 0 || a[1] < 0 || a[2] < 0 || a[0] == a[1] || a[1] == a[2] || a[0] == a[2]) {
-        return std::nullopt;
-    }
-    return turn;
 }
 
 /// Box of the mesh with reversed axes. 0 - x, not -x, so that no minus zero gets out.
@@ -165,41 +109,48 @@ BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
         .solid;
 }
 
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size,
+                           const Workers& workers) {
+    const Box box = bounding_box(mesh);
+    VoxelIndex position;
+    Vec3 shift;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double voxels = corner[axis] / voxel_size;
+        const double whole = std::floor(voxels + kSurfaceShrink);
+        if (!(std::abs(whole) <= kMaxAlong)) {
+            throw ResourceError("a part stands too far from the grid");
+        }
+        position[axis] = static_cast<int>(whole);
+        shift[axis] = voxels - whole;
+    }
+    const Extent extent = grid_extent(box.size() + voxel_size * shift, voxel_size);
+    return {solid_voxels(GridMesh(mesh, box, {}, voxel_size, shift), extent, encloses_solid(mesh),
+                         workers),
+            position};
+}
+
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
                                                   const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers) {
     const bool closed = encloses_solid(mesh);
     const Box box = bounding_box(mesh);
-    std::vector<Signs> patterns;          // of the axis turns among the rotations
-    std::vector<std::size_t> pattern_of;  // by rotation
-    std::vector<std::optional<AxisTurn>> turns;
-    for (const Mat3& rotation : rotations) {
-        turns.push_back(axis_turn(rotation));
-        if (turns.back()) {
-            const auto known = std::ranges::find(patterns, turns.back()->reversed);
-            pattern_of.push_back(static_cast<std::size_t>(known - patterns.begin()));
-            if (known == patterns.end()) patterns.push_back(turns.back()->reversed);
-        } else {
-            pattern_of.push_back(0);
-        }
-    }
-
-    std::vector<OrientedVoxels> by_pattern(patterns.size());
-    workers.for_each(static_cast<std::int64_t>(patterns.size()), [&](std::int64_t task) {
+    const SignPatterns patterns(rotations);
+    std::vector<OrientedVoxels> by_pattern(patterns.first_of.size());
+    workers.for_each(static_cast<std::int64_t>(by_pattern.size()), [&](std::int64_t task) {
         const auto i = static_cast<std::size_t>(task);
-        by_pattern[i] = reversed_voxels(mesh, box, patterns[i], closed, voxel_size, workers);
+        by_pattern[i] = reversed_voxels(mesh, box, patterns.signs(i), closed, voxel_size, workers);
     });
     std::vector<OrientedVoxels> result(rotations.size());
     workers.for_each(static_cast<std::int64_t>(rotations.size()), [&](std::int64_t task) {
         const auto i = static_cast<std::size_t>(task);
-        if (!turns[i]) {
+        const std::optional<AxisTurn>& turn = patterns.turns[i];
+        if (!turn) {
             result[i] = turned_voxels(mesh, rotations[i], closed, voxel_size, workers);
             return;
         }
-        const OrientedVoxels& source = by_pattern[pattern_of[i]];
-        const std::array<int, 3>& axes = turns[i]->axes;
-        result[i] = {permuted(source.solid, axes), permuted(source.size, axes),
-                     permuted(source.min, axes)};
+        const OrientedVoxels& source = by_pattern[patterns.pattern_of[i]];
+        result[i] = {permuted(source.solid, turn->axes), permuted(source.size, turn->axes),
+                     permuted(source.min, turn->axes)};
     });
     return result;
 }

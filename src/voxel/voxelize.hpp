@@ -31,6 +31,18 @@ int voxels_along(double size, double voxel_size);
 /// O(triangles + voxels met). Throws ResourceError when the grid would exceed 2^40 voxels.
 BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers);
 
+/// A mesh that stands off the grid (a refined placement, section 3.2).
+struct StandingVoxels {
+    BitGrid solid;
+    VoxelIndex position;  ///< of solid's voxel (0,0,0) in the grid
+};
+
+/// voxelize() of a mesh whose box minimum stands at `corner`, mm from the grid's lower corner; the
+/// mesh's own coordinates only say its shape. A corner within kSurfaceShrink of a voxel's end
+/// belongs to the next voxel; where it is a voxel corner, the result is that of voxelize().
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size,
+                           const Workers& workers);
+
 /// A mesh in one orientation: what voxelize() and the box give for the mesh turned by `rotation`.
 struct OrientedVoxels {
     BitGrid solid;

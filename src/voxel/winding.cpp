@@ -14,42 +14,71 @@ int first_centre(double value) {
     return value <= 0.5 ? 0 : static_cast<int>(std::ceil(value - 0.5));
 }
 
-/// The value at `at` of the line through (a, from) and (b, to), a <= at < b; never outside
-/// from..to.
-double between(double a, double from, double b, double to, double at) {
-    const double value = from + (to - from) * ((at - a) / (b - a));
-    return std::clamp(value, std::min(from, to), std::max(from, to));
+/// The value a share of the way along; never beyond the ends, whatever the rounding.
+double between(double from, double to, double share) {
+    return std::clamp(from + (to - from) * share, std::min(from, to), std::max(from, to));
 }
 
 }  // namespace
 
+/// An edge, lower end first, and where it passes a height low.z <= z < high.z.
+class Crossings::Edge {
+  public:
+    Edge(const Vec3& low, const Vec3& high)
+        : low_(low), high_(high), per_z_(1 / (high.z - low.z)) {}
+
+    double x_at(double z) const { return between(low_.x, high_.x, (z - low_.z) * per_z_); }
+    double y_at(double z) const { return between(low_.y, high_.y, (z - low_.z) * per_z_); }
+
+  private:
+    Vec3 low_, high_;
+    double per_z_;
+};
+
 void Crossings::add(const GridTriangle& triangle) {
-    const auto [least, most] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
-    for (int z = first_centre(least); z < extent_.z && z + 0.5 < most; ++z) {
-        add_layer(triangle, z);
+    const auto [least_y, most_y] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+    if (first_centre(least_y) + 0.5 >= most_y) return;
+
+    // Corners by height, and whether that order is the triangle's own way round.
+    std::size_t low = 0, middle = 1, high = 2;
+    bool forward = true;
+    const auto order = [&](std::size_t& a, std::size_t& b) {
+        if (triangle[a].z <= triangle[b].z) return;
+        std::swap(a, b);
+        forward = !forward;
+    };
+    order(low, middle);
+    order(middle, high);
+    order(low, middle);
+
+    const Edge whole(triangle[low], triangle[high]);
+    int z = first_centre(triangle[low].z);
+    for (const auto& [from, to] : {std::pair(low, middle), std::pair(middle, high)}) {
+        const double top = triangle[to].z;
+        if (z >= extent_.z || z + 0.5 >= top) continue;
+        const Edge side(triangle[from], triangle[to]);
+        for (; z < extent_.z && z + 0.5 < top; ++z) {
+            // The edges that lead up through the plane and down again.
+            add_chord(forward ? side : whole, forward ? whole : side, z);
+        }
     }
 }
 
-void Crossings::add_layer(const GridTriangle& triangle, int z) {
+void Crossings::add_chord(const Edge& up, const Edge& down, int z) {
     const double height = z + 0.5;
-    // One edge leads up through the plane, one leads down.
-    double up_x = 0, up_y = 0, down_x = 0, down_y = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &from = triangle[i], &to = triangle[i == 2 ? 0 : i + 1];
-        if (from.z <= height && height < to.z) {
-            up_x = between(from.z, from.x, to.z, to.x, height);
-            up_y = between(from.z, from.y, to.z, to.y, height);
-        } else if (to.z <= height && height < from.z) {
-            down_x = between(to.z, to.x, from.z, from.x, height);
-            down_y = between(to.z, to.y, from.z, from.y, height);
+    const double up_y = up.y_at(height), down_y = down.y_at(height);
+    const bool positive = up_y > down_y;
+    const double low_y = positive ? down_y : up_y, high_y = positive ? up_y : down_y;
+    int y = first_centre(low_y);
+    if (y >= extent_.y || y + 0.5 >= high_y) return;
+    const double low_x = (positive ? down : up).x_at(height),
+                 high_x = (positive ? up : down).x_at(height);
+    const double per_y = 1 / (high_y - low_y);
+    for (; y < extent_.y && y + 0.5 < high_y; ++y) {
+        const int x = first_centre(between(low_x, high_x, (y + 0.5 - low_y) * per_y));
+        if (x < extent_.x) {
+            crossings_.push_back({std::int64_t{z} * extent_.y + y, x, positive ? 1 : -1});
         }
-    }
-    const int sign = up_y > down_y ? 1 : -1;
-    const auto [low_x, low_y] = sign > 0 ? std::pair(down_x, down_y) : std::pair(up_x, up_y);
-    const auto [high_x, high_y] = sign > 0 ? std::pair(up_x, up_y) : std::pair(down_x, down_y);
-    for (int y = first_centre(low_y); y < extent_.y && y + 0.5 < high_y; ++y) {
-        const int x = first_centre(between(low_y, low_x, high_y, high_x, y + 0.5));
-        if (x < extent_.x) crossings_.push_back({std::int64_t{z} * extent_.y + y, x, sign});
     }
 }
 

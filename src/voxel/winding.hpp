@@ -37,7 +37,8 @@ class Crossings {
         int sign;
     };
 
-    void add_layer(const GridTriangle& triangle, int z);
+    class Edge;
+    void add_chord(const Edge& up, const Edge& down, int z);
 
     Extent extent_;
     std::vector<Crossing> crossings_;

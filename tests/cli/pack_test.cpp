@@ -21,7 +21,8 @@ std::vector<std::string> operator+(std::vector<std::string> a, const std::vector
 /// What must not depend on threads, engine or machine.
 json placements(const fs::path& packing) {
     json list = json::array();
-    for (const json& placement : read_json(packing)["trays"][0]["placements"]) {
+    const json document = read_json(packing);
+    for (const json& placement : document["trays"][0]["placements"]) {
         list.push_back({placement["part"], placement["copy"], placement["orientation"], placement["transform"]});
     }
     return list;

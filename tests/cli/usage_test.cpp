@@ -16,6 +16,12 @@ struct BadCall {
     std::string said;  ///< what the message must name
 };
 
+void PrintTo(const BadCall& call, std::ostream* out) {
+    for (const std::string& argument : call.arguments) {
+        *out << std::filesystem::path(argument).filename().string() << ' ';
+    }
+}
+
 class Refuses : public testing::TestWithParam<BadCall> {};
 
 TEST_P(Refuses, WithStatusTwoAndTheReason) {

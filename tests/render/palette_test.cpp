@@ -11,7 +11,9 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-Rgb shown(const Vec3& c) { return {to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)}; }
+Rgb shown(const Vec3& c) {
+    return {to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)};
+}
 
 TEST(Palette, WithoutChromaIsGrey) {
     for (const double lightness : {0.0, 0.25, 0.5, 1.0}) {
@@ -37,7 +39,8 @@ TEST(Palette, EncodesAllBytesInOrder) {
     EXPECT_EQ(to_srgb(0), 0);
     EXPECT_EQ(to_srgb(1), 255);
     EXPECT_EQ(to_srgb(7), 255);
-    EXPECT_EQ(to_srgb(0.2158605), 128);  // IEC 61966-2-1 backwards: ((128/255 + 0.055) / 1.055) ^ 2.4
+    EXPECT_EQ(to_srgb(0.2158605),
+              128);  // IEC 61966-2-1 backwards: ((128/255 + 0.055) / 1.055) ^ 2.4
     std::set<int> bytes;
     int last = 0;
     for (int i = 0; i <= 20000; ++i) {

@@ -145,7 +145,7 @@ TEST(Voxelize, WhatAnOpenMeshEnclosesIsFilled) {
 }
 
 TEST(Voxelize, OfClosedMeshesIsThePlainDefinition) {
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
         RandomMesh random(seed);
         const Mesh mesh = random.closed();
         const double voxel_size = random.below(2) == 0 ? 1 : random.within(0.4, 1.5);
@@ -155,7 +155,7 @@ TEST(Voxelize, OfClosedMeshesIsThePlainDefinition) {
 }
 
 TEST(Voxelize, OfLooseTrianglesIsThePlainDefinition) {
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
         RandomMesh random(seed);
         const Mesh mesh = random.soup();
         const double voxel_size = random.within(0.3, 2);

@@ -49,8 +49,8 @@ void BitTables::refresh_plain(int layer, const BitGrid& occupied, const VoxelBox
         for (int y = changed.lo.y; y < changed.hi.y; ++y) {
             const Word* row = occupied.row(y, z);
             for (int w = first; w <= last; ++w) {
-                plain[(static_cast<std::int64_t>(z + margin_) * columns_ + w) * column_ + y + margin_] =
-                    row_bits(row, occupied.words_per_row(), 64 * w - margin_);
+                plain[(static_cast<std::int64_t>(z + margin_) * columns_ + w) * column_ + y +
+                      margin_] = row_bits(row, occupied.words_per_row(), 64 * w - margin_);
             }
         }
     }
@@ -87,7 +87,8 @@ void BitTables::refresh(int layer, const BitGrid& occupied, const VoxelBox& chan
                         }
                     } else {
                         const bool both = z + half < size.z;
-                        const std::int64_t up = both ? half * static_cast<std::int64_t>(columns_) * column_ : 0;
+                        const std::int64_t up =
+                            both ? half * static_cast<std::int64_t>(columns_) * column_ : 0;
                         for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
                             to[y] = from[y] | from[y + up];
                         }

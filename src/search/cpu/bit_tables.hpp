@@ -1,13 +1,15 @@
 #pragma once
-/// The tray's occupancy as bits, dilated by powers of two along each axis, so that "does a run of L voxels meet
-/// something here" is one look-up for L a power of two and two otherwise, whatever L is.
+/// The tray's occupancy as bits, dilated by powers of two along each axis, so that "does a run of L
+/// voxels meet something here" is one look-up for L a power of two and two otherwise, whatever L
+/// is.
 ///
 /// Invariant, for every layer of occupancy O (a gap class's objects, or the walls):
 ///   bit X of table (axis, k) = OR over 0 <= i < 2^k of O(X + i e_axis), O = 0 outside the grid,
 /// for X from -margin to extent + margin on each axis.
 ///
-/// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring words are a tile of
-/// 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight words elsewhere, shifted.
+/// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring
+/// words are a tile of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight
+/// words elsewhere, shifted.
 
 #include <cstdint>
 #include <vector>
@@ -26,7 +28,8 @@ class BitTables {
     /// Throws ResourceError when an offset would not fit 31 bits. All empty.
     BitTables(const Extent& grid, int margin, int layers);
 
-    /// Makes the tables of `layer` right after `occupied` changed within `changed`; O(words that can differ).
+    /// Makes the tables of `layer` right after `occupied` changed within `changed`; O(words that
+    /// can differ).
     void refresh(int layer, const BitGrid& occupied, const VoxelBox& changed);
 
     bool operator==(const BitTables&) const = default;
@@ -37,7 +40,8 @@ class BitTables {
 
     /// Words to the neighbouring tile along x.
     std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
-    /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as offsets.
+    /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as
+    /// offsets.
     const std::uint64_t* tile(int bx, int y, int z) const {
         return words_.data() + (z * static_cast<std::int64_t>(columns_) + bx) * column_ + y;
     }
@@ -45,8 +49,8 @@ class BitTables {
         std::int32_t offset = 0;
         int shift = 0;
     };
-    /// Where the run piece of 2^level voxels along `axis` that starts at displacement d lies from a tile;
-    /// -margin <= d on each axis.
+    /// Where the run piece of 2^level voxels along `axis` that starts at displacement d lies from a
+    /// tile; -margin <= d on each axis.
     Place place(int layer, int axis, int level, const VoxelIndex& d) const;
 
   private:

@@ -26,13 +26,13 @@ class CpuSearch final : public PlacementSearch {
 
         // Runs and plans of every orientation that has candidates.
         const std::size_t count = shape.orientations.size();
-        std::vector<OrientationRuns> runs(count);
+        std::vector<OrientationRuns>& runs = entry.runs;
         std::vector<std::optional<OrientationTask>> searches(count);
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
             if (entry.states[k].count().empty()) return;
             const OrientedShape& oriented = shape.orientations[k];
-            runs[k] = make_runs(oriented);
+            if (runs[k].of_class.empty()) runs[k] = make_runs(oriented);
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
                                           oriented.solid->extent().z));
         });
@@ -47,7 +47,8 @@ class CpuSearch final : public PlacementSearch {
             for (std::size_t i = 0; i < count; ++i) {
                 const int layers = entry.states[i].bricks().z;
                 if (searches[i] && begin < layers) {
-                    tasks.push_back({&*searches[i], begin, std::min(layers, begin + kLayersPerTask)});
+                    tasks.push_back(
+                        {&*searches[i], begin, std::min(layers, begin + kLayersPerTask)});
                 }
             }
         }
@@ -67,8 +68,8 @@ class CpuSearch final : public PlacementSearch {
         const std::optional<Placed> best = context.incumbent.get();
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
-        return {with_neighbours(*best, runs[winner].solid, shape.orientations[winner].solid->extent().z,
-                                context),
+        return {with_neighbours(*best, runs[winner].solid,
+                                shape.orientations[winner].solid->extent().z, context),
                 false};
     }
 
@@ -111,7 +112,8 @@ class CpuSearch final : public PlacementSearch {
 
 }  // namespace
 
-std::unique_ptr<PlacementSearch> make_cpu_search(const CpuOptions& options, const Workers& workers) {
+std::unique_ptr<PlacementSearch> make_cpu_search(const CpuOptions& options,
+                                                 const Workers& workers) {
     return std::make_unique<CpuSearch>(options, workers);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-/// The fast exact engine: the same answers as the definition in search/placement_search.hpp, without transforms.
-/// Collisions by bits, rho by prefix sums, positions ruled out by bounds (docs/algorithm.md tells why each bound is
-/// one). Integers throughout, so the answers do not depend on threads, instruction set or memory.
+/// The fast exact engine: the same answers as the definition in search/placement_search.hpp,
+/// without transforms. Collisions by bits, rho by prefix sums, positions ruled out by bounds
+/// (docs/algorithm.md tells why each bound is one). Integers throughout, so the answers do not
+/// depend on threads, instruction set or memory.
 
 #include <cstdint>
 #include <memory>
@@ -12,12 +13,13 @@
 namespace spectralpack {
 
 struct CpuOptions {
-    /// Bytes for what is remembered of shapes between searches, so that further copies are cheap. What the tray
-    /// itself takes comes on top.
+    /// Bytes for what is remembered of shapes between searches, so that further copies are cheap.
+    /// What the tray itself takes comes on top.
     std::int64_t cache_memory = std::int64_t{1} << 28;
 };
 
-/// What best_placement() keeps follows one tray at a time: alternating between trays costs a fresh start each time.
+/// What best_placement() keeps follows one tray at a time: alternating between trays costs a fresh
+/// start each time.
 std::unique_ptr<PlacementSearch> make_cpu_search(const CpuOptions& options, const Workers& workers);
 
 }  // namespace spectralpack

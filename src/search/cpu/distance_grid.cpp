@@ -8,9 +8,10 @@
 namespace spectralpack {
 namespace {
 
-/// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what changed.
-void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y, int z,
-                   int& lo, int& hi) {
+/// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what
+/// changed.
+void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y,
+                   int z, int& lo, int& hi) {
     const BitGrid::Word* bits = solid.row(y, z);
     for (int w = 0; w < solid.words_per_row(); ++w) {
         for (BitGrid::Word word = bits[w]; word != 0;) {
@@ -21,16 +22,18 @@ void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const Voxel
             int last = std::min(nx, at.x + 64 * w + bit + length);
             if (first >= last) continue;
             std::fill(row + first, row + last, std::uint16_t{0});
-            for (std::uint16_t d = 1; first > 0 && row[first - 1] > d; ++d) row[--first] = d;
-            for (std::uint16_t d = 1; last < nx && row[last] > d; ++d) row[last++] = d;
+            for (std::uint16_t d = 1; first > 0 && row[first - 1] > d; ++d)
+                row[--first] = d;
+            for (std::uint16_t d = 1; last < nx && row[last] > d; ++d)
+                row[last++] = d;
             lo = std::min(lo, first);
             hi = std::max(hi, last);
         }
     }
 }
 
-/// Lowers row(i) from row(i - step), i from `first` on, up to `last` inclusive and beyond it while something
-/// changes, inside [0, count). Returns one past the farthest index seen, in steps.
+/// Lowers row(i) from row(i - step), i from `first` on, up to `last` inclusive and beyond it while
+/// something changes, inside [0, count). Returns one past the farthest index seen, in steps.
 template <class RowLower>
 int sweep(int first, int last, int step, int count, const RowLower& lower) {
     int i = first;
@@ -52,7 +55,8 @@ DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
     }
     values_.assign(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})), 0);
     for (int z = 0; z < extent.z; ++z) {
-        const int above = ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
+        const int above =
+            ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
         for (int y = 0; y < extent.y; ++y) {
             const int other = std::min({above, z + 1, y + 1, extent.y - y});
             std::uint16_t* values = row(y, z);

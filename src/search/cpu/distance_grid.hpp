@@ -1,9 +1,9 @@
 #pragma once
 /// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added.
 ///
-/// Invariant: at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything outside the grid
-/// included (above it only under a closed ceiling). It never exceeds (min(nx, ny) + 1) / 2, the distance to the
-/// nearer side wall, which is why 16 bits do.
+/// Invariant: at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything
+/// outside the grid included (above it only under a closed ceiling). It never exceeds (min(nx, ny)
+/// + 1) / 2, the distance to the nearer side wall, which is why 16 bits do.
 
 #include <cstdint>
 #include <vector>
@@ -20,10 +20,11 @@ class DistanceGrid {
     /// An empty grid. Throws ResourceError where 16 bits would not do.
     DistanceGrid(const Extent& extent, Ceiling ceiling);
 
-    /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns a box outside of which
-    /// nothing changed. Exact: min(phi, distance to the object), computed axis by axis (the Manhattan distance is
-    /// separable), and only as far as it changes something: phi is 1-Lipschitz, so where the new object does not
-    /// lower a row, it does not lower the rows behind it.
+    /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns a box
+    /// outside of which nothing changed. Exact: min(phi, distance to the object), computed axis by
+    /// axis (the Manhattan distance is separable), and only as far as it changes something: phi is
+    /// 1-Lipschitz, so where the new object does not lower a row, it does not lower the rows behind
+    /// it.
     VoxelBox add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
 
     const Extent& extent() const { return extent_; }

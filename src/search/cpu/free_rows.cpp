@@ -29,7 +29,8 @@ FreeRows::FreeRows(const BitGrid& omega, const BitGrid& solid, int padding)
     for (const Run& run : runs_.runs) {
         longest = std::max(longest, run.length);
     }
-    while ((2 << levels_) <= longest) ++levels_;
+    while ((2 << levels_) <= longest)
+        ++levels_;
     ++levels_;
     shift_ = (1 << (levels_ - 1)) - 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -56,7 +57,8 @@ void FreeRows::row(int y, int z, std::uint64_t* free) const {
         const int at_y = y + origin_.y + run.start.y, at_z = z + origin_.z + run.start.z;
         if (at_y < 0 || at_y >= grid_.y || at_z < 0 || at_z >= grid_.z) continue;
         int level = 0;
-        while ((2 << level) <= run.length) ++level;
+        while ((2 << level) <= run.length)
+            ++level;
         const BitGrid& table = dilated_[static_cast<std::size_t>(level)];
         const Word* in = table.row(at_y, at_z);
         const int first = origin_.x + run.start.x + shift_;

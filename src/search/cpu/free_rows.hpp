@@ -1,6 +1,6 @@
 #pragma once
-/// Free positions of a shape among the objects of Omega_move, a row of bits at a time (for flood fill and
-/// re-insertion, paper sections 4.1 and 4.3).
+/// Free positions of a shape among the objects of Omega_move, a row of bits at a time (for flood
+/// fill and re-insertion, paper sections 4.1 and 4.3).
 
 #include <cstdint>
 #include <vector>
@@ -12,24 +12,25 @@ namespace spectralpack {
 
 class FreeRows {
   public:
-    /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent of the returned rows; origin = -(a - 1) - padding
-    /// per axis, extent = n + a - 1 + 2 padding. O(words of omega) to build.
+    /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent of the returned rows; origin = -(a
+    /// - 1) - padding per axis, extent = n + a - 1 + 2 padding. O(words of omega) to build.
     FreeRows(const BitGrid& omega, const BitGrid& solid, int padding);
 
     const VoxelIndex& origin() const { return origin_; }
     const Extent& extent() const { return extent_; }
 
-    /// Writes the row (y, z) of free positions, in whole words; bits beyond the extent are 0. O(runs x words).
+    /// Writes the row (y, z) of free positions, in whole words; bits beyond the extent are 0.
+    /// O(runs x words).
     void row(int y, int z, std::uint64_t* free) const;
 
   private:
     Extent grid_;
     VoxelIndex origin_;
     Extent extent_;
-    int levels_ = 0;             // tables of pieces of 2^k voxels, k < levels_
+    int levels_ = 0;                // tables of pieces of 2^k voxels, k < levels_
     std::vector<BitGrid> dilated_;  // bit X + shift_: something in X .. X + 2^k - 1
     int shift_ = 0;
-    Runs runs_;                  // along x
+    Runs runs_;  // along x
 };
 
 }  // namespace spectralpack

@@ -32,7 +32,8 @@ std::int64_t proximity_limit(const CostModel& model, int z, int layers, int refe
         const Cost cost = cost_of(model, z, layers, reference_layers, rho);
         return index > best->index ? cost < best->cost : cost <= best->cost;
     };
-    constexpr std::int64_t kMost = std::int64_t{1} << 52;  // above any rho: 2^31 voxels of 16 bits each
+    constexpr std::int64_t kMost = std::int64_t{1}
+                                   << 52;  // above any rho: 2^31 voxels of 16 bits each
     if (!could_win(0)) return -1;
     if (could_win(kMost)) return kNoLimit;
     // Rounding apart, the limit is the difference of the costs: look there first.

@@ -24,7 +24,8 @@ bool better(const Placed& a, const Placed& b);
 
 class Incumbent {
   public:
-    /// Keeps `found` if it is better than what is there. The result after all offers does not depend on their order.
+    /// Keeps `found` if it is better than what is there. The result after all offers does not
+    /// depend on their order.
     void offer(const Placed& found);
 
     /// Grows with every change: a copy taken at this generation is still current.
@@ -39,10 +40,11 @@ class Incumbent {
 
 inline constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 
-/// The greatest rho with which orientation `index` in layer z could still win against `best` (by cost, or by
-/// orientation index where costs are equal; positions of the same orientation are left to better()); -1 when none
-/// could, kNoLimit when all could. A position with rho above it cannot be the answer, whatever else is found:
-/// pruning by it is exact. Decided with cost_of() itself, which grows with rho, so that rounding is the cost's own.
+/// The greatest rho with which orientation `index` in layer z could still win against `best` (by
+/// cost, or by orientation index where costs are equal; positions of the same orientation are left
+/// to better()); -1 when none could, kNoLimit when all could. A position with rho above it cannot
+/// be the answer, whatever else is found: pruning by it is exact. Decided with cost_of() itself,
+/// which grows with rho, so that rounding is the cost's own.
 std::int64_t proximity_limit(const CostModel& model, int z, int layers, int reference_layers,
                              const std::optional<Placed>& best, int index);
 

@@ -1,6 +1,6 @@
-/// The two inner loops of the search, once for each instruction set (Highway): included by a file that
-/// <hwy/foreach_target.h> includes again and again. Exact integer arithmetic, so that every instruction set gives the
-/// same answers.
+/// The two inner loops of the search, once for each instruction set (Highway): included by a file
+/// that <hwy/foreach_target.h> includes again and again. Exact integer arithmetic, so that every
+/// instruction set gives the same answers.
 
 #if defined(SPECTRALPACK_CPU_KERNELS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPECTRALPACK_CPU_KERNELS_INL_H
@@ -38,7 +38,8 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
     for (std::size_t i = 0; i < 16; i += hn::MaxLanes(d)) {
         std::uint8_t part[8] = {};
         hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + i), bound), part);
-        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << i;
+        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8)
+                 << i;
     }
     return ~above & 0xFFFFu;
 #endif
@@ -50,10 +51,11 @@ HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t limit, float patience, cons
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// live[j] &= ~(OR over groups, over their offsets o, of bits (tile + o)[j] and up, shifted right by the group's
-/// shift), the bits that move in coming from (tile + o + next)[j]. j in [0, 8).
-HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next, const std::int32_t* offsets,
-               const LookupGroup* groups, std::size_t group_count, std::uint64_t* live) {
+/// live[j] &= ~(OR over groups, over their offsets o, of bits (tile + o)[j] and up, shifted right
+/// by the group's shift), the bits that move in coming from (tile + o + next)[j]. j in [0, 8).
+HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next,
+                          const std::int32_t* offsets, const LookupGroup* groups,
+                          std::size_t group_count, std::uint64_t* live) {
     std::uint64_t blocked[kTileRows] = {};
     for (std::size_t g = 0; g < group_count; ++g) {
         std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
@@ -74,12 +76,14 @@ HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next, const 
     }
 }
 
-/// Adds to sums[i] the sum over loads of table[i + plus] - table[i + minus] (modulo 2^16 within a batch, exact over
-/// batches, at most kSumLimit), for i in [0, 32). Give 0 for the lanes that are wanted, kSumLimit for the others.
-/// Stops after a batch when no lane is worth going on for: those that are above `limit` are not, nor those that are
-/// not going to be, below patience x limit x the batch's share. Sums are then lower bounds.
+/// Adds to sums[i] the sum over loads of table[i + plus] - table[i + minus] (modulo 2^16 within a
+/// batch, exact over batches, at most kSumLimit), for i in [0, 32). Give 0 for the lanes that are
+/// wanted, kSumLimit for the others. Stops after a batch when no lane is worth going on for: those
+/// that are above `limit` are not, nor those that are not going to be, below patience x limit x the
+/// batch's share. Sums are then lower bounds.
 HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
-              std::size_t batch_count, std::uint32_t limit, float patience, std::uint32_t* sums) {
+                         std::size_t batch_count, std::uint32_t limit, float patience,
+                         std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes] = {};
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
@@ -102,8 +106,9 @@ HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const
 #else
 
 HWY_INLINE void BlockTile(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next,
-               const std::int32_t* HWY_RESTRICT offsets, const LookupGroup* HWY_RESTRICT groups,
-               std::size_t group_count, std::uint64_t* HWY_RESTRICT live) {
+                          const std::int32_t* HWY_RESTRICT offsets,
+                          const LookupGroup* HWY_RESTRICT groups, std::size_t group_count,
+                          std::uint64_t* HWY_RESTRICT live) {
     const hn::CappedTag<std::uint64_t, kTileRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
     for (std::size_t j = 0; j < kTileRows; j += kStep) {
@@ -132,8 +137,8 @@ HWY_INLINE void BlockTile(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t
 }
 
 HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
-              const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
-              float patience, std::uint32_t* HWY_RESTRICT sums) {
+                         const SumBatch* HWY_RESTRICT batches, std::size_t batch_count,
+                         std::uint32_t limit, float patience, std::uint32_t* HWY_RESTRICT sums) {
     const hn::CappedTag<std::uint16_t, kLanes> d16;
     constexpr std::size_t kStep = hn::MaxLanes(d16);
     constexpr std::size_t kVectors = kLanes / kStep;

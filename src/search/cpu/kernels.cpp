@@ -32,7 +32,8 @@ void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* HW
     }
 }
 
-void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
+void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
+             std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = std::min(a[i], b[i]);
     }
@@ -74,6 +75,22 @@ void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b
 
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(MaxOfRow)(row, count);
+}
+
+std::vector<std::string> instruction_sets() {
+    std::vector<std::string> names;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        names.emplace_back(hwy::TargetName(target));
+    }
+    return names;
+}
+
+void use_instruction_set(const std::string& name) {
+    hwy::SetSupportedTargetsForTest(0);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        if (name == hwy::TargetName(target)) hwy::SetSupportedTargetsForTest(target);
+    }
+    hwy::GetChosenTarget().DeInit();  // the next call chooses anew
 }
 
 }  // namespace spectralpack

@@ -17,7 +17,8 @@ namespace HWY_NAMESPACE {
 constexpr int kBlock = TrayTables::kBlock;
 // Bricks are bounded in pairs, whose blocks fill the lanes of one sum.
 constexpr int kPair = kLanes / kBlocksX;
-// A coarse sum that has come to less than this part of its share of the limit is not going to rule anything out.
+// A coarse sum that has come to less than this part of its share of the limit is not going to rule
+// anything out.
 constexpr float kPatience = 0.8f;
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
@@ -45,8 +46,7 @@ std::uint64_t AnyOfNibble(std::uint64_t bits) {
 /// One thread's work on some brick layers of one orientation.
 class Pass {
   public:
-    explicit Pass(OrientationTask& task)
-        : t_(task), context_(task.context), state_(task.state) {}
+    explicit Pass(OrientationTask& task) : t_(task), context_(task.context), state_(task.state) {}
 
     void Run(int begin, int end) {
         for (int bz = begin; bz < end; ++bz) {
@@ -90,8 +90,8 @@ class Pass {
         for (int i = 0; i < kBrickZ; ++i) {
             const int z = kBrickZ * bz + i;
             limits_[i] = z < state_.count().z
-                             ? proximity_limit(context_.model, z, t_.layers, context_.reference_layers,
-                                               best, t_.index)
+                             ? proximity_limit(context_.model, z, t_.layers,
+                                               context_.reference_layers, best, t_.index)
                              : -1;
             most_ = std::max(most_, limits_[i]);
         }
@@ -128,7 +128,8 @@ class Pass {
         }
     }
 
-    /// The first batches of look-ups, once for each brick; blocks left with nothing die. True when it was done now.
+    /// The first batches of look-ups, once for each brick; blocks left with nothing die. True when
+    /// it was done now.
     bool Sift(int bx, int by, int bz) {
         if (state_.sifted(bx, by, bz)) return false;
         state_.set_sifted(bx, by, bz);
@@ -153,7 +154,8 @@ class Pass {
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
-    void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
+    void Block(std::size_t begin, std::size_t end, int bx, int by, int z,
+               std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
         const CollisionPlan& plan = t_.collision;
         const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
@@ -241,14 +243,15 @@ class Pass {
         }
     }
 
-    /// rho of the free positions among (x .. x + 31, y, z); offers the best, lowers their blocks' bounds to it.
+    /// rho of the free positions among (x .. x + 31, y, z); offers the best, lowers their blocks'
+    /// bounds to it.
     void Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? 0 : kSumLimit;
         }
-        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(), t_.exact.batches.data(),
-                 t_.exact.batches.size(), LaneLimit(limit), 0, sums);
+        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(),
+                 t_.exact.batches.data(), t_.exact.batches.size(), LaneLimit(limit), 0, sums);
         std::uint32_t least = kDead;
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? sums[i] : kDead;
@@ -271,9 +274,9 @@ class Pass {
     }
 
     void Offer(const VoxelIndex& position, std::int64_t proximity) {
-        context_.incumbent.offer({cost_of(context_.model, position.z, t_.layers,
-                                          context_.reference_layers, proximity),
-                                  t_.index, position, proximity});
+        context_.incumbent.offer(
+            {cost_of(context_.model, position.z, t_.layers, context_.reference_layers, proximity),
+             t_.index, position, proximity});
     }
 
     OrientationTask& t_;

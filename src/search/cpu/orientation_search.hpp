@@ -1,6 +1,7 @@
 #pragma once
-/// The search over one orientation's positions, brick layer by brick layer: sift (a few look-ups everywhere), bound
-/// (pooled phi on blocks), settle what is left (the remaining look-ups, then the exact rho).
+/// The search over one orientation's positions, brick layer by brick layer: sift (a few look-ups
+/// everywhere), bound (pooled phi on blocks), settle what is left (the remaining look-ups, then the
+/// exact rho).
 
 #include <cstdint>
 #include <vector>
@@ -33,8 +34,8 @@ struct OrientationTask {
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
                           int index, int layers);
 
-/// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the answer. Different
-/// ranges may run on different threads.
+/// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
+/// answer. Different ranges may run on different threads.
 void search_layers(OrientationTask& task, int begin, int end);
 
 /// rho(q), whatever its size; voxels outside the grid count nothing. O(voxels).

@@ -8,9 +8,9 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kSumRange = 65535;  // what 16 bits hold
+constexpr std::int64_t kSumRange = 65535;   // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
-constexpr std::size_t kFirstBatch = 8;     // look-ups; later batches grow
+constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
 
 struct Piece {
@@ -22,7 +22,8 @@ struct Piece {
 void cover(const Run& run, int axis, const VoxelIndex& offset, int layer, const BitTables& bits,
            std::vector<Piece>& pieces) {
     int level = 0;
-    while (level < BitTables::kLevels && (2 << level) <= run.length) ++level;
+    while (level < BitTables::kLevels && (2 << level) <= run.length)
+        ++level;
     const int size = 1 << level;
     for (int done = 0; done < run.length; done += size) {
         VoxelIndex d = run.start + offset;
@@ -31,13 +32,15 @@ void cover(const Run& run, int axis, const VoxelIndex& offset, int layer, const 
     }
 }
 
-/// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th from another start,
-/// so that each stretch of about `stretch` is spread over all and yet walks memory in one direction.
+/// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
+/// from another start, so that each stretch of about `stretch` is spread over all and yet walks
+/// memory in one direction.
 template <class Visit>
 void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit) {
     const std::size_t strides = (count + stretch - 1) / stretch;
     std::size_t size = 1;
-    while (size < strides) size *= 2;
+    while (size < strides)
+        size *= 2;
     for (std::size_t i = 0; i < size; ++i) {
         std::size_t start = 0;  // i with its bits reversed: consecutive starts lie far apart
         for (std::size_t bit = 1; bit < size; bit *= 2) {
@@ -50,7 +53,8 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
     }
 }
 
-/// What `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far apart.
+/// What `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far
+/// apart.
 template <class T, class Level>
 std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
                         const Level& level) {
@@ -61,7 +65,8 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
     std::vector<T> result;
     result.reserve(items.size());
     for (auto shelf = shelves.rbegin(); shelf != shelves.rend(); ++shelf) {
-        for_each_spread(shelf->size(), stretch, [&](std::size_t i) { result.push_back((*shelf)[i]); });
+        for_each_spread(shelf->size(), stretch,
+                        [&](std::size_t i) { result.push_back((*shelf)[i]); });
     }
     return result;
 }
@@ -82,8 +87,8 @@ void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
     }
     plan.offsets.resize(plan.offsets.size() + pieces.size());
     for (const Piece& piece : pieces) {
-        plan.offsets[static_cast<std::size_t>(begin[static_cast<std::size_t>(piece.place.shift)]++)] =
-            piece.place.offset;
+        plan.offsets[static_cast<std::size_t>(
+            begin[static_cast<std::size_t>(piece.place.shift)]++)] = piece.place.offset;
     }
     plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size())});
 }
@@ -95,7 +100,8 @@ OrientationRuns make_runs(const OrientedShape& shape) {
     result.solid = fewest_runs(*shape.solid);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
-        while (shape.widened[same] != shape.widened[c]) ++same;
+        while (shape.widened[same] != shape.widened[c])
+            ++same;
         if (same < c) {
             result.of_class.push_back(result.of_class[same]);
             continue;
@@ -125,10 +131,9 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     for (int layer = 0; layer < tables.layers(); ++layer) {
         if (!tables.occupied(layer)) continue;
         const bool walls = layer == static_cast<int>(runs.of_class.size());
-        const auto* widened =
-            walls ? nullptr
-                  : &runs.widened[static_cast<std::size_t>(
-                        runs.of_class[static_cast<std::size_t>(layer)])];
+        const auto* widened = walls ? nullptr
+                                    : &runs.widened[static_cast<std::size_t>(
+                                          runs.of_class[static_cast<std::size_t>(layer)])];
         const Runs& shape = walls ? runs.solid : widened->runs;
         const VoxelIndex offset = walls ? VoxelIndex{} : widened->offset;
         for (const Run& run : shape.runs) {
@@ -155,7 +160,9 @@ SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
     std::int64_t summed = 0;
-    const auto halvings = [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); };
+    const auto halvings = [](const Run& run) {
+        return std::bit_width(static_cast<unsigned>(run.length));
+    };
     for (const Run& run : by_level(runs.runs, 33, kLoadsPerBatch, halvings)) {
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);

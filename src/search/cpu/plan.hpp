@@ -1,6 +1,6 @@
 #pragma once
-/// What a shape's orientation asks of the tables, worked out once: which look-ups decide a collision, which loads
-/// make up rho.
+/// What a shape's orientation asks of the tables, worked out once: which look-ups decide a
+/// collision, which loads make up rho.
 
 #include <cstdint>
 #include <memory>
@@ -19,8 +19,8 @@ struct OrientationRuns {
         Runs runs;
         VoxelIndex offset;
     };
-    std::vector<Widened> widened;   ///< the distinct ones
-    std::vector<int> of_class;      ///< into `widened`, for each gap class
+    std::vector<Widened> widened;  ///< the distinct ones
+    std::vector<int> of_class;     ///< into `widened`, for each gap class
 };
 
 OrientationRuns make_runs(const OrientedShape& shape);
@@ -37,14 +37,14 @@ inline constexpr std::uint32_t kSumLimit = 0xFFFE0000u;
 
 /// Look-ups into bit tables that share the shift of a bit within its word.
 struct LookupGroup {
-    int shift = 0;  ///< 0..63
+    int shift = 0;                    ///< 0..63
     std::int32_t begin = 0, end = 0;  ///< into the offsets
 };
 
 /// Pairs of loads from sum tables whose differences add up to less than 65536.
 struct SumBatch {
     std::int32_t begin = 0, end = 0;  ///< into the loads
-    float share = 1;  ///< of all voxels that are summed once this batch is
+    float share = 1;                  ///< of all voxels that are summed once this batch is
 };
 struct SumLoad {
     std::int32_t plus = 0, minus = 0;  ///< element offsets from the position
@@ -63,8 +63,9 @@ struct CollisionPlan {
     std::vector<Batch> batches;
 };
 
-/// Covers every widened voxel against its class's objects and every solid voxel against the walls, in pieces of
-/// 2^k voxels that may overlap. The first batch takes long pieces from all over the shape.
+/// Covers every widened voxel against its class's objects and every solid voxel against the walls,
+/// in pieces of 2^k voxels that may overlap. The first batch takes long pieces from all over the
+/// shape.
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables);
 
 struct SumPlan {
@@ -72,8 +73,8 @@ struct SumPlan {
     std::vector<SumBatch> batches;
 };
 
-/// Every solid voxel exactly once, long runs first, since they tell most for a load; runs are split so that no batch's
-/// sum can reach 65536 with phi <= most.
+/// Every solid voxel exactly once, long runs first, since they tell most for a load; runs are split
+/// so that no batch's sum can reach 65536 with phi <= most.
 SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most);
 
 }  // namespace spectralpack

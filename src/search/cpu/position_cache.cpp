@@ -33,7 +33,8 @@ void PositionState::open(int bz) {
     open_[static_cast<std::size_t>(bz)] = 1;
     std::fill_n(bound(0, 0, bz), bound_rows_ * bound_stride_, kDead);
     for (int row = 0; row < bound_rows_; ++row) {
-        std::fill_n(bound(0, row, bz), (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock, 0u);
+        std::fill_n(bound(0, row, bz), (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock,
+                    0u);
     }
     for (int by = 0; by < bricks_.y; ++by) {
         for (int bx = 0; bx < bricks_.x; ++bx) {
@@ -53,7 +54,8 @@ void PositionState::open(int bz) {
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     // Position q meets the box where q < hi and q + extent > lo.
     const VoxelBox touched = intersection(
-        {changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi}, whole(count_));
+        {changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi},
+        whole(count_));
     if (touched.empty()) return;
     constexpr int kBlock = TrayTables::kBlock;
     for (int z = touched.lo.z / kBlock; z <= (touched.hi.z - 1) / kBlock; ++z) {
@@ -80,8 +82,10 @@ std::int64_t PositionState::bytes_for(const Extent& count) {
 void PositionCache::make_room(std::int64_t bytes) {
     while (bytes_ + bytes > budget_ && !entries_.empty()) {
         const auto less_useful = [](const auto& a, const auto& b) {
-            const double worth_a = static_cast<double>(a.second.hits) / static_cast<double>(a.second.bytes + 1);
-            const double worth_b = static_cast<double>(b.second.hits) / static_cast<double>(b.second.bytes + 1);
+            const double worth_a =
+                static_cast<double>(a.second.hits) / static_cast<double>(a.second.bytes + 1);
+            const double worth_b =
+                static_cast<double>(b.second.hits) / static_cast<double>(b.second.bytes + 1);
             return worth_a != worth_b ? worth_a < worth_b : a.second.last_use < b.second.last_use;
         };
         const auto gone = std::min_element(entries_.begin(), entries_.end(), less_useful);
@@ -93,7 +97,8 @@ void PositionCache::make_room(std::int64_t bytes) {
     }
 }
 
-PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables) {
+PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray,
+                                        const TrayTables& tables) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
         const std::int64_t budget = std::exchange(budget_, 0);
@@ -131,6 +136,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         state.reset(count);
         fresh.states.push_back(std::move(state));
     }
+    fresh.runs.resize(fresh.states.size());
     fresh.version = tables.version();
     fresh.last_use = uses_;
     bytes_ += fresh.bytes;

@@ -1,11 +1,12 @@
 #pragma once
-/// What is known about the positions of a shape's orientations from earlier searches in the same tray, so that
-/// further copies only look at what could have changed.
+/// What is known about the positions of a shape's orientations from earlier searches in the same
+/// tray, so that further copies only look at what could have changed.
 ///
-/// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4. Invariants, as long
-/// as objects are only added:
+/// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4.
+/// Invariants, as long as objects are only added:
 ///   live: a clear bit is a position that collides. A set bit may or may not be free.
-///   bound: rho(q) >= bound for every free position q of the block, as of `version`; kDead: none is free, for good.
+///   bound: rho(q) >= bound for every free position q of the block, as of `version`; kDead: none is
+///   free, for good.
 /// Forgetting any of this costs time, never the answer.
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "search/cpu/plan.hpp"
 #include "search/cpu/tray_tables.hpp"
 #include "search/shape.hpp"
 
@@ -37,20 +39,22 @@ class PositionState {
     }
     /// The bounds of row `block_y` of blocks in brick layer bz, from brick bx on.
     std::uint32_t* bound(int bx, int block_y, int bz) {
-        return bound_.data() + (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bound_rows_) +
-                                static_cast<std::size_t>(block_y)) *
-                                   static_cast<std::size_t>(bound_stride_) +
+        return bound_.data() +
+               (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bound_rows_) +
+                static_cast<std::size_t>(block_y)) *
+                   static_cast<std::size_t>(bound_stride_) +
                static_cast<std::size_t>(bx * kBlocksX);
     }
     /// True once the brick's first batch of look-ups has been made.
     bool sifted(int bx, int by, int bz) const { return sifted_[brick(bx, by, bz)] != 0; }
     void set_sifted(int bx, int by, int bz) { sifted_[brick(bx, by, bz)] = 1; }
 
-    /// Prepares brick layer bz for use: at first all its candidates are live and all its bounds 0. Different layers
-    /// may be opened by different threads at once.
+    /// Prepares brick layer bz for use: at first all its candidates are live and all its bounds 0.
+    /// Different layers may be opened by different threads at once.
     void open(int bz);
 
-    /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it become 0.
+    /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
+    /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
 
     std::int64_t bytes() const;
@@ -79,14 +83,15 @@ class PositionCache {
 
     struct Entry {
         std::vector<PositionState> states;  ///< by orientation of the shape
+        std::vector<OrientationRuns> runs;  ///< likewise; made when first needed
         std::uint64_t version = 0;          ///< of the tables the bounds belong to
         std::int64_t bytes = 0;
         std::int64_t hits = 0;
         std::uint64_t last_use = 0;
     };
 
-    /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays until the next
-    /// call.
+    /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays
+    /// until the next call.
     Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables);
 
     std::int64_t bytes() const { return bytes_; }

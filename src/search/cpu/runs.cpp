@@ -14,7 +14,8 @@ Word word_at(const BitGrid& bits, int w, int y, int z) {
     return bits.row(y, z)[w];
 }
 
-/// Bits of word w of row (y, z) at which a run along `axis` starts: set, and the voxel before is not.
+/// Bits of word w of row (y, z) at which a run along `axis` starts: set, and the voxel before is
+/// not.
 Word run_starts(const BitGrid& bits, int axis, int w, int y, int z) {
     const Word word = bits.row(y, z)[w];
     if (axis == 0) return word & ~(word << 1 | word_at(bits, w - 1, y, z) >> 63);
@@ -26,9 +27,11 @@ int run_length(const BitGrid& bits, int axis, const VoxelIndex& start) {
         const Word bit = Word{1} << (start.x % 64);
         int length = 1;
         if (axis == 1) {
-            while (word_at(bits, start.x / 64, start.y + length, start.z) & bit) ++length;
+            while (word_at(bits, start.x / 64, start.y + length, start.z) & bit)
+                ++length;
         } else {
-            while (word_at(bits, start.x / 64, start.y, start.z + length) & bit) ++length;
+            while (word_at(bits, start.x / 64, start.y, start.z + length) & bit)
+                ++length;
         }
         return length;
     }
@@ -85,7 +88,8 @@ Runs fewest_runs(const BitGrid& bits) {
     const std::vector<std::int64_t> count = count_runs(bits);
     int best = 0;
     for (int axis = 1; axis < 3; ++axis) {
-        if (count[static_cast<std::size_t>(axis)] < count[static_cast<std::size_t>(best)]) best = axis;
+        if (count[static_cast<std::size_t>(axis)] < count[static_cast<std::size_t>(best)])
+            best = axis;
     }
     return runs_along(bits, best);
 }

@@ -1,7 +1,8 @@
 #pragma once
-/// A solid as straight runs of voxels along one axis: each voxel in exactly one run, no two runs touching end to
-/// end. What a run costs does not depend on its length, neither in the collision test nor in rho, so the axis
-/// with the fewest runs is taken: a plate has 20 times fewer along its plane than across it.
+/// A solid as straight runs of voxels along one axis: each voxel in exactly one run, no two runs
+/// touching end to end. What a run costs does not depend on its length, neither in the collision
+/// test nor in rho, so the axis with the fewest runs is taken: a plate has 20 times fewer along its
+/// plane than across it.
 
 #include <cstdint>
 #include <vector>

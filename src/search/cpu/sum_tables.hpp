@@ -1,16 +1,17 @@
 #pragma once
-/// Prefix sums of phi, or of phi pooled over blocks, along each axis, so that the sum over a run of voxels is the
-/// difference of two loads whatever its length.
+/// Prefix sums of phi, or of phi pooled over blocks, along each axis, so that the sum over a run of
+/// voxels is the difference of two loads whatever its length.
 ///
-/// With block size P (1, 2, 4, 8), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in the grid.
-/// Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16. Differences are exact as long
-/// as the true sum is below 65536; plan.cpp splits what is not.
+/// With block size P (1, 2, 4, 8), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
+/// the grid. Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
+/// Differences are exact as long as the true sum is below 65536; plan.cpp splits what is not.
 ///
-/// phi_P bounds rho from below on a whole block of positions: for every candidate q + d with d in [0, P)^3,
+/// phi_P bounds rho from below on a whole block of positions: for every candidate q + d with d in
+/// [0, P)^3,
 ///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_P(x + q),
-/// because x + q + d lies in the grid and is one of the voxels phi_P(x + q) is the least of. Positions are then only
-/// asked for at multiples of P, so that an element X lies at (X % P) * phase + X / P of its row: consecutive blocks
-/// are consecutive in memory.
+/// because x + q + d lies in the grid and is one of the voxels phi_P(x + q) is the least of.
+/// Positions are then only asked for at multiples of P, so that an element X lies at (X % P) *
+/// phase + X / P of its row: consecutive blocks are consecutive in memory.
 
 #include <cstdint>
 #include <vector>
@@ -23,7 +24,8 @@ namespace spectralpack {
 class SumTables {
   public:
     SumTables() = default;
-    /// Throws ResourceError when an offset would not fit 31 bits. Not right before the first update().
+    /// Throws ResourceError when an offset would not fit 31 bits. Not right before the first
+    /// update().
     SumTables(const Extent& grid, int block);
 
     /// Makes the tables right after phi changed within `changed`.
@@ -34,8 +36,11 @@ class SumTables {
     int block() const { return block_; }
     std::int64_t bytes() const { return static_cast<std::int64_t>(values_.size() * 2); }
 
-    /// The element of position (block bx, y, z) in table 0; displacements are added to it as offsets.
-    const std::uint16_t* base(int bx, int y, int z) const { return values_.data() + row(y, z) + bx; }
+    /// The element of position (block bx, y, z) in table 0; displacements are added to it as
+    /// offsets.
+    const std::uint16_t* base(int bx, int y, int z) const {
+        return values_.data() + row(y, z) + bx;
+    }
     /// Where displacement d along `axis` lies from a base; d >= 0.
     std::int32_t offset(int axis, const VoxelIndex& d) const {
         return static_cast<std::int32_t>(axis * table_ + row(d.y, d.z) + within(d.x));
@@ -58,7 +63,8 @@ class SumTables {
     int stride_ = 0;  // elements of a row
     std::int64_t table_ = 0;
     std::vector<std::uint16_t> values_;
-    std::vector<std::uint16_t> pooled_;  // phi_P, laid out as a table; empty for P = 1, where phi is it
+    std::vector<std::uint16_t>
+        pooled_;  // phi_P, laid out as a table; empty for P = 1, where phi is it
 };
 
 }  // namespace spectralpack

@@ -121,7 +121,8 @@ void TrayTables::check(const Tray& tray) const {
     for (int c = 0; c < tray.gap_classes(); ++c) {
         bits.refresh(c, tray.occupied(c), whole(n));
     }
-    if (bits.layers() > tray.gap_classes()) bits.refresh(tray.gap_classes(), tray.blocked(), whole(n));
+    if (bits.layers() > tray.gap_classes())
+        bits.refresh(tray.gap_classes(), tray.blocked(), whole(n));
     require(bits == bits_, "bit tables");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Everything the engine derives from a tray, brought up to date from the tray's journal: bit tables, phi, its
-/// prefix sums. Follows one tray at a time; a different one, or a wider margin, starts afresh.
+/// Everything the engine derives from a tray, brought up to date from the tray's journal: bit
+/// tables, phi, its prefix sums. Follows one tray at a time; a different one, or a wider margin,
+/// starts afresh.
 
 #include <cstdint>
 #include <vector>
@@ -18,7 +19,8 @@ class TrayTables {
     /// Blocks of positions that the coarse bound looks at.
     static constexpr int kBlock = 4;
 
-    /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond A.
+    /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
+    /// A.
     void follow(const Tray& tray, int margin, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
@@ -38,8 +40,8 @@ class TrayTables {
 
     std::int64_t bytes() const;
 
-    /// Recomputes everything from the tray and throws InternalError where it differs; debug builds do so now and
-    /// then by themselves.
+    /// Recomputes everything from the tray and throws InternalError where it differs; debug builds
+    /// do so now and then by themselves.
     void check(const Tray& tray) const;
 
   private:
@@ -52,8 +54,8 @@ class TrayTables {
     SumTables sums_, coarse_;
     std::vector<bool> layer_used_;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
-    std::uint64_t epoch_start_ = 0;            // version at which the epoch began
-    std::vector<VoxelBox> changes_;            // of phi, one for each version since then
+    std::uint64_t epoch_start_ = 0;  // version at which the epoch began
+    std::vector<VoxelBox> changes_;  // of phi, one for each version since then
 };
 
 }  // namespace spectralpack

@@ -1,0 +1,110 @@
+/// What is the cpu engine's own: many copies in larger trays, memory, instruction sets. That it
+/// answers the definition at all is engine_test.cpp's business.
+
+#include <gtest/gtest.h>
+
+#include "brute_force.hpp"
+#include "random_scene.hpp"
+#include "search/cpu/cpu_search.hpp"
+#include "search/cpu/kernels.hpp"
+#include "search/verifying_search.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+/// Trays of several bricks per axis, shapes from specks to a third of the tray.
+SceneLimits middling_scene() {
+    SceneLimits limits;
+    limits.least = {65, 9, 5};
+    limits.most = {90, 26, 17};
+    limits.shapes = 4;
+    limits.orientations = 2;
+    limits.objects = 3;
+    return limits;
+}
+
+/// Packs copies of every shape by turns until none fits or `most` are placed, now and then taking
+/// one out, and asks with changing cost models. Returns all answers.
+std::vector<SearchResult> pack_copies(PlacementSearch& search, Scene scene, RandomStream random,
+                                      int most) {
+    std::vector<SearchResult> answers;
+    for (int i = 0; i < most; ++i) {
+        const Shape& shape = scene.shapes[random.below(scene.shapes.size())];
+        const CostModel model = random_model(random);
+        answers.push_back(search.best_placement(scene.tray, shape, model, {}));
+        if (answers.back().best) {
+            place(scene, shape, answers.back().best->index, answers.back().best->position);
+        }
+        if (one_in(random, 15)) random_change(scene, random);
+    }
+    return answers;
+}
+
+TEST(CpuSearch, AnswersTheDefinitionForCopyAfterCopy) {
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        const Scene scene = random_scene(random, middling_scene());
+        VerifyingSearch search(make_cpu_search({}, Workers(2)),
+                               std::make_unique<BruteForceSearch>(), {});
+        EXPECT_NO_THROW(pack_copies(search, scene, random, 25));
+    }
+}
+
+TEST(CpuSearch, AnswersAlikeWhateverItMayRemember) {
+    RandomStream random(10);
+    SceneLimits limits = middling_scene();
+    limits.shapes = 6;
+    for (int i = 0; i < 3; ++i) {
+        const Scene scene = random_scene(random, limits);
+        std::vector<std::vector<SearchResult>> all;
+        for (const std::int64_t memory :
+             {std::int64_t{0}, std::int64_t{20'000}, std::int64_t{1} << 28}) {
+            const auto search = make_cpu_search({memory}, Workers(2));
+            all.push_back(pack_copies(*search, scene, random, 60));
+        }
+        for (std::size_t k = 0; k < all[0].size(); ++k) {
+            EXPECT_EQ(all[0][k].best, all[1][k].best);
+            EXPECT_EQ(all[0][k].best, all[2][k].best);
+        }
+    }
+}
+
+TEST(CpuSearch, RemembersWithinItsMemory) {
+    RandomStream random(11);
+    SceneLimits limits = middling_scene();
+    limits.shapes = 8;
+    const Scene scene = random_scene(random, limits);
+    const auto none = make_cpu_search({0}, Workers(1));
+    const auto some = make_cpu_search({40'000}, Workers(1));
+    const auto all = make_cpu_search({}, Workers(1));
+    pack_copies(*none, scene, random, 30);
+    pack_copies(*some, scene, random, 30);
+    pack_copies(*all, scene, random, 30);
+    EXPECT_LE(some->memory(), all->memory());
+    // One shape's states are always held while it is searched for.
+    EXPECT_LT(none->memory(), all->memory());
+}
+
+TEST(CpuSearch, AnswersAlikeOnEveryInstructionSet) {
+    EXPECT_FALSE(instruction_sets().empty());
+    RandomStream random(12);
+    const Scene scene = random_scene(random, middling_scene());
+    std::vector<std::vector<SearchResult>> all;
+    for (const std::string& name : instruction_sets()) {
+        SCOPED_TRACE(name);
+        use_instruction_set(name);
+        VerifyingSearch search(make_cpu_search({}, Workers(2)),
+                               std::make_unique<BruteForceSearch>(), {});
+        EXPECT_NO_THROW(all.push_back(pack_copies(search, scene, random, 20)));
+    }
+    use_instruction_set("");
+    for (const auto& answers : all) {
+        for (std::size_t k = 0; k < all[0].size(); ++k) {
+            EXPECT_EQ(answers[k].best, all[0][k].best);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace spectralpack::test
