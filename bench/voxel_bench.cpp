@@ -128,27 +128,6 @@ void widen_mixtures(benchmark::State& state) {
     }
 }
 
-/// With the default gap of 0.2 mm.
-void widen_mixtures_in_24_orientations(benchmark::State& state) {
-    const Workers workers(static_cast<int>(state.range(0)));
-    const std::vector<Mat3> turns = axis_turns();
-    if (mixtures().empty()) state.SkipWithError("the benchmark data is not here");
-    std::vector<std::vector<OrientedVoxels>> voxels;
-    for (const Mesh& mesh : mixtures()) {
-        voxels.push_back(voxelize_orientations(mesh, turns, 2, workers));
-    }
-    for (auto _ : state) {
-        for (std::size_t i = 0; i < voxels.size(); ++i) {
-            std::vector<const BitGrid*> solids;
-            for (const OrientedVoxels& v : voxels[i]) {
-                solids.push_back(&v.solid);
-            }
-            benchmark::DoNotOptimize(
-                widen_orientations(solids, mixtures()[i], turns, 2, 0.2, workers));
-        }
-    }
-}
-
 /// phi of a tray of 480 x 245 x 200 mm at 2 mm, as full as a packing is.
 void distance_field(benchmark::State& state) {
     RandomStream random(1);
@@ -173,11 +152,6 @@ BENCHMARK(voxelize_mixtures_in_24_orientations)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK(widen_mixtures)->Arg(2)->Arg(10)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(widen_mixtures_in_24_orientations)
-    ->Arg(1)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
 BENCHMARK(distance_field)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

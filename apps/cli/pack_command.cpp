@@ -300,8 +300,8 @@ Command add_pack_command(CLI::App& app) {
         ->group(search);
     sub->add_option("--order", a.order, "which copies first: size, input, random [size]")->group(search);
     sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
-    sub->add_flag("--refine", a.refine, "slide copies together off the grid (not built yet)")->group(search);
-    sub->add_flag("--no-refine", a.no_refine, "stay on the grid (the default for now)")->group(search);
+    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes")->group(search);
+    sub->add_flag("--no-refine", a.no_refine, "stay on the grid [the default for now]")->group(search);
     sub->add_option("--interlock", a.interlock, "keep copies from locking: off (post, place: not built yet) [off]")
         ->group(search);
     const std::string run = "Run";

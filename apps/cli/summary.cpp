@@ -67,9 +67,11 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     fmt::print("  height     {} mm\n", length_text(tray.height));
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
                length_text(packing.options.wall_gap));
-    fmt::print("  time       {} (loading {}, voxels {}, search {}; {} searches, {} on {} thread{})\n",
+    const std::string refining =
+        packing.options.refine ? fmt::format(", refining {}", duration_text(seconds.refine)) : "";
+    fmt::print("  time       {} (loading {}, voxels {}, search {}{}; {} searches, {} on {} thread{})\n",
                duration_text(seconds.total), duration_text(seconds.load), duration_text(seconds.voxelize),
-               duration_text(seconds.search), metrics.searches, metrics.engine, metrics.threads,
+               duration_text(seconds.search), refining, metrics.searches, metrics.engine, metrics.threads,
                metrics.threads == 1 ? "" : "s");
     fmt::print("  memory     {} at peak\n", bytes_text(metrics.peak_memory));
     if (packing.options.verify_with) {

@@ -12,12 +12,17 @@
 #include "api/plan.hpp"
 #include "packing/greedy.hpp"
 #include "packing/measure.hpp"
+#include "packing/refinement.hpp"
 #include "search/verifying_search.hpp"
 
 namespace spectralpack {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Section 3.2: moves of at most two voxels along an axis, three rounds of x, y and z.
+constexpr double kLongestMove = 2;
+constexpr int kRefineRounds = 3;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -96,10 +101,8 @@ class Run {
             plan_.items,
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
-                const double mm = loaded_.parts[i].to_mm();
-                const Mesh mesh = transformed(*loaded_.meshes[i], {mm * Mat3{}, {}});
                 return std::make_shared<const Shape>(
-                    make_shape(ids[i], mesh, plan_.orientations, options.voxel, loaded_.parts[i].gap,
+                    make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel, loaded_.parts[i].gap,
                                plan_.gap_classes, workers_));
             },
             workers_, [&](double seconds) { seconds_.voxelize += seconds; });
@@ -113,13 +116,29 @@ class Run {
         const CostModel model{plan_.height_penalty, options.height_at == HeightReference::top
                                                         ? HeightAt::top
                                                         : HeightAt::bottom};
+        std::unique_ptr<Refinement> refinement;
+        if (options.refine) {
+            refinement = std::make_unique<Refinement>(
+                RefineSetup{options.tray, options.wall_gap, kLongestMove * options.voxel, kRefineRounds},
+                plan_.orientations, options.voxel,
+                [&](int part) {
+                    const auto i = static_cast<std::size_t>(part);
+                    return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap};
+                },
+                workers_);
+        }
+        const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
+            return refinement ? refinement->settle(item, shape, best)
+                              : stand_on_grid(shape, best, options.voxel, options.wall_gap);
+        };
         const auto finish = [&] {
-            seconds_.search = seconds_since(start) - seconds_.voxelize;
+            if (refinement) seconds_.refine = refinement->seconds();
+            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
             if (verifying) verified_ = verifying->verified();
         };
         try {
             pack_greedily(
-                tray, *engine, model, plan_.items, shapes,
+                tray, *engine, model, plan_.items, shapes, settle,
                 [&](std::size_t done) {
                     for (; placed < greedy.placed.size(); ++placed) {
                         volume += loaded_.parts[static_cast<std::size_t>(greedy.placed[placed].item.part)]
@@ -137,14 +156,15 @@ class Run {
         finish();
     }
 
+    /// A part's mesh in millimetres, not turned.
+    Mesh scaled_mesh(std::size_t part) const {
+        return transformed(*loaded_.meshes[part], {loaded_.parts[part].to_mm() * Mat3{}, {}});
+    }
+
     /// The transform from the mesh file's own coordinates to where the copy stands.
     Transform transform_of(const PlacedItem& placed) const {
         const double mm = loaded_.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
-        const double dx = job_.options.voxel, wall = job_.options.wall_gap;
-        const Vec3 corner{wall + placed.position.x * dx, wall + placed.position.y * dx,
-                          wall + placed.position.z * dx};
-        return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)],
-                corner - placed.turned_min};
+        return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
     Packing packing_of(const GreedyResult& greedy, const PackResult& result) {

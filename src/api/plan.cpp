@@ -148,7 +148,6 @@ void check_options(const PackOptions& options) {
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
     if (options.memory < 0) throw UsageError("--memory must be a number of bytes");
     if (options.time_limit) not_negative(*options.time_limit, "--time-limit");
-    if (options.refine) throw UsageError("--refine is not built yet");
     if (options.interlock != Interlock::off) {
         throw UsageError("--interlock post and place are not built yet: only off");
     }

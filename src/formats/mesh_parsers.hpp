@@ -29,6 +29,7 @@ std::vector<ParsedMesh> parse_stl(const MeshSource& source);
 std::vector<ParsedMesh> parse_obj(const MeshSource& source);
 std::vector<ParsedMesh> parse_ply(const MeshSource& source);
 std::vector<ParsedMesh> parse_off(const MeshSource& source);
+std::vector<ParsedMesh> parse_binvox(const MeshSource& source);
 std::vector<ParsedMesh> parse_3mf(const MeshSource& source);
 
 /// A mesh's vertices and triangles are counted in 32 bits; also a triangle soup's, three to a

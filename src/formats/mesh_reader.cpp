@@ -13,11 +13,9 @@ namespace {
 
 using Parser = std::vector<ParsedMesh> (*)(const MeshSource&);
 
-constexpr std::pair<std::string_view, Parser> kParsers[] = {{".stl", parse_stl},
-                                                            {".obj", parse_obj},
-                                                            {".3mf", parse_3mf},
-                                                            {".ply", parse_ply},
-                                                            {".off", parse_off}};
+constexpr std::pair<std::string_view, Parser> kParsers[] = {
+    {".stl", parse_stl}, {".obj", parse_obj}, {".3mf", parse_3mf},
+    {".ply", parse_ply}, {".off", parse_off}, {".binvox", parse_binvox}};
 
 std::string lower_case_ending(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -39,6 +37,7 @@ Parser parser_by_ending(const std::filesystem::path& path) {
 Parser parser_by_content(std::string_view bytes) {
     if (bytes.starts_with("PK\x03\x04")) return parse_3mf;
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return parse_ply;
+    if (bytes.starts_with("#binvox")) return parse_binvox;
     if (bytes.starts_with("OFF\n") || bytes.starts_with("OFF\r")) return parse_off;
     return nullptr;
 }
@@ -66,7 +65,7 @@ std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double de
     if (parser && bytes.view().empty()) throw InputError(path.string(), "", "the file is empty");
     if (!parser) {
         throw InputError(path.string(), "",
-                         "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF)");
+                         "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF, binvox)");
     }
     std::vector<LoadedMesh> meshes;
     for (ParsedMesh& parsed : parser({path.string(), path.stem().string(), bytes.view()})) {

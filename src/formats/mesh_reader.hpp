@@ -24,7 +24,7 @@ struct LoadedMesh {
     std::vector<std::string> warnings;  ///< what the user should look at, in words
 };
 
-/// Reads STL (binary, ASCII), OBJ, PLY, OFF and 3MF. Several objects of a 3MF are elements of their
+/// Reads STL (binary, ASCII), OBJ, PLY, OFF, 3MF and binvox (its voxels' faces). Several objects of a 3MF are elements of their
 /// own, in file order. Meshes come out welded (equal coordinates are one vertex), without zero-area
 /// and duplicate facets, closed shells turned outwards; each such repair is told. Throws InputError
 /// naming file, place and cause for what cannot be used: unreadable, truncated, not finite, no

@@ -17,14 +17,18 @@ constexpr double kCubicMillimetresPerCubicCentimetre = 1000;
 
 /// What became of the copies of one part.
 struct PartOutcome {
+    struct LeftOver {
+        int copies = 0;
+        std::string detail;  ///< of the first copy that has one
+    };
+
     int placed = 0;
-    std::map<UnplacedReason, int> left_over;
-    std::string detail;  ///< of the first copy left over that has one
+    std::map<UnplacedReason, LeftOver> left_over;
 
     int left_over_count() const {
         int count = 0;
-        for (const auto& [reason, copies] : left_over) {
-            count += copies;
+        for (const auto& [reason, some] : left_over) {
+            count += some.copies;
         }
         return count;
     }
@@ -38,32 +42,47 @@ std::vector<PartOutcome> outcomes_of(const Packing& packing) {
         }
     }
     for (const Unplaced& copy : packing.unplaced) {
-        PartOutcome& outcome = outcomes.at(static_cast<std::size_t>(copy.part));
-        ++outcome.left_over[copy.reason];
-        if (outcome.detail.empty()) outcome.detail = copy.detail;
+        auto& some = outcomes.at(static_cast<std::size_t>(copy.part)).left_over[copy.reason];
+        ++some.copies;
+        if (some.detail.empty()) some.detail = copy.detail;
     }
     return outcomes;
 }
 
 const char* in_words(UnplacedReason reason) {
     switch (reason) {
-        case UnplacedReason::tray_full: return "no free place left";
-        case UnplacedReason::too_large: return "too large";
-        case UnplacedReason::interlocked: return "interlocked";
-        case UnplacedReason::unusable: return "unusable";
-        case UnplacedReason::stopped: return "not tried";
+        case UnplacedReason::tray_full:
+            return "no free place left";
+        case UnplacedReason::too_large:
+            return "too large";
+        case UnplacedReason::interlocked:
+            return "interlocked";
+        case UnplacedReason::unusable:
+            return "unusable";
+        case UnplacedReason::stopped:
+            return "not tried";
     }
     return "";
 }
 
+std::string joined(const std::vector<std::string>& texts) {
+    std::string line;
+    for (const std::string& text : texts) {
+        line += (line.empty() ? "" : "; ") + text;
+    }
+    return line;
+}
+
 std::string base64(const std::string& bytes) {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static constexpr char kDigits[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     text.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned group = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
         }
         for (int shift = 18; shift >= 0; shift -= 6) {
             text += kDigits[group >> shift & 63];
@@ -81,10 +100,10 @@ std::string layer_plot(const TrayPacking& tray, const Container& container) {
     const std::vector<double>& area = tray.layers.area;
     if (area.empty()) return "";
     const double full = container.size.x * container.size.y;
-    const double bar = kHeight / static_cast<double>(area.size());
+    const double bar = kHeight * tray.layers.thickness / container.size.z;
     std::string svg = fmt::format(
-        "<svg viewBox=\"-44 -8 {} {}\" width=\"440\" role=\"img\"><title>Area of each layer</title>\n", kWidth + 60,
-        kHeight + 44);
+        "<svg viewBox=\"-52 -8 {} {}\" role=\"img\"><title>Area of each layer</title>\n",
+        kWidth + 80, kHeight + 44);
     for (int percent = 0; percent <= 100; percent += 25) {
         const double x = kWidth * percent / 100;
         svg += fmt::format(
@@ -93,15 +112,20 @@ std::string layer_plot(const TrayPacking& tray, const Container& container) {
             x, kHeight, kHeight + 16, percent);
     }
     for (std::size_t layer = 0; layer < area.size(); ++layer) {
+        const double bottom = kHeight - bar * static_cast<double>(layer);
+        const double top = std::max(0.0, bottom - bar);  // the last layer may be cut
         svg += fmt::format("<rect x=\"0\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
-                           kHeight - bar * static_cast<double>(layer + 1),
-                           kWidth * std::clamp(area[layer] / full, 0.0, 1.0), bar);
+                           top, kWidth * std::clamp(area[layer] / full, 0.0, 1.0),
+                           std::max(0.0, bottom - top));
     }
     svg += fmt::format(
-        "<text x=\"-6\" y=\"{}\" text-anchor=\"end\">0 mm</text><text x=\"-6\" y=\"8\" text-anchor=\"end\">{:g}</text>\n",
+        "<text x=\"-6\" y=\"{}\" text-anchor=\"end\">0 mm</text><text x=\"-6\" y=\"8\" "
+        "text-anchor=\"end\">{:g}</text>\n",
         kHeight, container.size.z);
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">area of the layer ÷ area of the tray</text></svg>\n",
-                       kWidth / 2, kHeight + 32);
+    svg += fmt::format(
+        "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">area of the layer ÷ area of the "
+        "tray</text></svg>\n",
+        kWidth / 2, kHeight + 32);
     return svg;
 }
 
@@ -113,9 +137,18 @@ table { border-collapse: collapse; width: 100%; } th, td { text-align: left; pad
 th { border-bottom: 1px solid #98a2b3; } td { border-bottom: 1px solid #e4e7ec; vertical-align: top; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 .warn { background: #fff4e5; border-left: 4px solid #d97706; padding: .5rem .8rem; }
-svg { margin-top: 1rem; } svg rect { fill: #3b6fb6; } svg text { font-size: 11px; fill: #475467; }
+.cols { display: flex; gap: 2.5rem; align-items: flex-start; } .cols table, .cols svg { flex: 1; min-width: 0; }
+tfoot td { font-weight: 600; border-bottom: 0; } svg rect { fill: #3b6fb6; } svg text { font-size: 11px; fill: #475467; }
 svg .grid { stroke: #d0d5dd; stroke-width: 1; }
-@media print { body { margin: 0; max-width: none; } h2 { break-after: avoid; } tr, img, svg { break-inside: avoid; } }
+td { overflow-wrap: anywhere; }
+@media (max-width: 40rem) { .cols { display: block; } svg { margin-top: 1rem; } }
+@page { margin: 14mm; }
+@media print {
+  body { font-size: 10.5pt; margin: 0; padding: 0; max-width: none; }
+  h2 { break-after: avoid; } tr, img, .cols { break-inside: avoid; } thead { display: table-header-group; }
+  img { display: block; max-height: 120mm; margin: 0 auto; }
+  .warn, svg rect, img { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
 )";
 
 class HtmlReport {
@@ -127,18 +160,22 @@ class HtmlReport {
         const Vec3& size = packing_.container.size;
         add("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-            "<title>Packing report</title><style>{}</style></head><body>\n", kStyle);
-        add("<h1>{} of {} copies in {:g} × {:g} × {:g} mm</h1>\n", packing_.metrics.placed, packing_.metrics.copies,
-            size.x, size.y, size.z);
-        add("<p class=\"warn\">Interlocking was not checked: some parts may not come apart after printing.</p>\n");
+            "<title>Packing report</title><style>{}</style></head><body>\n",
+            kStyle);
+        add("<h1>{} of {} copies in {:g} × {:g} × {:g} mm</h1>\n", packing_.metrics.placed,
+            packing_.metrics.copies, size.x, size.y, size.z);
+        add("<p class=\"warn\">Interlocking was not checked: some parts may not come apart after "
+            "printing.</p>\n");
         for (std::size_t i = 0; i < packing_.trays.size(); ++i) {
             tray(i);
         }
         parts();
         left_over();
-        add("<p><small>{}, voxels of {:g} mm, gap {:g} mm, engine {}, {:.1f} s. Input {}.</small></p>\n",
-            xml_attribute(packing_.program), packing_.options.voxel, packing_.options.gap, packing_.metrics.engine,
-            packing_.metrics.seconds.total, xml_attribute(packing_.input_hash));
+        add("<p><small>{}, voxels of {:g} mm, gap {:g} mm, engine {}, {:.1f} s. Input "
+            "{}.</small></p>\n",
+            xml_attribute(packing_.program), packing_.options.voxel, packing_.options.gap,
+            xml_attribute(packing_.metrics.engine), packing_.metrics.seconds.total,
+            xml_attribute(packing_.input_hash));
         add("</body></html>\n");
         return std::move(text_);
     }
@@ -159,55 +196,80 @@ class HtmlReport {
         const double container = size.x * size.y * size.z;
         if (packing_.trays.size() > 1) add("<h2>Tray {}</h2>\n", index + 1);
         if (index < extras_.pictures.size() && !extras_.pictures[index].empty()) {
-            add("<img alt=\"The packed tray\" src=\"data:image/png;base64,{}\">\n", base64(extras_.pictures[index]));
+            add("<img alt=\"The packed tray\" src=\"data:image/png;base64,{}\">\n",
+                base64(extras_.pictures[index]));
         }
-        add("<h2>Figures</h2>\n<table>\n");
+        add("<h2>Figures</h2>\n<div class=\"cols\"><table>\n");
         row("Copies", fmt::format("{}", tray.placements.size()));
         row("Density by volume", fmt::format("{:.1f} %", 100 * tray.density));
-        row("Density in the packing's own box", fmt::format("{:.1f} %", 100 * tray.density_bounding_box));
+        row("Density in the packing's own box",
+            fmt::format("{:.1f} %", 100 * tray.density_bounding_box));
         row("Height", fmt::format("{:g} mm", tray.height));
-        row("Volume", fmt::format("{:.1f} cm³", tray.density * container / kCubicMillimetresPerCubicCentimetre));
+        row("Volume", fmt::format("{:.1f} cm³",
+                                  tray.density * container / kCubicMillimetresPerCubicCentimetre));
         if (extras_.material_density) {
-            row("Mass", fmt::format("{:.1f} g", tray.density * container / kCubicMillimetresPerCubicCentimetre *
+            row("Mass", fmt::format("{:.1f} g", tray.density * container /
+                                                    kCubicMillimetresPerCubicCentimetre *
                                                     *extras_.material_density));
-            row("Density by mass", fmt::format("{:.3f} g/cm³ of the container", tray.density * *extras_.material_density));
+            row("Density by mass", fmt::format("{:.3f} g/cm³ of the container",
+                                               tray.density * *extras_.material_density));
         }
-        add("</table>\n{}", layer_plot(tray, packing_.container));
+        add("</table>\n{}</div>\n", layer_plot(tray, packing_.container));
     }
 
     void parts() {
-        add("<h2>Parts</h2>\n<table><tr><th>Part</th><th class=\"n\">Placed</th><th class=\"n\">Left over</th>"
-            "<th class=\"n\">Volume each, cm³</th>{}<th>Mended on loading</th></tr>\n",
-            extras_.material_density ? "<th class=\"n\">Mass placed, g</th>" : "");
+        const bool masses = extras_.material_density.has_value();
+        add("<h2>Parts</h2>\n<table><thead><tr><th>Part</th><th class=\"n\">Copies</th><th "
+            "class=\"n\">Placed</th>"
+            "<th class=\"n\">Left over</th><th class=\"n\">Volume each, cm³</th>{}<th>Mended on "
+            "loading</th></tr>"
+            "</thead><tbody>\n",
+            masses ? "<th class=\"n\">Mass placed, g</th>" : "");
+        std::int64_t copies = 0, placed = 0;
+        double mass = 0;
         for (std::size_t i = 0; i < packing_.parts.size(); ++i) {
             const Part& part = packing_.parts[i];
-            std::string repairs;
-            for (const std::string& repair : part.repairs) {
-                repairs += (repairs.empty() ? "" : "; ") + repair;
-            }
-            const double volume = part.volume / kCubicMillimetresPerCubicCentimetre;
-            const std::string mass =
-                extras_.material_density
-                    ? fmt::format("<td class=\"n\">{:.2f}</td>", outcomes_[i].placed * volume * *extras_.material_density)
-                    : "";
-            add("<tr><td>{}{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f}</td>{}<td>{}</td></tr>\n",
+            const double part_mass = outcomes_[i].placed * mass_of_one(part);
+            copies += part.count;
+            placed += outcomes_[i].placed;
+            mass += part_mass;
+            add("<tr><td>{}{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
+                "class=\"n\">{}</td>"
+                "<td class=\"n\">{}</td>{}<td>{}</td></tr>\n",
                 xml_attribute(part.name), part.scale == 1 ? "" : fmt::format(" × {:g}", part.scale),
-                outcomes_[i].placed, outcomes_[i].left_over_count(), volume, mass, xml_attribute(repairs));
+                part.count, outcomes_[i].placed, outcomes_[i].left_over_count(),
+                part.volume == 0
+                    ? "–"
+                    : fmt::format("{:.2f}", part.volume / kCubicMillimetresPerCubicCentimetre),
+                mass_cell(part_mass), xml_attribute(joined(part.repairs)));
         }
-        add("</table>\n");
+        add("</tbody><tfoot><tr><td>Together</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
+            "<td class=\"n\">{}</td><td></td>{}<td></td></tr></tfoot></table>\n",
+            copies, placed, packing_.unplaced.size(), mass_cell(mass));
+    }
+
+    double mass_of_one(const Part& part) const {
+        return part.volume / kCubicMillimetresPerCubicCentimetre *
+               extras_.material_density.value_or(0);
+    }
+
+    std::string mass_cell(double mass) const {
+        return extras_.material_density ? fmt::format("<td class=\"n\">{:.2f}</td>", mass) : "";
     }
 
     void left_over() {
         if (packing_.unplaced.empty()) return;
-        add("<h2>Left over</h2>\n<table><tr><th>Part</th><th class=\"n\">Copies</th><th>Why</th></tr>\n");
+        add("<h2>Left over</h2>\n<table><thead><tr><th>Part</th><th "
+            "class=\"n\">Copies</th><th>Why</th></tr></thead>"
+            "<tbody>\n");
         for (std::size_t i = 0; i < outcomes_.size(); ++i) {
-            for (const auto& [reason, copies] : outcomes_[i].left_over) {
-                const std::string& detail = outcomes_[i].detail;
-                add("<tr><td>{}</td><td class=\"n\">{}</td><td>{}{}</td></tr>\n", xml_attribute(packing_.parts[i].name),
-                    copies, in_words(reason), detail.empty() ? "" : ": " + xml_attribute(detail));
+            for (const auto& [reason, some] : outcomes_[i].left_over) {
+                add("<tr><td>{}</td><td class=\"n\">{}</td><td>{}{}</td></tr>\n",
+                    xml_attribute(packing_.parts[i].name), some.copies, in_words(reason),
+                    some.detail.empty() ? "" : ": " + xml_attribute(some.detail));
             }
         }
-        add("</table>\n");
+        add("</tbody></table>\n");
     }
 
     const Packing& packing_;
@@ -228,16 +290,19 @@ std::string report_csv(const Packing& packing, const ReportExtras& extras) {
     for (std::size_t i = 0; i < packing.parts.size(); ++i) {
         const Part& part = packing.parts[i];
         std::string reasons;
-        for (const auto& [reason, copies] : outcomes[i].left_over) {
-            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", copies, name_of(kReasonNames, reason));
+        for (const auto& [reason, some] : outcomes[i].left_over) {
+            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies,
+                                   name_of(kReasonNames, reason));
         }
         const std::string mass =
             extras.material_density
-                ? fmt::format("{}", part.volume / kCubicMillimetresPerCubicCentimetre * *extras.material_density)
+                ? fmt::format("{}", part.volume / kCubicMillimetresPerCubicCentimetre *
+                                        *extras.material_density)
                 : "";
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\r\n", i, csv_field(part.name),
-                       csv_field(part.mesh), part.scale, part.count, outcomes[i].placed,
-                       outcomes[i].left_over_count(), csv_field(reasons), part.volume, mass);
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\r\n", i,
+                       csv_field(part.name), csv_field(part.mesh), part.scale, part.count,
+                       outcomes[i].placed, outcomes[i].left_over_count(), csv_field(reasons),
+                       part.volume, mass);
     }
     return text;
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <map>
-#include <set>
 
 #include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
@@ -24,8 +23,13 @@ constexpr std::string_view kModelRelationship =
 constexpr std::uint64_t kFreeBytes = 16 << 20, kMostGrowth = 100;
 /// Objects of components may nest this deep ...
 constexpr int kMostLevels = 32;
-/// ... and components and items may add this many instances and triangles to those the file holds.
-constexpr std::uint64_t kMostInstances = 100'000, kMostCopiedTriangles = 32'000'000;
+/// ... and copies, by items that turn an object differently and by components, may come to so many
+/// objects, and to so many triangles beside so many times those the file holds (6,596 copies of 549
+/// meshes: 12 times).
+constexpr std::uint64_t kMostObjects = 1'000'000, kFreeTriangles = 4'000'000, kMostRepeats = 32;
+
+/// Sums saturate here, so that a small file cannot wrap them.
+constexpr std::uint64_t kPlenty = std::uint64_t{1} << 40;
 
 class RelationshipParser : public XmlHandler {
   public:
@@ -130,6 +134,9 @@ class Reader {
         if (entry != root_ && part.unit != parts_.at(root_).unit) {
             throw InputError(source_.file, entry, "its unit is not that of " + root_);
         }
+        for (const auto& [key, object] : part.objects) {
+            held_triangles_ += object.mesh.triangles.size();
+        }
         parts_.emplace(entry, std::move(part));
     }
 
@@ -149,11 +156,11 @@ class Reader {
         loaded.item_transform = item.transform;
         loaded.unit = parts_.at(root_).unit;
         const Extent extent = extent_of(item.object, 0);
-        if (extent.objects > 1 || !meshes_used_.insert(item.object).second) {
-            copied_triangles_ += extent.triangles;
-        }
-        if (extent.objects > kMostInstances || copied_triangles_ > kMostCopiedTriangles) {
-            fail(item.object, "its components multiply beyond measure");
+        objects_ += extent.objects;
+        triangles_ += extent.triangles;
+        if (objects_ > kMostObjects ||
+            triangles_ > kFreeTriangles + kMostRepeats * held_triangles_) {
+            fail(item.object, "its components and items multiply beyond measure");
         }
         append(loaded.mesh, item.object, item.transform);
         return loaded;
@@ -163,7 +170,7 @@ class Reader {
         return key.part == root_ ? key.id : key.part + "#" + key.id;
     }
 
-    /// Each object once; numbers saturate, so that a small file cannot wrap them.
+    /// Each object once.
     Extent extent_of(const ObjectKey& key, int level) {
         if (const auto known = extents_.find(key); known != extents_.end()) return known->second;
         if (level > kMostLevels)
@@ -172,9 +179,8 @@ class Reader {
         Extent extent{1, object.mesh.triangles.size()};
         for (const ModelComponent& component : object.components) {
             const Extent part = extent_of(component.object, level + 1);
-            extent.objects = std::min(extent.objects + part.objects, kMostInstances + 1);
-            extent.triangles =
-                std::min(extent.triangles + part.triangles, kMostCopiedTriangles + 1);
+            extent.objects = std::min(extent.objects + part.objects, kPlenty);
+            extent.triangles = std::min(extent.triangles + part.triangles, kPlenty);
         }
         extents_.emplace(key, extent);
         return extent;
@@ -217,8 +223,8 @@ class Reader {
     std::string root_;
     std::map<std::string, ModelPart> parts_;
     std::map<ObjectKey, Extent> extents_;
-    std::set<ObjectKey> meshes_used_;
-    std::uint64_t copied_triangles_ = 0;
+    std::uint64_t held_triangles_ = 0;           ///< of the parts read so far
+    std::uint64_t objects_ = 0, triangles_ = 0;  ///< of what was loaded, copies included
 };
 
 }  // namespace

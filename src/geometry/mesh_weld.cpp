@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 namespace spectralpack {
@@ -107,25 +108,28 @@ std::size_t weld_equal_vertices(Mesh& mesh) {
 std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& candidates,
                                double tolerance) {
     if (candidates.empty() || !(tolerance > 0)) return 0;
-    const auto cell_of = [&](const Vec3& p, int axis) {
-        return static_cast<std::uint64_t>(
-            static_cast<std::int64_t>(std::floor(p[axis] / tolerance)));
-    };
-    std::unordered_multimap<std::uint64_t, std::uint32_t> cells;
+    // Cells of twice the tolerance: what is near lies in the same cell or in the nearer neighbour,
+    // per axis.
+    std::unordered_multimap<std::uint64_t, std::uint32_t> cells(candidates.size());
     std::vector<std::uint32_t> target(mesh.vertices.size());
-    for (std::size_t i = 0; i < target.size(); ++i) {
-        target[i] = static_cast<std::uint32_t>(i);
-    }
+    std::iota(target.begin(), target.end(), std::uint32_t{0});
     std::size_t merged = 0;
     for (const std::uint32_t vertex : candidates) {
         const Vec3& point = mesh.vertices[vertex];
-        const std::uint64_t x = cell_of(point, 0), y = cell_of(point, 1), z = cell_of(point, 2);
+        std::int64_t cell[3][2];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = point[axis] / (2 * tolerance), floor = std::floor(at);
+            cell[axis][0] = static_cast<std::int64_t>(floor);
+            cell[axis][1] = cell[axis][0] + (at - floor < 0.5 ? -1 : 1);
+        }
+        const auto key_of = [&](unsigned corner) {
+            return mixed(static_cast<std::uint64_t>(cell[0][corner & 1]),
+                         static_cast<std::uint64_t>(cell[1][corner >> 1 & 1]),
+                         static_cast<std::uint64_t>(cell[2][corner >> 2]));
+        };
         std::uint32_t found = kNone;
-        for (int neighbour = 0; neighbour < 27; ++neighbour) {
-            const auto key = mixed(x + static_cast<std::uint64_t>(neighbour % 3) - 1,
-                                   y + static_cast<std::uint64_t>(neighbour / 3 % 3) - 1,
-                                   z + static_cast<std::uint64_t>(neighbour / 9) - 1);
-            const auto [begin, end] = cells.equal_range(key);
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            const auto [begin, end] = cells.equal_range(key_of(corner));
             for (auto it = begin; it != end; ++it) {
                 if (it->second < found && length(mesh.vertices[it->second] - point) <= tolerance) {
                     found = it->second;
@@ -133,7 +137,7 @@ std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& can
             }
         }
         if (found == kNone) {
-            cells.emplace(mixed(x, y, z), vertex);
+            cells.emplace(key_of(0), vertex);
         } else {
             target[vertex] = found;
             ++merged;

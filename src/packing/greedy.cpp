@@ -1,12 +1,13 @@
 #include "packing/greedy.hpp"
 
 #include <unordered_set>
+#include <utility>
 
 namespace spectralpack {
 
 void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
-                   const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-                   const StopToken& stop, GreedyResult& result) {
+                   const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
+                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result) {
     std::unordered_set<int> hopeless;  // parts that found no place
     for (std::size_t i = 0; i < items.size(); ++i) {
         const PackItem& item = items[i];
@@ -27,10 +28,10 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
             if (found.best) {
                 const OrientedShape& oriented =
                     shape.orientations[static_cast<std::size_t>(found.best->index)];
-                const ObjectId object =
-                    tray.add({oriented.solid, found.best->position, shape.gap_class, false});
-                result.placed.push_back({item, oriented.orientation, found.best->position, oriented.min,
-                                         object, found.best->cost});
+                Standing standing = settle(item, shape, *found.best);
+                const ObjectId object = tray.add(std::move(standing.object));
+                result.placed.push_back({item, oriented.orientation, found.best->position,
+                                         standing.offset, object, found.best->cost});
             } else {
                 hopeless.insert(item.part);
                 result.left_over.push_back(item);

@@ -8,6 +8,7 @@
 #include "core/stop.hpp"
 #include "packing/order.hpp"
 #include "packing/shape_store.hpp"
+#include "packing/standing.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {
@@ -16,7 +17,7 @@ struct PlacedItem {
     PackItem item;
     int orientation = 0;  ///< index in the orientation set
     VoxelIndex position;
-    Vec3 turned_min;      ///< box minimum of the turned mesh, mm: the mesh moves by position * dx - turned_min
+    Vec3 offset;          ///< mm by which the turned mesh is moved to where the copy stands
     ObjectId object = 0;  ///< in the tray
     Cost cost;
 };
@@ -32,10 +33,10 @@ struct GreedyResult {
 };
 
 /// Packs `items` into `tray` on top of what stands there. A copy whose part has already found no place is left
-/// over without a search: the tray only fills up. `result` is filled as it goes, so that it holds what was done
+/// over without a search: the tray only fills up. `settle` decides where a copy stands once its place is found. `result` is filled as it goes, so that it holds what was done
 /// when an exception (out of memory, two engines that disagree) leaves this function.
 void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
-                   const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-                   const StopToken& stop, GreedyResult& result);
+                   const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
+                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result);
 
 }  // namespace spectralpack

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -12,7 +11,6 @@ namespace spectralpack {
 namespace {
 
 using Widened = std::vector<std::shared_ptr<const WidenedVoxels>>;  ///< one for each gap class
-using AxisOrder = std::array<int, 3>;
 
 constexpr double kSameSize = 1e-6;  ///< mm: sizes closer than this have the same candidates
 
@@ -32,21 +30,6 @@ std::vector<std::size_t> distinct_orientations(const std::vector<OrientedVoxels>
         if (!seen) distinct.push_back(i);
     }
     return distinct;
-}
-
-/// order with turn.rows[a] == of.rows[order[a]], where there is one: then what `turn` does to a
-/// mesh is what `of` does with the axes exchanged, to the last bit.
-std::optional<AxisOrder> exchanged_axes(const Mat3& turn, const Mat3& of) {
-    AxisOrder order{0, 1, 2};
-    do {
-        bool equal = true;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto a = static_cast<std::size_t>(axis);
-            equal = equal && turn.rows[a] == of.rows[static_cast<std::size_t>(order[a])];
-        }
-        if (equal) return order;
-    } while (std::ranges::next_permutation(order).found);
-    return std::nullopt;
 }
 
 /// A+g for each gap class; `make` is called once for each distinct g.

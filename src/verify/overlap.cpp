@@ -84,32 +84,30 @@ class SurfaceInside {
         return false;
     }
 
-    /// The greatest depth among a sample of corners and middles of triangles and the deep points.
+    /// The greatest depth among a sample of shared points: corners and middles of triangles, and middles of the
+    /// material behind them.
     double deepest() const {
-        std::vector<Vec3> points;
-        const auto add = [&](const Vec3& of_inner) {
-            const Vec3 point = to_outer_ * of_inner;
-            if (distance(outer_.box(), Box{point, point}) == 0) points.push_back(point);
-        };
-        for (const Vec3& vertex : inner_.mesh().vertices) {
-            add(vertex);
-        }
-        for (std::size_t i = 0; i < inner_.mesh().triangles.size(); ++i) {
-            const Corners c = inner_.corners(i);
-            add((1 / 3.0) * (c[0] + c[1] + c[2]));
-        }
-        const std::size_t step = 1 + points.size() / kDepthSamples;
+        if (!outer_.closed()) return 0;
         double depth = 0;
-        for (std::size_t i = 0; i < points.size(); i += step) {
-            if (outer_.closed() && outer_.winding(points[i]) != 0) {
-                depth = std::max(depth, outer_.surface_distance(points[i]));
-            }
+        const auto look = [&](const Vec3& of_inner, bool on_surface) {
+            const Vec3 point = to_outer_ * of_inner;
+            if (outer_.winding(point) == 0) return;
+            depth = std::max(depth, outer_.surface_distance(point));
+            if (!on_surface) depth = std::max(depth, inner_.surface_distance(of_inner));
+        };
+        const auto& vertices = inner_.mesh().vertices;
+        for (std::size_t i = 0; i < vertices.size(); i += 1 + vertices.size() / kDepthSamples) {
+            look(vertices[i], true);
+        }
+        const std::size_t count = inner_.mesh().triangles.size();
+        for (std::size_t i = 0; i < count; i += 1 + count / kDepthSamples) {
+            const Corners c = inner_.corners(i);
+            look((1 / 3.0) * (c[0] + c[1] + c[2]), true);
+            const std::optional<Vec3> behind = inner_.middle_behind(i);
+            if (behind && inner_.winding(*behind) != 0) look(*behind, false);
         }
         for (const Solid::Shell& shell : inner_.shells()) {
-            if (shell.deep_point && point_inside(*shell.deep_point)) {
-                depth = std::max({depth, outer_.surface_distance(to_outer_ * *shell.deep_point),
-                                  inner_.surface_distance(*shell.deep_point)});
-            }
+            if (shell.deep_point) look(*shell.deep_point, false);
         }
         return depth;
     }

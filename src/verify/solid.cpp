@@ -255,7 +255,7 @@ void Solid::find_deep_points(double depth) {
     for (const std::size_t i : order) {
         const std::size_t shell = shell_of_[i];
         if (tried[shell]++ >= kDeepCandidates) continue;
-        const std::optional<Vec3> point = opposite_middle(i);
+        const std::optional<Vec3> point = middle_behind(i);
         if (!point || winding(*point) == 0) continue;
         const double reached = surface_distance(*point);
         if (reached > deepest[shell]) {
@@ -265,8 +265,9 @@ void Solid::find_deep_points(double depth) {
     }
 }
 
-std::optional<Vec3> Solid::opposite_middle(std::size_t index) const {
+std::optional<Vec3> Solid::middle_behind(std::size_t index) const {
     const Corners c = corners(index);
+    if (!(least_height(c) > kNeedle)) return std::nullopt;
     const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]);
     const Vec3 inward = -1 / length(normal) * normal;
     // Not the very middle: on regular meshes that often lies opposite to an edge.

@@ -45,6 +45,10 @@ class Solid {
     /// Distance from a point to the surface.
     double surface_distance(const Vec3& point) const;
 
+    /// Half way from the triangle's back to what lies behind it, somewhere near its middle; none for needles, and
+    /// where nothing does.
+    std::optional<Vec3> middle_behind(std::size_t triangle) const;
+
     /// Boxes over the triangles that are no needles; none if all are.
     const Hierarchy* hierarchy() const { return hierarchy_ ? &*hierarchy_ : nullptr; }
     /// A triangle's index in mesh(), by its index in the hierarchy.
@@ -53,7 +57,6 @@ class Solid {
   private:
     void find_shells();
     void find_deep_points(double depth);
-    std::optional<Vec3> opposite_middle(std::size_t triangle) const;
 
     Mesh mesh_;
     Box box_;

@@ -28,22 +28,22 @@ const Word* source_row(const BitGrid& grid, int axis, int at, int other) {
 
 }  // namespace
 
-BitGrid permuted(const BitGrid& grid, const std::array<int, 3>& source_axes) {
+BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
     const Extent& n = grid.extent();
-    BitGrid result({n[source_axes[0]], n[source_axes[1]], n[source_axes[2]]});
+    BitGrid result({n[order[0]], n[order[1]], n[order[2]]});
     const Extent& m = result.extent();
-    if (source_axes[0] == 0) {
+    if (order[0] == 0) {
         for (int z = 0; z < m.z; ++z) {
             for (int y = 0; y < m.y; ++y) {
-                std::copy_n(source_row(grid, source_axes[1], y, z), grid.words_per_row(),
+                std::copy_n(source_row(grid, order[1], y, z), grid.words_per_row(),
                             result.row(y, z));
             }
         }
         return result;
     }
     // Planes of the source's x and the axis that becomes x, turned over block by block.
-    const int across = source_axes[0], third = 3 - across;
-    const bool x_becomes_y = source_axes[1] == 0;
+    const int across = order[0], third = 3 - across;
+    const bool x_becomes_y = order[1] == 0;
     Block block;
     for (int layer = 0; layer < n[third]; ++layer) {
         for (int from = 0; from < n[across]; from += kSide) {
@@ -63,6 +63,18 @@ BitGrid permuted(const BitGrid& grid, const std::array<int, 3>& source_axes) {
         }
     }
     return result;
+}
+
+std::optional<AxisOrder> exchanged_axes(const Mat3& turn, const Mat3& of) {
+    AxisOrder order{0, 1, 2};
+    do {
+        bool equal = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            equal = equal && turn.rows[axis] == of.rows[static_cast<std::size_t>(order[axis])];
+        }
+        if (equal) return order;
+    } while (std::ranges::next_permutation(order).found);
+    return std::nullopt;
 }
 
 }  // namespace spectralpack

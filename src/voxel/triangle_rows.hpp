@@ -3,7 +3,9 @@
 /// (Akenine-Moller 2001) with the tests arranged so that a row's voxels come out as one interval
 /// (after Schwarz and Seidel 2010).
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "geometry/vec3.hpp"
 #include "voxel/grid.hpp"
@@ -41,8 +43,8 @@ VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape,
 ///
 /// Each axis bounds the voxel centre from two sides by all three corners, so nothing hangs on the
 /// sign of a small area: needles and zero-area triangles come out as the segments and points they
-/// are. Bounds are widened by their rounding error, which is below 1e-12 voxel sizes for all but
-/// needles.
+/// are. Bounds are widened by their rounding error: about 1e-14 of the triangle's size, but for the
+/// planes of needles, which bound nothing.
 class TriangleRows {
   public:
     TriangleRows(const GridTriangle& triangle, const VoxelShape& shape, const VoxelRange& range);
@@ -50,25 +52,23 @@ class TriangleRows {
     /// Calls visit(first x, last x, y, z) for every row of the range that has voxels that pass.
     template <class Visit>
     void for_each(Visit visit) const {
-        const int rows = range_.high.y - range_.low.y + 1,
-                  layers = range_.high.z - range_.low.z + 1;
+        const int rows = range_.high.y - range_.low.y + 1;
+        const int layers = range_.high.z - range_.low.z + 1;
+        const Interval whole{0.0, static_cast<double>(range_.high.x - range_.low.x)};
         for (int begin = 0; begin < rows; begin += kBlock) {
             const int end = std::min(rows, begin + kBlock);
-            std::array<Interval, kBlock> of_y;  // bounds of x by the axes in the xy plane
+            std::array<Interval, kBlock> by_y;
             for (int j = begin; j < end; ++j) {
-                of_y[static_cast<std::size_t>(j - begin)] =
-                    meet(xy_, j, {0.0, static_cast<double>(range_.high.x - range_.low.x)});
+                by_y[static_cast<std::size_t>(j - begin)] = meet(xy_, j, whole);
             }
             for (int k = 0; k < layers; ++k) {
                 const Interval y = meet(yz_, k, {static_cast<double>(begin), end - 1.0});
                 if (y.empty()) continue;
-                const Interval of_z =
-                    meet(xz_, k, {0.0, static_cast<double>(range_.high.x - range_.low.x)});
-                const double offset = offset_ + per_z_ * k;
+                const Interval by_z = meet(xz_, k, whole);
                 for (int j = round_up(y.low); j <= static_cast<int>(y.high); ++j) {
-                    const double centre = offset + per_y_ * j;
-                    Interval x = of_y[static_cast<std::size_t>(j - begin)];
-                    x.cut(of_z.low, of_z.high);
+                    const double centre = offset_ + per_z_ * k + per_y_ * j;
+                    Interval x = by_y[static_cast<std::size_t>(j - begin)];
+                    x.cut(by_z.low, by_z.high);
                     x.cut(centre - half_, centre + half_);
                     if (x.empty()) continue;
                     const int first = round_up(x.low), last = static_cast<int>(x.high);

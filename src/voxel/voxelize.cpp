@@ -9,7 +9,6 @@
 
 #include "core/error.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "voxel/axis_turns.hpp"
 #include "voxel/enclosed.hpp"
 #include "voxel/grid_mesh.hpp"
 #include "voxel/permute.hpp"
@@ -64,33 +63,14 @@ bool encloses_solid(const Mesh& mesh) {
     return count_edges(MeshEdges(mesh)).closed;
 }
 
-/// Box of the mesh with reversed axes. 0 - x, not -x, so that no minus zero gets out.
-Box reversed_box(const Box& box, const Signs& reversed) {
-    Box result = box;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!reversed[static_cast<std::size_t>(axis)]) continue;
-        result.min[axis] = 0 - box.max[axis];
-        result.max[axis] = 0 - box.min[axis];
-    }
-    return result;
-}
-
-Vec3 permuted(const Vec3& v, const std::array<int, 3>& axes) {
-    return {v[axes[0]], v[axes[1]], v[axes[2]]};
-}
-
-/// `mesh` not turned but with the given axes reversed.
-OrientedVoxels reversed_voxels(const Mesh& mesh, const Box& box, const Signs& reversed, bool closed,
-                               double voxel_size, const Workers& workers) {
+BitGrid voxels_of(const Mesh& mesh, const Box& box, bool closed, double voxel_size,
+                  const Workers& workers) {
     const Extent extent = grid_extent(box.size(), voxel_size);
-    return {solid_voxels(GridMesh(mesh, box, reversed, voxel_size), extent, closed, workers),
-            box.size(), reversed_box(box, reversed).min};
+    return solid_voxels(GridMesh(mesh, box.min, voxel_size), extent, closed, workers);
 }
 
-OrientedVoxels turned_voxels(const Mesh& mesh, const Mat3& rotation, bool closed, double voxel_size,
-                             const Workers& workers) {
-    const Mesh turned = transformed(mesh, {rotation, {}});
-    return reversed_voxels(turned, bounding_box(turned), {}, closed, voxel_size, workers);
+Vec3 permuted(const Vec3& v, const AxisOrder& order) {
+    return {v[order[0]], v[order[1]], v[order[2]]};
 }
 
 }  // namespace
@@ -105,8 +85,7 @@ int voxels_along(double size, double voxel_size) {
 }
 
 BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
-    return reversed_voxels(mesh, bounding_box(mesh), {}, encloses_solid(mesh), voxel_size, workers)
-        .solid;
+    return voxels_of(mesh, bounding_box(mesh), encloses_solid(mesh), voxel_size, workers);
 }
 
 StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size,
@@ -124,7 +103,7 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
         shift[axis] = voxels - whole;
     }
     const Extent extent = grid_extent(box.size() + voxel_size * shift, voxel_size);
-    return {solid_voxels(GridMesh(mesh, box, {}, voxel_size, shift), extent, encloses_solid(mesh),
+    return {solid_voxels(GridMesh(mesh, box.min, voxel_size, shift), extent, encloses_solid(mesh),
                          workers),
             position};
 }
@@ -133,24 +112,38 @@ std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
                                                   const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers) {
     const bool closed = encloses_solid(mesh);
-    const Box box = bounding_box(mesh);
-    const SignPatterns patterns(rotations);
-    std::vector<OrientedVoxels> by_pattern(patterns.first_of.size());
-    workers.for_each(static_cast<std::int64_t>(by_pattern.size()), [&](std::int64_t task) {
-        const auto i = static_cast<std::size_t>(task);
-        by_pattern[i] = reversed_voxels(mesh, box, patterns.signs(i), closed, voxel_size, workers);
-    });
-    std::vector<OrientedVoxels> result(rotations.size());
-    workers.for_each(static_cast<std::int64_t>(rotations.size()), [&](std::int64_t task) {
-        const auto i = static_cast<std::size_t>(task);
-        const std::optional<AxisTurn>& turn = patterns.turns[i];
-        if (!turn) {
-            result[i] = turned_voxels(mesh, rotations[i], closed, voxel_size, workers);
-            return;
+    // Of rotations that differ in the order of their axes the first, the root, is voxelised.
+    struct Source {
+        std::size_t root;
+        AxisOrder order;
+    };
+    std::vector<Source> sources;
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        std::optional<AxisOrder> order;
+        for (std::size_t k = 0; k < roots.size() && !order; ++k) {
+            order = exchanged_axes(rotations[i], rotations[roots[k]]);
+            if (order) sources.push_back({roots[k], *order});
         }
-        const OrientedVoxels& source = by_pattern[patterns.pattern_of[i]];
-        result[i] = {permuted(source.solid, turn->axes), permuted(source.size, turn->axes),
-                     permuted(source.min, turn->axes)};
+        if (order) continue;
+        sources.push_back({i, {0, 1, 2}});
+        roots.push_back(i);
+    }
+
+    std::vector<OrientedVoxels> result(rotations.size());
+    workers.for_each(static_cast<std::int64_t>(roots.size()), [&](std::int64_t k) {
+        const std::size_t root = roots[static_cast<std::size_t>(k)];
+        const Mesh turned = transformed(mesh, {rotations[root], {}});
+        const Box box = bounding_box(turned);
+        result[root] = {voxels_of(turned, box, closed, voxel_size, workers), box.size(), box.min};
+    });
+    workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t task) {
+        const auto i = static_cast<std::size_t>(task);
+        if (sources[i].root == i) return;
+        const OrientedVoxels& root = result[sources[i].root];
+        const AxisOrder& order = sources[i].order;
+        result[i] = {permuted(root.solid, order), permuted(root.size, order),
+                     permuted(root.min, order)};
     });
     return result;
 }

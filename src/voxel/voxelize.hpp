@@ -3,15 +3,15 @@
 /// the paper's section 3.1 asks for a conservative voxelisation, after Schwarz and Seidel 2010).
 ///
 /// A voxel belongs to an object if its open interior meets the solid:
-///  - the surface enters it: some triangle, drawn in by kSurfaceShrink voxel sizes, meets the voxel
-///    (separating-axis test), so a face that lies on a voxel face marks neither side by itself; or
-///  - its centre has a non-zero winding number (closed meshes only: for an open mesh it is not
-///  defined); or
-///  - it cannot be reached from outside through voxels that are not solid (6-connected): closed
-///  hollows are
-///    filled and never used.
+///  - the surface enters it: some triangle meets the voxel's cube (separating-axis test), the cube
+///    drawn in by kSurfaceShrink on every side, so that a face that lies on a voxel face marks
+///    neither side by itself; or
+///  - its centre has a non-zero winding number (closed meshes only: else it is undefined); or
+///  - it cannot be reached from outside through voxels that are not solid (from face to face):
+///    closed hollows are filled and never used.
 /// The mesh's box minimum lies on a voxel corner. Self-intersections, several shells and inside-out
-/// shells work.
+/// shells work. A mesh that marks nothing this way (thinner than the shrink, or open and with all
+/// its faces on voxel faces) is tested against cubes drawn out by as much instead.
 
 #include <vector>
 
@@ -50,8 +50,9 @@ struct OrientedVoxels {
     Vec3 min;   ///< the turned mesh's box minimum, mm: the transform of position q is q * dx - min
 };
 
-/// voxelize() for every rotation, in their order. Axis permutations with signs are voxelised once
-/// per sign pattern (8 times, not 24) and permuted, which is what voxelising each would give.
+/// voxelize() for every rotation, in their order. Of rotations that differ in the order of their
+/// axes only, one is voxelised and its voxels' axes are exchanged, which is what voxelising each
+/// would give: 8 of the cube's 24, about a third of any euler_orientations().
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
                                                   const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers);

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
 #include <utility>
 
-#include "voxel/axis_turns.hpp"
 #include "voxel/bit_rows.hpp"
 #include "voxel/box_distance.hpp"
 #include "voxel/grid_mesh.hpp"
-#include "voxel/permute.hpp"
 #include "voxel/triangle_rows.hpp"
 
 namespace spectralpack {
@@ -74,12 +71,14 @@ class Widening {
     WidenedVoxels result_;
 };
 
-WidenedVoxels widened(const BitGrid& solid, const Mesh& mesh, const Signs& reversed,
-                      double voxel_size, double gap, const Workers& workers) {
+}  // namespace
+
+WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
+                    const Workers& workers) {
     const double reach = (gap - kGapTolerance) / voxel_size;
     if (!(reach > 0)) return {solid, {}};
     const Box box = bounding_box(mesh);
-    const GridMesh grid_mesh(mesh, box, reversed, voxel_size);
+    const GridMesh grid_mesh(mesh, box.min, voxel_size);
     Widening widening(solid, grid_mesh, 1 / voxel_size * box.size(), reach);
     workers.for_ranges(grid_mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -87,43 +86,6 @@ WidenedVoxels widened(const BitGrid& solid, const Mesh& mesh, const Signs& rever
         }
     });
     return widening.take();
-}
-
-}  // namespace
-
-WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
-                    const Workers& workers) {
-    return widened(solid, mesh, {}, voxel_size, gap, workers);
-}
-
-std::vector<WidenedVoxels> widen_orientations(const std::vector<const BitGrid*>& solids,
-                                              const Mesh& mesh, const std::vector<Mat3>& rotations,
-                                              double voxel_size, double gap,
-                                              const Workers& workers) {
-    const SignPatterns patterns(rotations);
-    std::vector<WidenedVoxels> by_pattern(patterns.first_of.size());
-    workers.for_each(static_cast<std::int64_t>(by_pattern.size()), [&](std::int64_t task) {
-        const auto pattern = static_cast<std::size_t>(task);
-        const std::size_t first = patterns.first_of[pattern];
-        const BitGrid solid = permuted(*solids[first], patterns.turns[first]->inverse_axes());
-        by_pattern[pattern] =
-            widened(solid, mesh, patterns.signs(pattern), voxel_size, gap, workers);
-    });
-    std::vector<WidenedVoxels> result(rotations.size());
-    workers.for_each(static_cast<std::int64_t>(rotations.size()), [&](std::int64_t task) {
-        const auto i = static_cast<std::size_t>(task);
-        const std::optional<AxisTurn>& turn = patterns.turns[i];
-        if (!turn) {
-            result[i] =
-                widen(*solids[i], transformed(mesh, {rotations[i], {}}), voxel_size, gap, workers);
-            return;
-        }
-        const WidenedVoxels& source = by_pattern[patterns.pattern_of[i]];
-        const VoxelIndex& offset = source.offset;
-        result[i] = {permuted(source.voxels, turn->axes),
-                     {offset[turn->axes[0]], offset[turn->axes[1]], offset[turn->axes[2]]}};
-    });
-    return result;
 }
 
 }  // namespace spectralpack

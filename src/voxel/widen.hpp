@@ -2,8 +2,6 @@
 /// A+g of docs/conventions.md: an object's voxels widened by a gap in millimetres, whatever the
 /// voxel size.
 
-#include <vector>
-
 #include "core/parallel.hpp"
 #include "geometry/mesh.hpp"
 #include "voxel/bit_grid.hpp"
@@ -23,13 +21,5 @@ inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly 
 /// Exact: decided by the distance between the closed voxel and the mesh's triangles.
 WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
                     const Workers& workers);
-
-/// widen() of a mesh in several rotations; `solids[i]` must be voxelize() of the mesh turned by
-/// rotations[i]. Rotations that take axes to axes are widened once per sign pattern, as in
-/// voxelize_orientations().
-std::vector<WidenedVoxels> widen_orientations(const std::vector<const BitGrid*>& solids,
-                                              const Mesh& mesh, const std::vector<Mat3>& rotations,
-                                              double voxel_size, double gap,
-                                              const Workers& workers);
 
 }  // namespace spectralpack

@@ -100,6 +100,25 @@ TEST(Pack, VerifyWithReferenceFindsNoDifference) {
 }
 #endif
 
+TEST(Pack, RefinedCopiesLeaveTheGridAndKeepTheGapExactly) {
+    const TemporaryFolder folder;
+    for (const std::string gap : {"0", "0.3"}) {
+        const auto pack = [&](const char* name, const char* refine) {
+            const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, refine, "--gap", gap, "--wall-gap",
+                                                                  "0.5", "-o", (folder / name).string()} +
+                                         kSmall);
+            EXPECT_EQ(ran.status, 0) << ran.err;
+            const Ran checked = spectralpack({"check", (folder / name).string()});
+            EXPECT_EQ(checked.status, 0) << checked.out;
+            return checked.out;
+        };
+        pack("grid.json", "--no-refine");
+        const std::string refined = pack("refined.json", "--refine");
+        EXPECT_NE(placements(folder / "grid.json"), placements(folder / "refined.json"));
+        EXPECT_TRUE(contains(refined, "least gap: " + gap + " mm")) << refined;
+    }
+}
+
 TEST(Pack, UnusableInputIsNamedAndTheRestIsPacked) {
     const TemporaryFolder folder;
     std::ofstream(folder / "broken.stl") << "not a mesh";

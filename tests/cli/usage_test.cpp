@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--height-penalty", "4x"}, "--height-penalty"},
         BadCall{{"pack", kPart, "--memory", "lots"}, "--memory"},
         BadCall{{"pack", kPart, "--verify-with", "reference:0"}, "--verify-with"},
-        BadCall{{"pack", kPart, "--engine", "cuda"}, "cuda"}, BadCall{{"pack", kPart, "--refine"}, "not built yet"},
+        BadCall{{"pack", kPart, "--engine", "cuda"}, "cuda"},
         BadCall{{"pack", kPart, "--interlock", "post"}, "not built yet"},
         BadCall{{"pack", kPart, "--trays", "all"}, "not built yet"}, BadCall{{"pack", kPart, "--fill"}, "--fill"},
         BadCall{{"pack", kPart + ":0"}, "count"}, BadCall{{"pack", kPart + ":2@-1"}, "scale"},

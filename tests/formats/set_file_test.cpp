@@ -43,7 +43,9 @@ TEST(SetFile, WhatIsWrongIsRefusedWithItsLine) {
         {"mesh,scale\na.stl,nan\n", "line 2"},
         {"mesh,scale\na.stl,1e999\n", "line 2"},
         {"mesh,count\n ,1\n", "line 2"}};
-    for (const auto& [text, place] : cases) {
+    for (const auto& wrong : cases) {
+        const auto& text = wrong.first;  // clang 14 cannot capture structured bindings
+        const auto& place = wrong.second;
         EXPECT_EQ(test::refusal([&] { read(text); }).place(), place) << text;
     }
     EXPECT_TRUE(test::contains(test::refusal([] { read(""); }).cause(), "empty"));

@@ -255,6 +255,21 @@ TEST(ThreeMf, ComponentsThatMultiplyOrContainThemselvesAreRefused) {
     EXPECT_TRUE(contains(refused(model(chain, "<item objectid=\"19999\"/>")).cause(), "nested"));
 }
 
+TEST(ThreeMf, ItemsThatMultiplyALargeMeshAreRefusedButManyOfItsOwnSizeAreNot) {
+    const std::string torus =
+        object("id=\"1\"", mesh_xml(test::torus_mesh(30, 8, 100, 50)));  // 10 000 triangles
+    const auto items = [](int count) {
+        std::string xml;
+        for (int i = 1; i <= count; ++i) {
+            xml += "<item objectid=\"1\" transform=\"" + std::to_string(i) +
+                   " 0 0 0 1 0 0 0 1 0 0 0\"/>";
+        }
+        return xml;
+    };
+    EXPECT_EQ(read(model(torus, items(40))).size(), 40u);
+    EXPECT_TRUE(contains(refused(model(torus, items(500))).cause(), "multiply"));
+}
+
 TEST(ThreeMf, PackagesWithoutAModelAreRefused) {
     EXPECT_TRUE(
         contains(test::refusal_of("a.3mf", make_zip({{"a.txt", "b"}})).cause(), "not a 3MF"));

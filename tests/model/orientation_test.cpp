@@ -46,6 +46,9 @@ TEST(Orientations, TheFirstIsTheIdentity) {
 TEST(Orientations, FinerStepsAreDistinctRotationsThatHoldTheCoarser) {
     for (const double step : {45.0, 30.0}) {
         const auto set = euler_orientations(step);
+        // The middle angle may be taken within +-90 degrees; at these ends only one turn is left to choose.
+        const auto n = static_cast<std::size_t>(360 / step);
+        EXPECT_EQ(set.size(), (n / 2 - 1) * n * n + 2 * n);
         for (std::size_t i = 0; i < set.size(); ++i) {
             EXPECT_TRUE(close(set[i] * transposed(set[i]), Mat3{}));
             EXPECT_NEAR(determinant(set[i]), 1, 1e-12);

@@ -198,32 +198,32 @@ TEST(Overlap, DegenerateAndDuplicateTrianglesChangeNothing) {
 }
 
 TEST(Overlap, BlocksAgreeWithTheirCells) {
-    // All faces in common planes, tens of contacts a pair: exact by counting cells.
+    // All faces in common planes, tens of contacts a pair: exact by counting cells. Offsets are half cells, and a
+    // little more or less than the tolerance.
     RandomStream random(5);
-    int overlaps = 0;
+    const double offsets[] = {-5 * kTolerance, -0.4 * kTolerance, 0, 0.4 * kTolerance, 5 * kTolerance};
+    int overlaps = 0, slight = 0;
     constexpr int kPairs = 400;
     for (int pair = 0; pair < kPairs; ++pair) {
         const Cells a = random_cells(random, {3, 2, 4}, 0.6), b = random_cells(random, {2, 3, 3}, 0.6);
-        // In half cells; each axis jittered by less than the tolerance.
-        const Cell shift{int(random.below(11)) - 5, int(random.below(11)) - 5, int(random.below(15)) - 6};
-        const bool jitter = random.below(2) == 1;
-        double distance_squared = kFar;
-        bool shared = false;
+        const Vec3 step{(int(random.below(11)) - 5) / 2.0 + offsets[random.below(5)],
+                        (int(random.below(11)) - 5) / 2.0 + offsets[random.below(5)],
+                        (int(random.below(15)) - 6) / 2.0 + offsets[random.below(5)]};
+        double distance = kFar, deepest = 0;
         for (const Cell& cell : a) {
             for (const Cell& other : b) {
-                double squared = 0;
-                bool inside = true;
+                Vec3 gap;
+                double depth = kFar;
                 for (int axis = 0; axis < 3; ++axis) {
-                    const double gap = std::abs(cell[axis] - other[axis] - shift[axis] / 2.0) - 1;
-                    inside = inside && gap < 0;
-                    squared += std::max(gap, 0.0) * std::max(gap, 0.0);
+                    const double between = std::abs(cell[axis] - other[axis] - step[axis]) - 1;
+                    gap[axis] = std::max(between, 0.0);
+                    depth = std::min(depth, -between);
                 }
-                shared = shared || inside;
-                distance_squared = std::min(distance_squared, squared);
+                distance = std::min(distance, length(gap));
+                deepest = std::max(deepest, depth);
             }
         }
-        Vec3 step = 0.5 * Vec3{double(shift[0]), double(shift[1]), double(shift[2])};
-        if (jitter) step = step + random_point(random, 4e-4);
+        const bool shared = deepest > kTolerance;
         const Transform common = random.below(2) == 1
                                      ? Transform{random_rotation(random), random_point(random, 100)}
                                      : Transform{};
@@ -231,14 +231,16 @@ TEST(Overlap, BlocksAgreeWithTheirCells) {
                                                  common, common * moved_by(step));
         EXPECT_EQ(apart(relation), !shared) << "pair " << pair;
         if (shared) {
-            EXPECT_GT(relation.depth, 0.2) << "pair " << pair;
+            EXPECT_GT(relation.depth, deepest / 3) << "pair " << pair;
         } else {
-            EXPECT_NEAR(relation.distance, std::sqrt(distance_squared), jitter ? 1e-3 : 1e-9) << "pair " << pair;
+            EXPECT_NEAR(relation.distance, distance, 1e-9) << "pair " << pair;
         }
         overlaps += shared;
+        slight += shared && deepest < 0.1;
     }
     EXPECT_GT(overlaps, kPairs / 5);
     EXPECT_LT(overlaps, 4 * kPairs / 5);
+    EXPECT_GT(slight, kPairs / 50);
 }
 
 TEST(Overlap, ConvexSolidsAgreeWithSeparatingAxes) {

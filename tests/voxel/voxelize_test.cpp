@@ -103,6 +103,15 @@ TEST(Voxelize, ClosedHollowsAreFilled) {
     EXPECT_EQ(voxelize(merged(test::cube_mesh(20), inner), 2, kOne), full({10, 10, 10}));
 }
 
+TEST(Voxelize, WhatIsWoundTwiceIsSolid) {
+    // On the grid no face enters a voxel, so that only the winding number tells inside from
+    // outside.
+    const Mesh cube = test::cube_mesh(20);
+    EXPECT_EQ(voxelize(merged(cube, cube), 2, kOne), full({10, 10, 10}));
+    EXPECT_EQ(voxelize(merged(cube, box_mesh({10, 0, 0}, {30, 20, 20})), 2, kOne),
+              full({15, 10, 10}));
+}
+
 TEST(Voxelize, AHoleAsWideAsAVoxelStaysOpen) {
     // Four bars round a square hole on the grid, and the hole's faces are voxel faces.
     Mesh frame = merged(box_mesh({0, 0, 0}, {10, 4, 6}), box_mesh({0, 6, 0}, {10, 10, 6}));

@@ -1,0 +1,14 @@
+#include "packing/standing.hpp"
+
+namespace spectralpack {
+
+Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double voxel_size, double wall_gap) {
+    const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best.index)];
+    Vec3 corner;
+    for (int axis = 0; axis < 3; ++axis) {
+        corner[axis] = wall_gap + best.position[axis] * voxel_size;
+    }
+    return {corner - oriented.min, {oriented.solid, best.position, shape.gap_class, false}};
+}
+
+}  // namespace spectralpack
