@@ -179,8 +179,11 @@ void run(const Arguments& arguments) {
         std::max(1, static_cast<int>(items.size()) / std::max(1, arguments.plain_samples));
     TimedSearch search(*engine, plain.get(), every, arguments.trace);
     GreedyResult result;
+    const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
+        return stand_on_grid(shape, best, arguments.voxel, 0);
+    };
     pack_greedily(
-        tray, search, model, items, shapes, [](std::size_t) {}, {}, result);
+        tray, search, model, items, shapes, settle, [](std::size_t) {}, {}, result);
 
     double costs = 0;
     for (const PlacedItem& placed : result.placed) {

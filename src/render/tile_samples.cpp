@@ -59,7 +59,7 @@ TileSamples::Seen TileSamples::look(int sx, int sy) const {
     Seen seen{rays_.first(camera.eye, ray), {}};
     const double above = camera.eye.z - stage_.floor;
     if (seen.hit.copy == kNothing && ray.z < 0 && above > 0) {
-        seen.hit = {kFloor, 1, {0, 0, 1}, {0, 0, 1}};
+        seen.hit = {kFloor, above / -ray.z, {0, 0, 1}, {0, 0, 1}};
     }
     seen.position = camera.eye + seen.hit.at * ray;
     return seen;

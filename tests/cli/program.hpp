@@ -10,9 +10,10 @@
 
 namespace spectralpack::test {
 
-inline Ran spectralpack(std::vector<std::string> arguments, const std::string& interrupt_when = "") {
+inline Ran spectralpack(std::vector<std::string> arguments, const std::string& interrupt_when = "",
+                       const Limits& limits = {}) {
     arguments.insert(arguments.begin(), SPECTRALPACK_PROGRAM);
-    return run(arguments, interrupt_when);
+    return run(arguments, interrupt_when, limits);
 }
 
 inline nlohmann::json read_json(const std::filesystem::path& path) {

@@ -204,7 +204,7 @@ TEST(JobFile, TheSchemaKnowsTheSameKeys) {
         {json::json_pointer("/properties/parts/items/properties"), json::json_pointer("/parts/0")},
         {json::json_pointer("/properties/options/properties"), json::json_pointer("/options")}};
     for (const auto& [in_schema, in_job] : places) {
-        EXPECT_FALSE(schema.at(in_schema.parent_pointer()).at("additionalProperties"));
+        EXPECT_FALSE(schema.at(in_schema.parent_pointer()).at("additionalProperties").get<bool>());
         for (const auto& [key, rule] : schema.at(in_schema).items()) {
             if (key == "format" || key == "version" || rule.contains("properties") || key == "parts") continue;
             ASSERT_TRUE(rule.contains("examples")) << key;

@@ -2,6 +2,7 @@
 /// Runs the real program and keeps what it says.
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,14 +49,30 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+/// What a run may take; 0: as much as it likes.
+struct Limits {
+    rlim_t memory = 0;      ///< bytes of address space
+    rlim_t cpu_seconds = 0; ///< of all threads together
+    unsigned seconds = 0;   ///< of waiting, against hangs
+};
+
+inline void limit(int resource, rlim_t most) {
+    const rlimit limits{most, most};
+    if (most > 0 && setrlimit(resource, &limits) != 0) _exit(125);
+}
+
 /// Runs `arguments` (the first is the program) and waits. When `interrupt_when` exists it is sent SIGINT as soon as
 /// that text appears on standard error.
-inline Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "") {
+inline Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "",
+               const Limits& limits = {}) {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string(), err = (folder / "err").string();
     const pid_t child = fork();
     if (child == 0) {
         if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) _exit(126);
+        limit(RLIMIT_AS, limits.memory);
+        limit(RLIMIT_CPU, limits.cpu_seconds);
+        alarm(limits.seconds);
         std::vector<char*> argv;
         for (const std::string& argument : arguments) {
             argv.push_back(const_cast<char*>(argument.c_str()));

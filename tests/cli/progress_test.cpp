@@ -1,0 +1,55 @@
+#include <sstream>
+
+#include "cli/program.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+using nlohmann::json;
+
+TEST(Progress, EveryLineIsJsonAndPhasesComeInOrder) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), (folder / "missing.stl").string(),
+                                  "--tray", "110x85x70", "--voxel", "4", "--progress", "json", "-o",
+                                  (folder / "b.json").string(), "-o", (folder / "b.csv").string()});
+    EXPECT_EQ(ran.status, 3) << ran.err;
+    const std::vector<std::string> order{"load", "search", "write"};
+    std::vector<std::string> phases;
+    json last;
+    int errors = 0;
+    std::istringstream lines(ran.err);
+    for (std::string line; std::getline(lines, line);) {
+        const json entry = json::parse(line, nullptr, false);
+        ASSERT_TRUE(entry.is_object()) << line;
+        errors += entry.contains("error") ? 1 : 0;
+        if (!entry.contains("phase")) continue;
+        EXPECT_LE(entry["done"], entry["total"]) << line;
+        EXPECT_GE(entry["density"], 0) << line;
+        EXPECT_GE(entry["seconds"], 0) << line;
+        EXPECT_TRUE(entry["left"].is_null() || entry["left"] >= 0) << line;
+        if (phases.empty() || phases.back() != entry["phase"]) {
+            if (!last.is_null()) {
+                EXPECT_EQ(last["done"], last["total"]) << last;
+            }
+            phases.push_back(entry["phase"]);
+        } else {
+            EXPECT_GE(entry["done"], last["done"]) << line;
+            EXPECT_GE(entry["density"], last["density"]) << line;
+        }
+        last = entry;
+    }
+    EXPECT_EQ(phases, order);
+    EXPECT_EQ(last["done"], 2);
+    EXPECT_EQ(last["total"], 2);
+    EXPECT_EQ(errors, 1);
+}
+
+TEST(Progress, NoneSaysNothing) {
+    const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--tray", "160x120x100", "--voxel",
+                                  "4", "--progress", "none"});
+    EXPECT_EQ(ran.status, 0);
+    EXPECT_TRUE(ran.err.empty()) << ran.err;
+}
+
+}  // namespace
+}  // namespace spectralpack::test
