@@ -17,6 +17,7 @@ struct InspectArguments {
     std::vector<std::string> meshes;
     std::string unit = "mm";
     std::string picture;
+    std::string size = "1600x1200";
     bool json = false;
     int threads = 0;
 };
@@ -138,6 +139,8 @@ int run_inspect(const InspectArguments& arguments) {
     options.unit = parse_unit(arguments.unit);
     options.threads = arguments.threads;
     options.keep_meshes = !arguments.picture.empty();
+    RenderOptions picture;
+    parse_picture_size(arguments.size, picture);
     if (options.keep_meshes) {
         if (std::filesystem::path(arguments.picture).extension() != ".png") {
             throw UsageError(
@@ -159,7 +162,7 @@ int run_inspect(const InspectArguments& arguments) {
         print_file(file);
     }
     if (options.keep_meshes && unusable < files.size()) {
-        write_picture(inspection_scene(files), arguments.picture, {}, arguments.threads);
+        write_picture(inspection_scene(files), arguments.picture, picture, arguments.threads);
         if (!arguments.json) fmt::print("\nwrote {}\n", arguments.picture);
     }
     if (unusable == 0) return kDone;
@@ -184,6 +187,7 @@ Command add_inspect_command(CLI::App& app) {
     InspectArguments& a = *arguments;
     sub->add_option("MESH", a.meshes, "mesh files or folders")->required();
     sub->add_option("-o,--output", a.picture, "draw them into this file (.png)");
+    sub->add_option("--size", a.size, "pixels of the picture [1600x1200]");
     sub->add_option("--unit", a.unit, "unit of files that do not say: mm, inch, m [mm]");
     sub->add_option("--threads", a.threads, "threads, 0 for all");
     sub->add_flag("--json", a.json, "print the findings as JSON");

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 
 #include "commands.hpp"
@@ -17,19 +16,6 @@ struct RenderArguments {
     RenderOptions options;
     int threads = 0;
 };
-
-constexpr int kMaxSide = 16384;
-
-void parse_picture_size(const std::string& text, RenderOptions& options) {
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, options.width);
-    const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-    const auto height = separated ? std::from_chars(width.ptr + 1, end, options.height) : width;
-    if (!separated || height.ec != std::errc{} || height.ptr != end || options.width < 16 ||
-        options.height < 16 || options.width > kMaxSide || options.height > kMaxSide) {
-        throw UsageError(fmt::format("--size takes pixels like 1600x1200 (16 to {}), not '{}'", kMaxSide, text));
-    }
-}
 
 int run_render(RenderArguments arguments) {
     parse_picture_size(arguments.size, arguments.options);

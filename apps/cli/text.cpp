@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace spectralpack::cli {
+namespace {
+
+constexpr int kMaxPictureSide = 16384;
+
+}  // namespace
 
 Vec3 parse_size(const std::string& text, const char* option) {
     Vec3 size;
@@ -28,6 +33,17 @@ double parse_unit(const std::string& text) {
     if (text == "inch") return 25.4;
     if (text == "m") return 1000;
     throw UsageError(fmt::format("--unit takes one of inch, m, mm; not '{}'", text));
+}
+
+void parse_picture_size(const std::string& text, RenderOptions& options) {
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, options.width);
+    const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, options.height) : width;
+    if (!separated || height.ec != std::errc{} || height.ptr != end || options.width < 16 ||
+        options.height < 16 || options.width > kMaxPictureSide || options.height > kMaxPictureSide) {
+        throw UsageError(fmt::format("--size takes pixels like 1600x1200 (16 to {}), not '{}'", kMaxPictureSide, text));
+    }
 }
 
 std::int64_t parse_bytes(const std::string& text, const char* option) {

@@ -14,6 +14,9 @@ Vec3 parse_size(const std::string& text, const char* option);
 /// "mm", "inch" or "m" into mm. Throws UsageError naming --unit.
 double parse_unit(const std::string& text);
 
+/// "1600x1200" into the size of a picture. Throws UsageError naming --size.
+void parse_picture_size(const std::string& text, RenderOptions& options);
+
 /// "500M", "2G", "2GiB", "1000000" into bytes (K, M, G, T: powers of 1000; Ki, Mi, Gi, Ti: of 1024).
 std::int64_t parse_bytes(const std::string& text, const char* option);
 

@@ -17,8 +17,15 @@ namespace {
 // Of the free memory, how much a run may plan with: the rest is for the allocator and everyone else.
 constexpr double kShareOfFree = 0.85;
 
-// What engines may keep for copies where nobody said how much: more was not measurably faster.
-constexpr std::int64_t kCacheUnasked = std::int64_t{2} << 30;
+// What engines may keep for copies where nobody said how much, in bytes per voxel of the tray and orientation: the
+// maps of a few parts. More is slower: fresh memory costs more than looking again (docs/benchmarks.md).
+constexpr double kCacheUnasked = 0.5;
+
+// What engines keep takes up to this much more than they count: freed pieces of it are not always used again.
+constexpr int kCacheShare = 2;
+
+// The program itself, its libraries and threads.
+constexpr std::int64_t kProgramMemory = 32'000'000;
 
 std::string megabytes(std::int64_t bytes) {
     char text[32];
@@ -112,7 +119,7 @@ std::int64_t memory_at(double dx, const Plan& plan, const LoadedJob& loaded, con
     const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
     const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
                           static_cast<int>(plan.gap_classes.size())};
-    std::int64_t bytes = meshes + engine_memory(plan.engine, need, workers);
+    std::int64_t bytes = kProgramMemory + meshes + engine_memory(plan.engine, need, workers);
     for (std::size_t i = 0; i < held; ++i) {
         bytes += shapes[i];
     }
@@ -198,8 +205,12 @@ Plan make_plan(const LoadedJob& loaded, const PackOptions& options, const Worker
                             : static_cast<std::int64_t>(kShareOfFree *
                                                         static_cast<double>(available_memory()));
     plan.memory = memory_at(options.voxel, plan, loaded, options, workers);
-    plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory);
-    if (options.memory == 0) plan.cache = std::min(plan.cache, kCacheUnasked);
+    plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;
+    if (options.memory == 0) {
+        const double wanted = kCacheUnasked * static_cast<double>(plan.grid.count()) *
+                              static_cast<double>(plan.orientations.size());
+        plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
+    }
     return plan;
 }
 

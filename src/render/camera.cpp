@@ -9,8 +9,7 @@ namespace {
 // A long lens: little distortion, so that sizes in the picture can be compared, but still depth.
 constexpr double kHalfView = 13;  // degrees, along the picture's shorter side
 constexpr double kMargin = 0.07;  // of the picture, on each side
-constexpr double kNearest =
-    0.5;  // of the depth of what is shown: nearer, a rod seen from its end looks wild
+constexpr double kNearest = 0.5;  // of the depth of what is shown: nearer, perspective looks wild
 
 constexpr double kRadians = std::numbers::pi / 180;
 

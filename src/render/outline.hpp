@@ -13,8 +13,7 @@ class Outline {
 
     struct Edge {
         PicturePoint from, to;
-        double strength =
-            0;  ///< opacity where nothing hides it: less for those at the container's far corner
+        double strength = 0;  ///< opacity where nothing hides it; far edges are fainter
     };
 
     /// Edges that may touch the rectangle of pixels [x0, x1) x [y0, y1).

@@ -61,9 +61,8 @@ struct RayScene::Held {
     Device device;
     std::vector<RayMesh> meshes;
     EmbreeScene all;
-    std::vector<int> mesh_of;  ///< by copy
-    std::vector<Mat3>
-        normals_to;  ///< by copy: from its mesh's normals to the stage's, but for their length
+    std::vector<int> mesh_of;      ///< by copy
+    std::vector<Mat3> normals_to;  ///< by copy: turns its mesh's normals into the stage's
 
     void expect_success() const {
         if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) {
@@ -157,8 +156,8 @@ RayHit RayScene::first(const Vec3& origin, const Vec3& direction) const {
         return w * corners[0][axis] + u * corners[1][axis] + v * corners[2][axis];
     };
     const Vec3 face = to_stage * Vec3{ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z};
-    const double side =
-        dot(face, direction) > 0 ? -1 : 1;  // seen from inside, or of an inside-out mesh
+    // Seen from inside, or of an inside-out mesh: turned towards the viewer.
+    const double side = dot(face, direction) > 0 ? -1 : 1;
     hit.face = unit_or(side * face, unit_or(-direction, {0, 0, 1}));
     hit.smooth = unit_or(side * (to_stage * Vec3{mixed(0), mixed(1), mixed(2)}), hit.face);
     return hit;

@@ -11,8 +11,7 @@ namespace spectralpack {
 struct RayHit {
     int copy = -1;      ///< index into Stage::copies; -1: nothing met
     double at = 0;      ///< ray parameter
-    Vec3 face, smooth;  ///< unit normals, both towards the ray's origin: of the facet, and as it
-                        ///< should look
+    Vec3 face, smooth;  ///< unit normals towards the ray's origin: of the facet, and to shade with
 };
 
 /// Each distinct mesh is held once, each copy is an instance of it. Const calls may come from many

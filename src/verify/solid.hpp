@@ -17,10 +17,6 @@ using Hierarchy = fcl::BVHModel<fcl::OBBRSS<double>>;
 
 class Solid {
   public:
-    /// Triangles of less height than this are no part of the surface: all their points are so near their
-    /// longest edge, which a neighbour has too.
-    static constexpr double kNeedle = 1e-7;  ///< mm
-
     /// What hangs together by vertices.
     struct Shell {
         Vec3 corner;                     ///< one of its vertices
@@ -49,7 +45,8 @@ class Solid {
     /// where nothing does.
     std::optional<Vec3> middle_behind(std::size_t triangle) const;
 
-    /// Boxes over the triangles that are no needles; none if all are.
+    /// Boxes over the triangles that are no needles; none if all are. All points of a needle are next to its longest
+    /// edge, which a neighbour has too.
     const Hierarchy* hierarchy() const { return hierarchy_ ? &*hierarchy_ : nullptr; }
     /// A triangle's index in mesh(), by its index in the hierarchy.
     std::size_t triangle(int primitive) const { return kept_[static_cast<std::size_t>(primitive)]; }

@@ -34,8 +34,11 @@ double inner_segments(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v
 
 /// A triangle with what all tests need.
 struct Face {
-    explicit Face(const Corners& c)
-        : corner(c), edge{c[1] - c[0], c[2] - c[1], c[0] - c[2]}, normal(cross(edge[0], edge[1])) {}
+    explicit Face(const Corners& c) : corner(c), edge{c[1] - c[0], c[2] - c[1], c[0] - c[2]} {
+        const Vec3 across = cross(edge[0], edge[1]);
+        const double longest = std::max({squared(edge[0]), squared(edge[1]), squared(edge[2])});
+        if (squared(across) > kNeedle * kNeedle * longest) normal = across;
+    }
 
     /// On the inner side of all three edge planes.
     bool above(const Vec3& p) const {
@@ -47,7 +50,7 @@ struct Face {
 
     Corners corner;
     std::array<Vec3, 3> edge;
-    Vec3 normal;
+    Vec3 normal;  ///< of length 2 area; 0 for a needle
 };
 
 /// Squared distance from p to the inside of the face; infinity where an edge is nearest.
@@ -84,6 +87,12 @@ bool pierces(const std::array<double, 3>& height, const Face& a, const Face& b) 
 }
 
 }  // namespace
+
+double least_height(const Corners& triangle) {
+    const Vec3 a = triangle[1] - triangle[0], b = triangle[2] - triangle[1], c = triangle[0] - triangle[2];
+    const double longest = std::sqrt(std::max({squared(a), squared(b), squared(c)}));
+    return longest > 0 ? length(cross(a, b)) / longest : 0;
+}
 
 double point_triangle_distance(const Vec3& point, const Corners& triangle) {
     const Face face(triangle);
@@ -142,13 +151,6 @@ double crossing_depth(const Corners& corners_a, const Corners& corners_b) {
         }
     }
     return depth < kInfinity ? depth : 0;
-}
-
-double least_height(const Corners& triangle) {
-    const Face face(triangle);
-    const double longest = std::sqrt(
-        std::max({squared(face.edge[0]), squared(face.edge[1]), squared(face.edge[2])}));
-    return longest > 0 ? length(face.normal) / longest : 0;
 }
 
 }  // namespace spectralpack

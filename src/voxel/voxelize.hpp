@@ -52,7 +52,7 @@ struct OrientedVoxels {
 
 /// voxelize() for every rotation, in their order. Of rotations that differ in the order of their
 /// axes only, one is voxelised and its voxels' axes are exchanged, which is what voxelising each
-/// would give: 8 of the cube's 24, about a third of any euler_orientations().
+/// would give: 8 of the cube's 24 rotations, 112 of the 208 in steps of 45 degrees.
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
                                                   const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "core/error.hpp"
 #include "voxel/bit_rows.hpp"
 #include "voxel/box_distance.hpp"
 #include "voxel/grid_mesh.hpp"
@@ -13,6 +15,7 @@
 namespace spectralpack {
 namespace {
 
+constexpr double kMaxReach = 1 << 29;     ///< voxels: keeps indices within an int
 constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 class Widening {
@@ -77,6 +80,10 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, d
                     const Workers& workers) {
     const double reach = (gap - kGapTolerance) / voxel_size;
     if (!(reach > 0)) return {solid, {}};
+    if (!(reach <= kMaxReach)) {
+        throw ResourceError("a gap of " + std::to_string(gap) + " mm is too large for voxels of " +
+                            std::to_string(voxel_size) + " mm");
+    }
     const Box box = bounding_box(mesh);
     const GridMesh grid_mesh(mesh, box.min, voxel_size);
     Widening widening(solid, grid_mesh, 1 / voxel_size * box.size(), reach);

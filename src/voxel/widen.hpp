@@ -11,14 +11,14 @@ namespace spectralpack {
 /// Voxels whose open interior lies nearer than `gap` (Euclidean, less kGapTolerance) to the solid.
 struct WidenedVoxels {
     BitGrid voxels;
-    VoxelIndex
-        offset;  ///< of voxel (0,0,0) from the unwidened grid's voxel (0,0,0); components <= 0
+    VoxelIndex offset;  ///< of its voxel (0,0,0) in the unwidened grid; components <= 0
 };
 
 inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly `gap` away stays out
 
 /// `solid` must be voxelize(mesh, voxel_size). gap > 0, finite. The result contains `solid`.
 /// Exact: decided by the distance between the closed voxel and the mesh's triangles.
+/// Throws ResourceError where the result would be beyond all memory.
 WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
                     const Workers& workers);
 

@@ -231,7 +231,7 @@ TEST(Overlap, BlocksAgreeWithTheirCells) {
                                                  common, common * moved_by(step));
         EXPECT_EQ(apart(relation), !shared) << "pair " << pair;
         if (shared) {
-            EXPECT_GT(relation.depth, deepest / 3) << "pair " << pair;
+            EXPECT_GT(relation.depth, deepest / 4) << "pair " << pair;
         } else {
             EXPECT_NEAR(relation.distance, distance, 1e-9) << "pair " << pair;
         }

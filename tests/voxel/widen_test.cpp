@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.hpp"
 #include "geometry/triangle_distance.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
@@ -137,6 +138,11 @@ TEST(Widen, AVoxelExactlyTheGapAwayStaysOut) {
     EXPECT_TRUE(has(two, -2, -1, -1));
     EXPECT_FALSE(has(two, -2, -2, 0));
     EXPECT_EQ(widen(solid, cube, 2, 1e-7, kOne).voxels, solid);
+}
+
+TEST(Widen, AGapBeyondAllMemoryIsRefused) {
+    const Mesh cube = test::cube_mesh(20);
+    EXPECT_THROW(widen(voxelize(cube, 2, kOne), cube, 2, 1e300, kOne), ResourceError);
 }
 
 TEST(Widen, TheFurtherHoldsTheNearer) {
