@@ -24,12 +24,13 @@ struct LoadedMesh {
     std::vector<std::string> warnings;  ///< what the user should look at, in words
 };
 
-/// Reads STL (binary, ASCII), OBJ, PLY, OFF, 3MF and binvox (its voxels' faces). Several objects of a 3MF are elements of their
-/// own, in file order. Meshes come out welded (equal coordinates are one vertex), without zero-area
-/// and duplicate facets, closed shells turned outwards; each such repair is told. Throws InputError
-/// naming file, place and cause for what cannot be used: unreadable, truncated, not finite, no
-/// triangles, zero volume or flat. `default_unit`: mm per unit of files that do not say theirs;
-/// only warnings about the size depend on it.
+/// Reads STL (binary, ASCII), OBJ, PLY, OFF, 3MF and binvox (its voxels' faces). Several objects of
+/// a 3MF are elements of their own, in file order. Meshes come out welded (equal coordinates are one
+/// vertex), without zero-area and duplicate facets, closed shells turned outwards; each such repair
+/// is told. Throws InputError naming file, place and cause for what cannot be used: unreadable,
+/// truncated, not finite, no triangles, zero volume or flat; one such object refuses the whole file.
+/// `default_unit`: mm per unit of files that do not say theirs; only warnings about the size depend
+/// on it.
 std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit = 1);
 
 /// True for endings that read_meshes knows.

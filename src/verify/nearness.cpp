@@ -12,6 +12,9 @@ namespace {
 /// is about 1e-7 of their size.
 constexpr double kRoom = 1e-4;  ///< mm
 
+/// Triangles nearer than this may cross.
+constexpr double kMeeting = 1e-9;  ///< mm
+
 class Search : public fcl::detail::MeshDistanceTraversalNodeOBBRSS<double> {
   public:
     Search(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound,
@@ -52,7 +55,7 @@ class Search : public fcl::detail::MeshDistanceTraversalNodeOBBRSS<double> {
         found_.distance = std::min(found_.distance, distance);
         if (distance > reach_) return;
         found_.contacts.push_back(contact);
-        if (distance == 0) {
+        if (distance < kMeeting) {
             found_.crossing = std::max(found_.crossing, crossing_depth(on_a, on_b));
         }
     }
