@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SPECTRALPACK_SANITIZED
 constexpr Limits kLimits{0, 40, 200};  // shadow memory takes terabytes of address space
 #else
 constexpr Limits kLimits{rlim_t{1} << 30, 10, 100};  // two threads for five seconds

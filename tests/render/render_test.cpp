@@ -204,11 +204,13 @@ TEST(Render, ShowsInsideOutMeshesAsTheOthers) {
         mesh = std::make_shared<const Mesh>(test::turned_inside_out(*mesh));
     }
     const Image turned = picture(scene);
-    int most = 0;  // corners come in another order, so sums may differ in the last bit
+    // Corners come in another order, so sums may differ in the last bit: one step in what is drawn
+    // and one more, with some compilers, in the average over its neighbours.
+    int most = 0;
     for (std::size_t i = 0; i < image.rgb.size(); ++i) {
         most = std::max(most, std::abs(int{image.rgb[i]} - int{turned.rgb[i]}));
     }
-    EXPECT_LE(most, 1);
+    EXPECT_LE(most, 2);
 }
 
 TEST(Render, ThrowsAShadowOnTheFloorBesideACopy) {
