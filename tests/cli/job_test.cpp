@@ -97,7 +97,8 @@ TEST_F(JobFile, CheckConfirmsThePartsOwnGap) {
     std::ofstream(folder_ / "build.json") << packing;
     const Ran ran = spectralpack({"check", "--json", at("build.json")});
     EXPECT_EQ(ran.status, 1);
-    for (const json& finding : json::parse(ran.out)["findings"]) {
+    const json report = json::parse(ran.out);
+    for (const json& finding : report["findings"]) {
         EXPECT_EQ(finding["kind"], "gap");
         bool wide = false;
         for (const json& index : finding["placements"]) {
