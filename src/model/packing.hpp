@@ -9,6 +9,7 @@
 
 #include "geometry/box.hpp"
 #include "geometry/transform.hpp"
+#include "model/disassembly.hpp"
 #include "model/options.hpp"
 #include "model/part.hpp"
 
@@ -39,6 +40,7 @@ struct TrayPacking {
     Box bounding_box;                   ///< of the placed meshes; empty without placements
     double height = 0;                  ///< top of the bounding box
     Layers layers;
+    std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
 
 enum class UnplacedReason { tray_full, too_large, interlocked, unusable, stopped };

@@ -8,14 +8,14 @@
 namespace spectralpack {
 namespace {
 
-/// FCL's bounds of the distance of two boxes may be too large by their rounding, which for almost parallel boxes
+/// FCL's bounds of the distance of two volumes may be too large by their rounding, which for almost parallel ones
 /// is about 1e-7 of their size.
 constexpr double kRoom = 1e-4;  ///< mm
 
 /// Triangles nearer than this may cross.
 constexpr double kMeeting = 1e-9;  ///< mm
 
-class Search : public fcl::detail::MeshDistanceTraversalNodeOBBRSS<double> {
+class Search : public fcl::detail::MeshDistanceTraversalNodeRSS<double> {
   public:
     Search(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound,
            double tolerance)

@@ -24,6 +24,22 @@ constexpr int kDeepCandidates = 8;
 
 Vector to_fcl(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+using Volume = fcl::RSS<double>;
+
+/// The box of a rectangle swept by a sphere: in the volume's axes, about the rectangle's middle.
+struct LocalBox {
+    explicit LocalBox(const Volume& swept)
+        : volume(swept), middle(swept.l[0] / 2, swept.l[1] / 2, 0),
+          half(middle + Vector::Constant(swept.r)) {}
+
+    Vector to_local(const Vector& point) const {
+        return volume.axis.transpose() * (point - volume.To) - middle;
+    }
+
+    const Volume& volume;
+    Vector middle, half;
+};
+
 /// The k-th of a fixed list of directions that are parallel to nothing in particular (a spiral on the sphere).
 Vec3 direction(int k) {
     const double z = 1 - (2 * k + 1.3) / (kDirections + 1);
@@ -36,12 +52,12 @@ Vec3 direction(int k) {
 template <class Visit>
 void for_each_on_ray(const Hierarchy& hierarchy, const Vec3& from, const Vec3& along, Visit visit) {
     const Vector origin = to_fcl(from), way = to_fcl(along);
-    const auto meets = [&](const fcl::OBB<double>& box) {
-        const Vector start = box.axis.transpose() * (origin - box.To);
-        const Vector step = box.axis.transpose() * way;
+    const auto meets = [&](const Volume& volume) {
+        const LocalBox box(volume);
+        const Vector start = box.to_local(origin), step = volume.axis.transpose() * way;
         double begin = 0, end = kInfinity;
         for (int axis = 0; axis < 3; ++axis) {
-            const double reach = box.extent[axis] + kRoom;
+            const double reach = box.half[axis] + kRoom;
             if (std::abs(step[axis]) < 1e-12) {
                 if (std::abs(start[axis]) > reach) return false;
                 continue;
@@ -56,7 +72,7 @@ void for_each_on_ray(const Hierarchy& hierarchy, const Vec3& from, const Vec3& a
     while (!open.empty()) {
         const auto& node = hierarchy.getBV(open.back());
         open.pop_back();
-        if (!meets(node.bv.obb)) continue;
+        if (!meets(node.bv)) continue;
         if (node.isLeaf()) {
             visit(node.primitiveId());
         } else {
@@ -189,9 +205,8 @@ double Solid::surface_distance(const Vec3& point) const {
     if (!hierarchy_) return kInfinity;
     const Vector p = to_fcl(point);
     const auto box_distance = [&](int node) {
-        const fcl::OBB<double>& box = hierarchy_->getBV(node).bv.obb;
-        const Vector local = box.axis.transpose() * (p - box.To);
-        return ((local.cwiseAbs() - box.extent).cwiseMax(0)).norm() - kRoom;
+        const LocalBox box(hierarchy_->getBV(node).bv);
+        return (box.to_local(p).cwiseAbs() - box.half).cwiseMax(0).norm() - kRoom;
     };
     double best = kInfinity;
     std::vector<std::pair<double, int>> open{{box_distance(0), 0}};

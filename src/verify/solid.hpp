@@ -1,9 +1,9 @@
 #pragma once
-/// One mesh in millimetres, prepared for questions: FCL's hierarchy of boxes over its triangles, its shells, and
+/// One mesh in millimetres, prepared for questions: FCL's hierarchy over its triangles, its shells, and
 /// what is inside it. Made once per mesh and scale, shared by all copies; constant and safe to ask from any thread.
 
 #include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/math/bv/RSS.h>
 
 #include <optional>
 #include <vector>
@@ -13,7 +13,8 @@
 
 namespace spectralpack {
 
-using Hierarchy = fcl::BVHModel<fcl::OBBRSS<double>>;
+/// Rectangles swept by spheres: half the memory of FCL's OBBRSS, of which distances use only this half.
+using Hierarchy = fcl::BVHModel<fcl::RSS<double>>;
 
 class Solid {
   public:
@@ -45,7 +46,7 @@ class Solid {
     /// where nothing does.
     std::optional<Vec3> middle_behind(std::size_t triangle) const;
 
-    /// Boxes over the triangles that are no needles; none if all are. All points of a needle are next to its longest
+    /// Over the triangles that are no needles; none if all are. All points of a needle are next to its longest
     /// edge, which a neighbour has too.
     const Hierarchy* hierarchy() const { return hierarchy_ ? &*hierarchy_ : nullptr; }
     /// A triangle's index in mesh(), by its index in the hierarchy.
