@@ -5,6 +5,7 @@
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -140,9 +141,6 @@ class JobReader {
         if (const auto v = node.find("priority"); v && v->number() != 0)
             not_built(*v, "priorities are");
         if (const auto v = node.find("due")) not_built(*v, "due dates are");
-        if (const auto v = node.find("orientations"); v && !(v->is_text() && v->text() == "any")) {
-            not_built(*v, "orientations other than \"any\" are");
-        }
         JobPart part;
         part.key = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -150,6 +148,7 @@ class JobReader {
         if (const auto v = node.find("count")) part.count = v->integer<int>(1, kMostCopies);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));
     }
 

@@ -7,6 +7,7 @@
 #include "formats/option_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -168,6 +169,7 @@ class PackingReader {
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("unit")) part.unit = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         if (const auto v = node.find("volume")) part.volume = v->number();
         if (const auto v = node.find("repairs")) {
             v->for_each([&](const Node& repair) { part.repairs.push_back(repair.text()); });

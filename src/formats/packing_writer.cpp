@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -145,6 +146,7 @@ class PackingWriter {
                 {"scale", part.scale},
                 {"unit", part.unit},
                 {"gap", part.gap},
+                {"orientations", part_orientations_json(part.orientations)},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/transform.hpp"
+#include "model/orientation.hpp"
 
 namespace spectralpack {
 
@@ -19,6 +20,7 @@ struct Part {
     double scale = 1;
     double unit = 1;       ///< millimetres per unit of the mesh file
     double gap = 0;        ///< mm
+    PartOrientations orientations;  ///< those it may take
     double volume = 0;     ///< signed volume of one scaled copy, mm^3
     std::vector<std::string> repairs;  ///< what was mended on loading, in words
 

@@ -60,7 +60,7 @@ TEST(JobFile, ReadsEveryKey) {
                                  {"scale", 0.5},
                                  {"gap", 2},
                                  {"priority", 0},
-                                 {"orientations", "any"}});
+                                 {"orientations", {{"axes", {"+z", "-x"}}, {"yaw", 45}}}});
     document["options"] = {{"voxel", 1},          {"rotations", 45},      {"refine", false},
                            {"interlock", "off"},  {"order", "random"},    {"height-penalty", 4},
                            {"height-at", "top"},  {"seed", 7},            {"engine", "reference"},
@@ -100,6 +100,10 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(lid.count, 12);
     EXPECT_EQ(lid.scale, 0.5);
     EXPECT_EQ(lid.gap, 2);
+    EXPECT_EQ(lid.orientations.kind, PartOrientations::Kind::axes);
+    EXPECT_EQ(lid.orientations.up, (std::vector<SignedAxis>{{2, true}, {0, false}}));
+    EXPECT_EQ(lid.orientations.yaw, 45);
+    EXPECT_EQ(file.parts[0].orientations, PartOrientations{});
     EXPECT_EQ(lid.key, "parts[1]");
 }
 
@@ -117,6 +121,19 @@ TEST(JobFile, NamesThePathOfWhatIsWrong) {
         {"/parts/0/scale", -1, "parts[0].scale"},
         {"/parts/0/gap", -0.5, "parts[0].gap"},
         {"/parts/0/name", json::array(), "parts[0].name"},
+        {"/parts/0/orientations", "sideways", "parts[0].orientations"},
+        {"/parts/0/orientations", 90, "parts[0].orientations"},
+        {"/parts/0/orientations", json{{"yaw", 90}}, "parts[0].orientations"},
+        {"/parts/0/orientations", json{{"axes", json::array()}}, "parts[0].orientations.axes"},
+        {"/parts/0/orientations", json{{"axes", {"+z", "up"}}}, "parts[0].orientations.axes[1]"},
+        {"/parts/0/orientations", json{{"axes", {"+z"}}, {"yaw", 50}}, "parts[0].orientations.yaw"},
+        {"/parts/0/orientations", json{{"axes", {"+z"}}, {"roll", 90}}, "parts[0].orientations.roll"},
+        {"/parts/0/orientations", json{{"matrices", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 1, 0}}}}},
+         "parts[0].orientations.matrices[1]"},
+        {"/parts/0/orientations", json{{"matrices", {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}}},
+         "parts[0].orientations.matrices[0]"},
+        {"/parts/0/orientations", json{{"matrices", {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}}},
+         "parts[0].orientations.matrices[0]"},
         {"/parts/0/colour", "red", "parts[0].colour"},
         {"/part", json::array(), "part"},
         {"/unit", "cubit", "unit"},
@@ -179,8 +196,6 @@ TEST(JobFile, WhatIsNotBuiltIsAUsageErrorWithTheKeysPath) {
         {"/trays", "all", "trays"},
         {"/options/trays", 3, "options.trays"},
         {"/open_height", true, "open_height"},
-        {"/parts/0/orientations", "upright", "parts[0].orientations"},
-        {"/parts/0/orientations", json{{"yaw", 90}}, "parts[0].orientations"},
         {"/parts/0/priority", 3, "parts[0].priority"},
         {"/parts/0/due", "2026-12-01", "parts[0].due"}};
     for (const auto& [pointer, value, path] : foreseen) {

@@ -40,6 +40,9 @@ inline Packing small_packing() {
     bracket.count = 3;
     bracket.scale = 0.5;
     bracket.gap = 0.25;
+    bracket.orientations.kind = PartOrientations::Kind::axes;
+    bracket.orientations.up = {{2, true}, {0, false}};
+    bracket.orientations.yaw = 45;
     bracket.volume = 1000.0 / 3;
     bracket.repairs = {"turned the mesh, which was inside out"};
     packing.parts.push_back(bracket);
