@@ -107,7 +107,7 @@ class PlanReplay {
             if (placement < 0 || i >= placements_.size()) return impossible(index, "moves a copy that is not there");
             if (placements_[i].fixed) return impossible(index, "moves " + name(i) + ", which is fixed");
             if (own_step_[i]) {
-                return impossible(index, "takes out " + name(i) + ", which step " + std::to_string(*own_step_[i]) +
+                return impossible(index, "takes out " + name(i) + ", which step " + std::to_string(*own_step_[i] + 1) +
                                              " has taken out already");
             }
             if (company_[i] != company_[static_cast<std::size_t>(step.placements[0])]) {
@@ -231,7 +231,8 @@ class PlanReplay {
             replay_.report.failed_steps.push_back(static_cast<int>(step));
         }
         replay_.findings.push_back({FindingKind::plan, tray_, std::move(placements), amount,
-                                    tray_prefix(packing_, tray_) + "plan, step " + std::to_string(step) + ": " + what});
+                                    tray_prefix(packing_, tray_) + "plan, step " + std::to_string(step + 1) + " of " +
+                                        std::to_string(plan_.steps.size()) + ": " + what});
     }
 
     std::string name(std::size_t placement) const { return copy_name(packing_, placements_[placement]); }

@@ -9,10 +9,11 @@
 namespace spectralpack {
 namespace {
 
-/// Boxes are asked with so much room, for rounding.
+/// Boxes are asked with so much more room than flat meetings need, for rounding.
 constexpr double kRoom = 1e-6;  ///< mm
-/// Once a penetration is found, so many more pairs of triangles are looked at for a deeper one.
+/// Once a penetration is found, so many more pairs of triangles, or times, are looked at for a deeper one.
 constexpr int kDeeperPairs = 4096;
+constexpr int kDeeperTimes = 8;
 /// Times of flat meetings nearer than this in travel are looked at together.
 constexpr double kSameTime = 2;  ///< tolerances
 
@@ -43,12 +44,12 @@ struct TurnedBox {
     Vec3 centre;
 };
 
-/// May the boxes meet while `a` moves?
-bool meet(const TurnedBox& a, const TurnedBox& b, const Vec3& move) {
+/// May the boxes come as near as `room` while `a` moves?
+bool meet(const TurnedBox& a, const TurnedBox& b, const Vec3& move, double room) {
     const Vec3 apart = b.centre - a.centre;
     double begin = 0, end = 1;
     const auto meet_along = [&](const Vec3& axis) {
-        const double reach = a.reach(axis) + b.reach(axis) + kRoom * length(axis);
+        const double reach = a.reach(axis) + b.reach(axis) + room * length(axis);
         const double at = dot(axis, apart), speed = dot(axis, move);
         if (std::abs(speed) <= 1e-12 * length(move)) return std::abs(at) <= reach;
         const double middle = at / speed, slack = std::abs(reach / speed);
@@ -94,7 +95,7 @@ class Sweep {
             const TurnedBox box_a(node_a.bv);
             TurnedBox box_b(node_b.bv);
             box_b.place(b_to_a_);
-            if (!meet(box_a, box_b, move_)) continue;
+            if (!meet(box_a, box_b, move_, kFlatReach * tolerance_ + kRoom)) continue;
             if (node_a.isLeaf() && node_b.isLeaf()) {
                 look_at(a_.triangle(node_a.primitiveId()), b_.triangle(node_b.primitiveId()));
             } else if (node_b.isLeaf() ||
@@ -139,12 +140,20 @@ class Sweep {
         for (const double t : flat_meetings_) {
             if (last >= 0 && t - last < same) continue;
             last = t;
-            const Relation relation =
-                compare({&a_, {Mat3{}, t * move_}}, {&b_, b_to_a_}, tolerance_, 0);
-            if (relation.kind == Relation::Kind::apart) continue;
-            found_ = {relation.depth, t * length(move_)};
+            if (!compare_at(t)) continue;
+            for (int i = 1; i <= kDeeperTimes; ++i) {
+                compare_at(t + (1 - t) * i / kDeeperTimes);
+            }
             return;
         }
+    }
+
+    /// Whether they overlap at that time.
+    bool compare_at(double t) {
+        const Relation relation = compare({&a_, {Mat3{}, t * move_}}, {&b_, b_to_a_}, tolerance_, 0);
+        if (relation.kind == Relation::Kind::apart) return false;
+        if (relation.depth > found_.depth) found_ = {relation.depth, t * length(move_)};
+        return true;
     }
 
     const Solid& a_;
