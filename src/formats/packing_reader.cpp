@@ -82,7 +82,7 @@ class PlanReader {
             const std::string name = "placement " + std::to_string(index);
             if (placements_[i].fixed) named.fail(name + " is fixed and never moves");
             if (left_in_[i]) {
-                named.fail(name + " has left in step " + std::to_string(*left_in_[i]) + " already");
+                named.fail(name + " has left in steps[" + std::to_string(*left_in_[i]) + "] already");
             }
             if (company_[i] != company) {
                 named.fail(name + " and placement " + std::to_string(step.placements.front()) +
