@@ -159,7 +159,7 @@ void run(const Arguments& arguments) {
         [&](int part) {
             return std::make_shared<const Shape>(make_shape(
                 static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)],
-                rotations, arguments.voxel, arguments.gap, setup.gap_classes, workers));
+                rotations, arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
         },
         workers, [](double) {});
 

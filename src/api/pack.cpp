@@ -82,6 +82,7 @@ class Run {
         const double wall = 2 * options.wall_gap;
         setup.size = options.tray - Vec3{wall, wall, wall};
         setup.voxel_size = options.voxel;
+        setup.detail = options.detail;
         setup.gap_classes = plan_.gap_classes;
         Tray tray(setup);
 
@@ -102,7 +103,7 @@ class Run {
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
                 return std::make_shared<const Shape>(
-                    make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel, loaded_.parts[i].gap,
+                    make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel, options.detail, loaded_.parts[i].gap,
                                plan_.gap_classes, workers_));
             },
             workers_, [&](double seconds) { seconds_.voxelize += seconds; });
@@ -120,7 +121,7 @@ class Run {
         if (options.refine) {
             refinement = std::make_unique<Refinement>(
                 RefineSetup{options.tray, options.wall_gap, kLongestMove * options.voxel, kRefineRounds},
-                plan_.orientations, options.voxel,
+                plan_.orientations, options.voxel, options.detail,
                 [&](int part) {
                     const auto i = static_cast<std::size_t>(part);
                     return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap};
@@ -129,7 +130,7 @@ class Run {
         }
         const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
             return refinement ? refinement->settle(item, shape, best)
-                              : stand_on_grid(shape, best, options.voxel, options.wall_gap);
+                              : stand_on_grid(shape, best, options.voxel, options.detail, options.wall_gap);
         };
         const auto finish = [&] {
             if (refinement) seconds_.refine = refinement->seconds();

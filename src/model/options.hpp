@@ -24,6 +24,7 @@ struct VerifyWith {
 struct PackOptions {
     Vec3 tray{480, 245, 200};       ///< container size, mm
     double voxel = 2;               ///< dx, mm
+    int detail = 1;                 ///< s: collisions are decided on voxels of dx / s
     std::string rotations = "90";   ///< none, or an angle in degrees that divides 360
     double gap = 0.2;               ///< least distance between two copies, mm
     double wall_gap = 0;            ///< least distance to the container, mm

@@ -22,7 +22,7 @@ class Refinement {
     using PartOf = std::function<RefinedPart(int part)>;
 
     /// One per tray, which starts empty. `orientations`: the job's set; `voxel_size` in mm.
-    Refinement(const RefineSetup& setup, const std::vector<Mat3>& orientations, double voxel_size, PartOf part_of,
+    Refinement(const RefineSetup& setup, const std::vector<Mat3>& orientations, double voxel_size, int detail, PartOf part_of,
                const Workers& workers);
 
     Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
@@ -41,6 +41,7 @@ class Refinement {
     RefineSetup setup_;
     std::vector<Mat3> orientations_;
     double voxel_size_;
+    int detail_;
     PartOf part_of_;
     Workers workers_;
     Refiner refiner_;

@@ -15,18 +15,22 @@ namespace spectralpack {
 /// An orientation's voxels as runs.
 struct OrientationRuns {
     Runs solid;
+    /// A+g. With s > 1 its voxels of dx / s are not all runs: what lies in voxels of dx that are filled altogether, the
+    /// core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
     struct Widened {
         Runs runs;
         VoxelIndex offset;
+        Runs core;
+        VoxelIndex core_offset;
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
 };
 
-OrientationRuns make_runs(const OrientedShape& shape);
+OrientationRuns make_runs(const OrientedShape& shape, int detail);
 
-/// Voxels by which the widened shapes reach beyond the solid on any side.
-int overhang(const Shape& shape);
+/// Voxels of dx by which the widened shapes reach beyond the solid on any side.
+int overhang(const Shape& shape, int detail);
 
 /// Words of a tile: 64 positions along x (the bits) by 8 along y (the words).
 inline constexpr int kTileRows = 8;
