@@ -12,6 +12,7 @@
 #include "progress_display.hpp"
 #include "summary.hpp"
 #include "text.hpp"
+#include "time_probe.hpp"
 
 namespace spectralpack::cli {
 namespace {
@@ -207,13 +208,16 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
     return written;
 }
 
-int run_estimate(const Settings& settings, ProgressDisplay& display, bool& unusable) {
+/// A dry run packs for this long to see how fast it goes.
+constexpr double kProbeSeconds = 3;
+
+int run_estimate(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
     const Estimate planned = estimate(settings.job, display);
     display.finish();
     report_unusable(planned.unusable, display);
     unusable = unusable || !planned.unusable.empty();
-    print_estimate(planned, settings.job.options);
-    return kDone;
+    print_estimate(planned, settings.job.options, probe_time(settings.job, kProbeSeconds, interrupts.token()));
+    return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
 int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
@@ -249,7 +253,7 @@ int run_pack(const PackArguments& arguments) {
     settings.job.parts = inputs.parts;
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run ? run_estimate(settings, display, unusable)
+    const int status = settings.dry_run ? run_estimate(settings, display, interrupts, unusable)
                                         : run_job(settings, display, interrupts, unusable);
     if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable) return kUnusableInput;
     return status;
@@ -291,7 +295,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--skip-unusable", a.skip_unusable, "exit 0 although an input was unusable")->group(input);
     const std::string search = "Search";
     sub->add_option("--voxel", a.voxel, "voxel size in mm [2]")->group(search);
-    sub->add_option("--detail", a.detail, "collisions are decided on voxels this many times finer [1]")->group(search);
+    sub->add_option("--detail", a.detail, "copies may come as near as voxels this many times finer allow, 1 to 8 [2]")->group(search);
     sub->add_option("--rotations", a.rotations,
                     "orientations tried: none, or a step in degrees: 90 (24 of them), 45, 30 ... [90]")
         ->group(search);
@@ -302,8 +306,8 @@ Command add_pack_command(CLI::App& app) {
         ->group(search);
     sub->add_option("--order", a.order, "which copies first: size, input, random [size]")->group(search);
     sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
-    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes")->group(search);
-    sub->add_flag("--no-refine", a.no_refine, "stay on the grid [the default for now]")->group(search);
+    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
+    sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock, "keep copies from locking: off (post, place: not built yet) [off]")
         ->group(search);
     const std::string run = "Run";
@@ -314,7 +318,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--time-limit", a.time_limit, "seconds; then the best packing so far is written")
         ->check(CLI::NonNegativeNumber)
         ->group(run);
-    sub->add_flag("--dry-run", a.dry_run, "say what it would take; write nothing")->group(run);
+    sub->add_flag("--dry-run", a.dry_run, "say what memory and time it would take (packs a few seconds to see); write nothing")->group(run);
     sub->add_option("--verify-with", a.verify_with,
                     "let a second engine answer too, all or about SAMPLE placements: reference[:SAMPLE]")
         ->group(run);

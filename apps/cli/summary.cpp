@@ -67,6 +67,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     fmt::print("  height     {} mm\n", length_text(tray.height));
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
                length_text(packing.options.wall_gap));
+    if (metrics.min_gap) fmt::print("  least gap  {} mm, measured\n", length_text(*metrics.min_gap));
     const std::string refining =
         packing.options.refine ? fmt::format(", refining {}", duration_text(seconds.refine)) : "";
     fmt::print("  time       {} (loading {}, voxels {}, search {}{}; {} searches, {} on {} thread{})\n",
@@ -85,7 +86,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     }
 }
 
-void print_estimate(const Estimate& estimate, const PackOptions& options) {
+void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time) {
     fmt::print("{} copies of {} parts into {}\n", estimate.copies, estimate.parts, size_text(options.tray));
     fmt::print("  grid       {} x {} x {} voxels of {} mm\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
                length_text(options.voxel));
@@ -93,13 +94,21 @@ void print_estimate(const Estimate& estimate, const PackOptions& options) {
                estimate.orientations == 1 ? "" : "s");
     fmt::print("  memory     about {}, of {} {}\n", bytes_text(estimate.memory), bytes_text(estimate.memory_limit),
                options.memory > 0 ? "allowed" : "free");
+    if (!time) {
+        fmt::print("  time       unknown: it cannot start with this memory\n");
+    } else if (time->packed == 0) {
+        fmt::print("  time       much more than {}: too few copies were tried by then\n", duration_text(time->seconds));
+    } else {
+        fmt::print("  time       about {} ({} of the copies were tried to see)\n", duration_text(time->seconds),
+                   percent_text(time->packed));
+    }
     fmt::print("  material   {} of the container; boxes {}\n", percent_text(estimate.volume_ratio),
                percent_text(estimate.box_ratio));
     fmt::print("  height     penalty p = {:g}\n", estimate.height_penalty);
     for (const std::string& part : estimate.too_large) {
         fmt::print("  too large  {}\n", printable(part));
     }
-    fmt::print("Nothing was packed or written (--dry-run).\n");
+    fmt::print("Nothing was written (--dry-run).\n");
 }
 
 }  // namespace spectralpack::cli

@@ -64,6 +64,7 @@ Json options_json(const PackOptions& o) {
     }
     return {{"tray", vector_json(o.tray)},
             {"voxel", o.voxel},
+            {"detail", o.detail},
             {"rotations", o.rotations},
             {"gap", o.gap},
             {"wall-gap", o.wall_gap},
@@ -78,6 +79,18 @@ Json options_json(const PackOptions& o) {
             {"memory", o.memory},
             {"verify-with", verify},
             {"time-limit", or_null(o.time_limit)}};
+}
+
+Json plan_json(const Disassembly& plan) {
+    Json steps = Json::array();
+    for (const RemovalStep& step : plan.steps) {
+        Json path = Json::array();
+        for (const Vec3& move : step.path) {
+            path.push_back(vector_json(move));
+        }
+        steps.push_back({{"placements", step.placements}, {"path", std::move(path)}});
+    }
+    return {{"complete", plan.complete}, {"steps", std::move(steps)}, {"interlocked", plan.interlocked}};
 }
 
 class PackingWriter {
@@ -159,7 +172,7 @@ class PackingWriter {
                 {"bounding_box", std::move(box)},
                 {"height", tray.height},
                 {"layers", {{"thickness", tray.layers.thickness}, {"area", tray.layers.area}}},
-                {"disassembly", nullptr}};
+                {"disassembly", tray.disassembly ? plan_json(*tray.disassembly) : Json(nullptr)}};
     }
 
     Json metrics_json() const {

@@ -1,6 +1,7 @@
 #include "packing/refinement.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace spectralpack {
@@ -47,6 +48,14 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     refiner_.add(std::move(refined));
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return standing;
+}
+
+std::optional<double> Refinement::least_gap() const {
+    double least = Box::kInfinity;
+    for (Refiner::CopyId id = 0; const StandingCopy* copy = refiner_.find(id); ++id) {
+        least = refiner_.clearance(*copy, least, id);
+    }
+    return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }
 
 }  // namespace spectralpack

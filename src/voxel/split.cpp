@@ -26,14 +26,26 @@ Layout layout_of(const Extent& fine, const VoxelIndex& at, int detail) {
     return layout;
 }
 
-/// Sets the coarse voxels whose fine ones, combined by `combine` (| or &), are all set.
-template <class Combine>
-CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, const Combine& combine) {
+enum class Rule { some, every };
+
+/// 64 bits of a row from bit `first` on, 0 outside the row; first > -64.
+Word bits_at(const std::vector<Word>& row, int first) {
+    if (first < 0) return row[0] << -first;
+    const auto w = static_cast<std::size_t>(first / kWordBits);
+    const int shift = first % kWordBits;
+    Word bits = w < row.size() ? row[w] >> shift : 0;
+    if (shift > 0 && w + 1 < row.size()) bits |= row[w + 1] << (kWordBits - shift);
+    return bits;
+}
+
+/// The coarse voxels of which some or every fine voxel is set.
+CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule rule) {
     const Layout layout = layout_of(fine.extent(), at, detail);
     CoarseVoxels result{BitGrid(layout.extent), layout.offset};
     const auto words = static_cast<std::size_t>(fine.words_per_row());
     const std::vector<Word> outside(words, 0);
     std::vector<Word> row(words);
+    const Word all = (Word{1} << detail) - 1;  // the bits of one coarse voxel
     for (int z = 0; z < layout.extent.z; ++z) {
         for (int y = 0; y < layout.extent.y; ++y) {
             for (int i = 0; i < detail * detail; ++i) {
@@ -42,19 +54,13 @@ CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, const
                 const bool inside = fy >= 0 && fy < fine.extent().y && fz >= 0 && fz < fine.extent().z;
                 const Word* from = inside ? fine.row(fy, fz) : outside.data();
                 for (std::size_t w = 0; w < words; ++w) {
-                    row[w] = i == 0 ? from[w] : combine(row[w], from[w]);
+                    row[w] = i == 0 ? from[w] : rule == Rule::some ? row[w] | from[w] : row[w] & from[w];
                 }
             }
             Word* to = result.voxels.row(y, z);
             for (int x = 0; x < layout.extent.x; ++x) {
-                Word all = 0;
-                for (int i = 0; i < detail; ++i) {
-                    const int fx = detail * x + i - layout.rest.x;
-                    const bool inside = fx >= 0 && fx < fine.extent().x;
-                    const Word bit = inside ? row[static_cast<std::size_t>(fx / kWordBits)] >> (fx % kWordBits) & 1 : 0;
-                    all = i == 0 ? bit : combine(all, bit);
-                }
-                to[x / kWordBits] |= all << (x % kWordBits);
+                const Word group = bits_at(row, detail * x - layout.rest.x) & all;
+                to[x / kWordBits] |= Word{rule == Rule::some ? group != 0 : group == all} << (x % kWordBits);
             }
         }
     }
@@ -86,12 +92,12 @@ SplitVoxels split(const BitGrid& fine, const VoxelIndex& at, int detail) {
 
 CoarseVoxels reached_voxels(const BitGrid& fine, const VoxelIndex& at, int detail) {
     if (detail == 1) return {fine, at};
-    return pooled(fine, at, detail, [](Word a, Word b) { return a | b; });
+    return pooled(fine, at, detail, Rule::some);
 }
 
 CoarseVoxels filled_voxels(const BitGrid& fine, const VoxelIndex& at, int detail) {
     if (detail == 1) return {fine, at};
-    return pooled(fine, at, detail, [](Word a, Word b) { return a & b; });
+    return pooled(fine, at, detail, Rule::every);
 }
 
 }  // namespace spectralpack
