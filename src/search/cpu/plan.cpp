@@ -5,6 +5,8 @@
 #include <bit>
 #include <span>
 
+#include "search/cpu/depths.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -119,9 +121,17 @@ OrientationRuns::Widened runs_of(const WidenedVoxels& wide, int detail) {
 
 }  // namespace
 
-OrientationRuns make_runs(const OrientedShape& shape, int detail) {
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
+    if (!covers) {
+        result.least.assign(result.solid.runs.size(), 0);
+    } else if (detail == 1) {
+        result.least = depth_sums(*shape.solid, result.solid, result.solid);
+    } else {
+        const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
+        result.least = depth_sums(core, runs_along(core, result.solid.axis), result.solid);
+    }
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
@@ -134,6 +144,18 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail) {
         result.widened.push_back(runs_of(*shape.widened[c], detail));
     }
     return result;
+}
+
+bool covers_solid(const Shape& shape) {
+    for (const OrientedShape& oriented : shape.orientations) {
+        for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
+            if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
+            BitGrid bare = oriented.fine ? *oriented.fine : *oriented.solid;
+            subtract(bare, oriented.widened[c]->voxels, oriented.widened[c]->offset);
+            if (!bare.none()) return false;
+        }
+    }
+    return true;
 }
 
 int overhang(const Shape& shape, int detail) {
@@ -178,17 +200,27 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     return plan;
 }
 
-SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
+SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most) {
+    struct Weighed {
+        Run run;
+        std::uint32_t least;
+    };
+    const Runs& runs = orientation.solid;
+    std::vector<Weighed> weighed;
+    weighed.reserve(runs.runs.size());
+    for (std::size_t i = 0; i < runs.runs.size(); ++i) {
+        weighed.push_back({runs.runs[i], orientation.least[i]});
+    }
     SumPlan plan;
     plan.loads.reserve(runs.runs.size());
     const int longest = static_cast<int>(kSumRange / std::max(1, most));
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
     std::int64_t summed = 0;
-    const auto halvings = [](const Run& run) {
-        return std::bit_width(static_cast<unsigned>(run.length));
+    const auto halvings = [](const Weighed& of) {
+        return std::bit_width(static_cast<unsigned>(of.run.length));
     };
-    for (const Run& run : by_level(runs.runs, 33, kLoadsPerBatch, halvings)) {
+    for (const auto& [run, least] : by_level(weighed, 33, kLoadsPerBatch, halvings)) {
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);
             if (length > room || count == kLoadsPerBatch) {
@@ -201,8 +233,13 @@ SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
             from[runs.axis] += done;
             VoxelIndex to = from;
             to[runs.axis] += length;
-            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from)});
+            // Of a run that is split, no part is known to hold the deep voxels.
+            const std::uint32_t known =
+                length == run.length ? least : std::min(least, static_cast<std::uint32_t>(length));
+            const auto part = static_cast<std::uint16_t>(std::min<std::uint32_t>(known, kSumRange));
+            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
             plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
+            plan.least += part;
             summed += length;
             plan.batches.back().share =
                 static_cast<float>(summed) / static_cast<float>(runs.voxels);

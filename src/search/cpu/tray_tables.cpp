@@ -58,21 +58,23 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     changes_.clear();
 }
 
-void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
+void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const Extent& n = tray.extent();
     bits_ = tables_for(tray, margin);
-    sums_ = SumTables(n, 1);
-    coarse_ = SumTables(n, kBlock);
+    apart_ = apart;
+    sums_ = SumTables(n, 1, false);
+    coarse_ = SumTables(n, kBlock, apart);
     refresh_all(bits_, tray);
     rebuild_phi(tray, workers);
     instance_ = tray.instance();
 }
 
-void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
-    const bool afresh = tray.instance() != instance_ || margin > bits_.margin() ||
+void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
+    const bool afresh = tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
                         tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
     if (afresh) {
-        rebuild(tray, std::max(margin, bits_.margin()), workers);
+        const bool same_tray = tray.instance() == instance_;
+        rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);
     } else if (tray.version() > version_) {
         const std::uint64_t first = version_;
         bool removed = false;
@@ -132,7 +134,7 @@ void TrayTables::check(const Tray& tray) const {
         }
     }
     require(most <= phi_.most(), "greatest distance");
-    SumTables sums(n, 1), coarse(n, kBlock);
+    SumTables sums(n, 1, false), coarse(n, kBlock, apart_);
     const Workers one(1);
     sums.update(phi_, whole(n), one);
     coarse.update(phi_, whole(n), one);

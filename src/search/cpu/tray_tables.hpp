@@ -20,13 +20,18 @@ class TrayTables {
     static constexpr int kBlock = 4;
 
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
-    /// A.
-    void follow(const Tray& tray, int margin, const Workers& workers);
+    /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
+    void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
     const DistanceGrid& phi() const { return phi_; }
     const SumTables& sums() const { return sums_; }
     const SumTables& coarse() const { return coarse_; }
+
+    /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
+    bool apart() const { return apart_; }
+    /// No value of coarse() is above it.
+    int most_pooled() const { return apart_ ? SumTables::kMostPooled : phi_.most(); }
 
     /// True when objects of the class stand in the tray.
     bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
@@ -50,13 +55,14 @@ class TrayTables {
     void check(const Tray& tray) const;
 
   private:
-    void rebuild(const Tray& tray, int margin, const Workers& workers);
+    void rebuild(const Tray& tray, int margin, bool apart, const Workers& workers);
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void note_occupied(const Tray& tray);
 
     BitTables bits_;
     DistanceGrid phi_;
     SumTables sums_, coarse_;
+    bool apart_ = true;
     std::vector<bool> class_used_;
     bool walls_ = false;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
