@@ -26,7 +26,7 @@ struct PackArguments {
         memory, verify_with, progress, report;
     std::optional<double> gap, wall_gap, voxel, time_limit, material_density;
     std::optional<std::uint64_t> seed;
-    std::optional<int> threads;
+    std::optional<int> threads, detail;
     std::vector<std::string> outputs;
     bool refine = false, no_refine = false;
     bool dry_run = false, json = false, skip_unusable = false, require_all = false;
@@ -94,6 +94,7 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
     assign(options.gap, a.gap);
     assign(options.wall_gap, a.wall_gap);
     assign(options.voxel, a.voxel);
+    assign(options.detail, a.detail);
     assign(options.rotations, a.rotations);
     assign(options.seed, a.seed);
     assign(options.threads, a.threads);
@@ -294,6 +295,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--skip-unusable", a.skip_unusable, "exit 0 although an input was unusable")->group(input);
     const std::string search = "Search";
     sub->add_option("--voxel", a.voxel, "voxel size in mm [2]")->group(search);
+    sub->add_option("--detail", a.detail, "copies may come as near as voxels this many times finer allow, 1 to 8 [2]")->group(search);
     sub->add_option("--rotations", a.rotations,
                     "orientations tried: none, or a step in degrees: 90 (24 of them), 45, 30 ... [90]")
         ->group(search);
@@ -304,8 +306,8 @@ Command add_pack_command(CLI::App& app) {
         ->group(search);
     sub->add_option("--order", a.order, "which copies first: size, input, random [size]")->group(search);
     sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
-    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes")->group(search);
-    sub->add_flag("--no-refine", a.no_refine, "stay on the grid [the default for now]")->group(search);
+    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
+    sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock, "keep copies from locking: off (post, place: not built yet) [off]")
         ->group(search);
     const std::string run = "Run";

@@ -67,6 +67,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     fmt::print("  height     {} mm\n", length_text(tray.height));
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
                length_text(packing.options.wall_gap));
+    if (metrics.min_gap) fmt::print("  least gap  {} mm, measured\n", length_text(*metrics.min_gap));
     const std::string refining =
         packing.options.refine ? fmt::format(", refining {}", duration_text(seconds.refine)) : "";
     fmt::print("  time       {} (loading {}, voxels {}, search {}{}; {} searches, {} on {} thread{})\n",

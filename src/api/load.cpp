@@ -188,6 +188,7 @@ std::string input_hash(const LoadedJob& loaded, const PackOptions& options) {
         hash.add(value);
     }
     hash.add(options.rotations);
+    hash.add(options.detail);
     hash.add(options.refine);
     hash.add(options.interlock);
     hash.add(options.height_at);

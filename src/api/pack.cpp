@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -79,6 +80,7 @@ class Run {
         FillSetup setup;
         setup.tray.size = options.tray - Vec3{wall, wall, wall};
         setup.tray.voxel_size = options.voxel;
+        setup.tray.detail = options.detail;
         setup.tray.gap_classes = plan_.gap_classes;
         setup.container = options.tray;
         setup.wall_gap = options.wall_gap;
@@ -115,7 +117,7 @@ class Run {
                 [&](int part) {
                     const auto i = static_cast<std::size_t>(part);
                     return std::make_shared<const Shape>(
-                        make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel,
+                        make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel, options.detail,
                                    loaded_.parts[i].gap, plan_.gap_classes, workers_));
                 },
                 workers_, [&](double seconds) { seconds_.voxelize += seconds; });
@@ -135,6 +137,7 @@ class Run {
         };
         const auto finish = [&] {
             seconds_.refine = filler.refine_seconds();
+            least_gap_ = filler.least_gap();
             seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
             if (verifying) verified_ = verifying->verified();
         };
@@ -206,6 +209,7 @@ class Run {
         }
         metrics.placed = trays.placed();
         metrics.seconds = seconds_;
+        metrics.min_gap = least_gap_;
         metrics.searches = trays.searches();
         metrics.verified = verified_;
         metrics.peak_memory = peak_memory();
@@ -221,6 +225,7 @@ class Run {
     LoadedJob loaded_;
     Plan plan_;
     PhaseSeconds seconds_;
+    std::optional<double> least_gap_;
     std::int64_t verified_ = 0;
 };
 

@@ -24,6 +24,9 @@ constexpr double kCacheUnasked = 0.5;
 // What engines keep takes up to this much more than they count: freed pieces of it are not always used again.
 constexpr int kCacheShare = 2;
 
+// Finer ones would be s times finer in each of three directions, for nothing: --voxel is the option to turn then.
+constexpr int kMostDetail = 8;
+
 // The program itself, its libraries and threads.
 constexpr std::int64_t kProgramMemory = 32'000'000;
 
@@ -73,10 +76,10 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
 }
 
 /// Bytes of a part's voxels in all orientations, about: bit rows are padded to words, so the mean over which
-/// axis runs along x; one set for A and one for A+g per distinct positive gap.
-std::int64_t shape_memory(const Vec3& size, double dx, std::size_t orientations,
+/// axis runs along x; one set for A, one for its fine voxels and one, fine too, for A+g per distinct positive gap.
+std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_t orientations,
                           const std::vector<double>& gap_classes) {
-    const auto bits = [&](double margin) {
+    const auto bits = [&](double margin, double dx) {
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = std::ceil((size[axis] + margin) / dx);
@@ -86,9 +89,10 @@ std::int64_t shape_memory(const Vec3& size, double dx, std::size_t orientations,
         }
         return sum;
     };
-    double bytes = bits(0);
+    const double fine = voxel / detail;
+    double bytes = bits(0, voxel) + (detail > 1 ? bits(0, fine) : 0);
     for (const double gap : gap_classes) {
-        if (gap > 0) bytes += bits(2 * (gap + dx));
+        if (gap > 0) bytes += bits(2 * (gap + fine), fine);
     }
     return static_cast<std::int64_t>(bytes * static_cast<double>(orientations));
 }
@@ -110,7 +114,7 @@ std::int64_t memory_at(double dx, const Plan& plan, const LoadedJob& loaded, con
         meshes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
                                             mesh.triangles.size() * sizeof(Triangle));
         if (!plan.too_large[i].empty()) continue;
-        shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx,
+        shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx, options.detail,
                                       plan.orientations.size(), plan.gap_classes));
     }
     const std::size_t held = std::min<std::size_t>(shapes.size(), 2 * ShapeStore::kAhead);
@@ -118,7 +122,7 @@ std::int64_t memory_at(double dx, const Plan& plan, const LoadedJob& loaded, con
                       std::greater<>());
     const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
     const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
-                          static_cast<int>(plan.gap_classes.size())};
+                          static_cast<int>(plan.gap_classes.size()), options.detail};
     std::int64_t bytes = kProgramMemory + meshes + engine_memory(plan.engine, need, workers);
     for (std::size_t i = 0; i < held; ++i) {
         bytes += shapes[i];
@@ -150,6 +154,9 @@ void check_options(const PackOptions& options) {
         }
     }
     positive(options.voxel, "--voxel");
+    if (options.detail < 1 || options.detail > kMostDetail) {
+        throw UsageError("--detail must be 1 to " + std::to_string(kMostDetail));
+    }
     not_negative(options.gap, "--gap");
     not_negative(options.wall_gap, "--wall-gap");
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");

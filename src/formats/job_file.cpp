@@ -106,7 +106,7 @@ class JobReader {
                           "verify-with",    "time-limit",      "unit",
                           "output",         "report",          "progress",
                           "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density"});
+                          "json",           "material-density", "detail"});
         JobSettings& s = job_.settings;
         read_options(node, s.options);
         if (const auto v = node.find("tray")) s.options.tray = size_of(*v);

@@ -30,6 +30,7 @@ VerifyWith verify_with_of(const Node& node) {
 void read_options(const Node& node, PackOptions& o) {
     if (const auto v = node.find("tray")) o.tray = vector_of(*v);
     if (const auto v = node.find("voxel")) o.voxel = v->positive();
+    if (const auto v = node.find("detail")) o.detail = v->integer<int>(1);
     if (const auto v = node.find("rotations")) {
         o.rotations = v->is_text() ? v->text() : fmt::format("{:g}", v->number());
     }

@@ -65,6 +65,7 @@ Json options_json(const PackOptions& o) {
     }
     return {{"tray", vector_json(o.tray)},
             {"voxel", o.voxel},
+            {"detail", o.detail},
             {"rotations", o.rotations},
             {"gap", o.gap},
             {"wall-gap", o.wall_gap},

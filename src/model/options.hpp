@@ -24,10 +24,11 @@ struct VerifyWith {
 struct PackOptions {
     Vec3 tray{480, 245, 200};       ///< container size, mm
     double voxel = 2;               ///< dx, mm
+    int detail = 2;                 ///< s: collisions between copies are decided on voxels of dx / s
     std::string rotations = "90";   ///< none, or an angle in degrees that divides 360
     double gap = 0.2;               ///< least distance between two copies, mm
     double wall_gap = 0;            ///< least distance to the container, mm
-    bool refine = false;            ///< continuous refinement (section 3.2): not built yet
+    bool refine = true;             ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;     ///< section 4: not built yet
     std::optional<double> height_penalty;     ///< p of equation 5; none: appendix A.2
     HeightReference height_at = HeightReference::bottom;

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/parallel.hpp"
 #include "packing/standing.hpp"
@@ -21,11 +22,14 @@ class Refinement {
   public:
     using PartOf = std::function<RefinedPart(int part)>;
 
-    /// One per tray, which starts empty. `orientations`: the job's set; `voxel_size` in mm.
-    Refinement(const RefineSetup& setup, const std::vector<Mat3>& orientations, double voxel_size, PartOf part_of,
+    /// One per tray, which starts empty. `orientations`: the job's set; `voxel_size` in mm and `detail` are the tray's.
+    Refinement(const RefineSetup& setup, const std::vector<Mat3>& orientations, double voxel_size, int detail, PartOf part_of,
                const Workers& workers);
 
     Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
+
+    /// Least distance between the meshes of two copies, mm; none with fewer than two.
+    std::optional<double> least_gap() const;
 
     double seconds() const { return seconds_; }  ///< spent in settle(), for the record
 
@@ -41,6 +45,7 @@ class Refinement {
     RefineSetup setup_;
     std::vector<Mat3> orientations_;
     double voxel_size_;
+    int detail_;
     PartOf part_of_;
     Workers workers_;
     Refiner refiner_;

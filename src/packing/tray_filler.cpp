@@ -1,5 +1,6 @@
 #include "packing/tray_filler.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -45,18 +46,21 @@ void TrayFiller::fill(const std::vector<PackItem>& items, ShapeStore& shapes, co
 void TrayFiller::fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore& shapes,
                       const ItemDone& item_done, const StopToken& stop, GreedyResult& result) {
     const double dx = setup_.tray.voxel_size;
+    const int detail = setup_.tray.detail;
     std::unique_ptr<Refinement> made;
     if (setup_.refine) {
         made = std::make_unique<Refinement>(
             RefineSetup{setup_.container, setup_.wall_gap, kLongestMove * dx, kRefineRounds},
-            setup_.orientations, dx, part_of_, workers_);
+            setup_.orientations, dx, detail, part_of_, workers_);
     }
     const TimedRefinement refinement(std::move(made), refine_seconds_);
     const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
         return refinement.get() ? refinement.get()->settle(item, shape, best)
-                                : stand_on_grid(shape, best, dx, setup_.wall_gap);
+                                : stand_on_grid(shape, best, dx, detail, setup_.wall_gap);
     };
     pack_greedily(tray, search_, setup_.model, items, shapes, settle, item_done, stop, result);
+    if (!refinement.get()) return;
+    if (const auto gap = refinement.get()->least_gap()) least_gap_ = std::min(*gap, least_gap_.value_or(*gap));
 }
 
 }  // namespace spectralpack

@@ -2,6 +2,7 @@
 /// One tray from empty to done: what stands in it from the start, the greedy packing on top of that, and where each
 /// copy comes to stand.
 
+#include <optional>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -31,6 +32,8 @@ class TrayFiller {
               const StopToken& stop, GreedyResult& result);
 
     double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
+    /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
+    std::optional<double> least_gap() const { return least_gap_; }
 
   private:
     void fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
@@ -41,6 +44,7 @@ class TrayFiller {
     Refinement::PartOf part_of_;
     Workers workers_;
     double refine_seconds_ = 0;
+    std::optional<double> least_gap_;
 };
 
 }  // namespace spectralpack

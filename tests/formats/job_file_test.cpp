@@ -61,7 +61,7 @@ TEST(JobFile, ReadsEveryKey) {
                                  {"gap", 2},
                                  {"priority", 0},
                                  {"orientations", {{"axes", {"+z", "-x"}}, {"yaw", 45}}}});
-    document["options"] = {{"voxel", 1},          {"rotations", 45},      {"refine", false},
+    document["options"] = {{"voxel", 1},          {"detail", 3},         {"rotations", 45},      {"refine", false},
                            {"interlock", "off"},  {"order", "random"},    {"height-penalty", 4},
                            {"height-at", "top"},  {"seed", 7},            {"engine", "reference"},
                            {"threads", 3},        {"memory", 1000000000}, {"verify-with", "reference:5"},
@@ -75,6 +75,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.wall_gap, 1.5);
     EXPECT_EQ(s.options.gap, 0.75);
     EXPECT_EQ(s.options.voxel, 1);
+    EXPECT_EQ(s.options.detail, 3);
     EXPECT_EQ(s.options.rotations, "45");
     EXPECT_EQ(s.options.order, Order::random);
     EXPECT_EQ(s.options.height_penalty, 4);

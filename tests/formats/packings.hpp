@@ -19,6 +19,7 @@ inline Packing small_packing() {
     packing.container.size = {100, 80, 60.5};
     packing.options.tray = packing.container.size;
     packing.options.voxel = 1.5;
+    packing.options.detail = 3;
     packing.options.rotations = "45";
     packing.options.gap = 0.25;
     packing.options.wall_gap = 1;

@@ -59,7 +59,7 @@ class Greedy : public testing::Test {
             [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
             Workers(2), [](double) {});
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 0);
+            return stand_on_grid(shape, best, 1, 1, 0);
         };
         pack_greedily(tray_, search_, {}, items, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
     }

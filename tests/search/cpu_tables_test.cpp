@@ -53,8 +53,8 @@ TEST(BitTables, AreDilationsByPowersOfTwo) {
         const Extent n = random_extent(random, {1, 1, 1}, {90, 12, 10});
         const int margin = between(random, 0, 3);
         const BitGrid occupied = random_bits(random, n, 9);
-        BitTables tables(n, margin, 2);
-        tables.refresh(1, occupied, whole(n));
+        BitTables tables(n, margin, 1, 1, 1);
+        tables.refresh(1, {&occupied}, whole(n));
         for (int question = 0; question < 4000; ++question) {
             const int axis = between(random, 0, 2), level = between(random, 0, BitTables::kLevels);
             VoxelIndex at;
@@ -78,16 +78,16 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     RandomStream random(3);
     const Extent n{100, 17, 23};
     BitGrid occupied(n);
-    BitTables tables(n, 2, 1);
+    BitTables tables(n, 2, 1, 1, 0);
     for (int i = 0; i < 40; ++i) {
         const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
         const Extent& e = solid.extent();
         const VoxelIndex at{between(random, -5, n.x), between(random, -5, n.y),
                             between(random, -5, n.z)};
         one_in(random, 3) ? subtract(occupied, solid, at) : unite(occupied, solid, at);
-        tables.refresh(0, occupied, {at, at + VoxelIndex{e.x, e.y, e.z}});
-        BitTables fresh(n, 2, 1);
-        fresh.refresh(0, occupied, whole(n));
+        tables.refresh(0, {&occupied}, {at, at + VoxelIndex{e.x, e.y, e.z}});
+        BitTables fresh(n, 2, 1, 1, 0);
+        fresh.refresh(0, {&occupied}, whole(n));
         EXPECT_TRUE(fresh == tables);
     }
 }
@@ -166,7 +166,7 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
-    const OrientationRuns runs = make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, true);
+    const OrientationRuns runs = make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true);
     const SumTables tables({210, 9, 8}, 1, false);
     for (const int most : {1, 150, 5000, 65535}) {
         const SumPlan plan = plan_sum(runs, tables, most);
@@ -195,7 +195,7 @@ TEST(Depths, AreTheDistanceToTheOutside) {
         const Grid<std::int32_t> depth = manhattan_distance(outside, Ceiling::closed);
         for (int axis = 0; axis < 3; ++axis) {
             const Runs runs = runs_along(solid, axis);
-            const std::vector<std::uint32_t> sums = depth_sums(solid, runs);
+            const std::vector<std::uint32_t> sums = depth_sums(solid, runs, runs);
             ASSERT_EQ(sums.size(), runs.runs.size());
             for (std::size_t k = 0; k < sums.size(); ++k) {
                 std::uint32_t expected = 0;

@@ -20,7 +20,8 @@ class CpuSearch final : public PlacementSearch {
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
-        tables_.follow(tray, overhang(shape), covers_solid(shape), workers_);
+        const bool covers = covers_solid(shape);
+        tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
         SearchContext context{tables_, model, tray.reference_layers(), {}};
 
@@ -32,7 +33,9 @@ class CpuSearch final : public PlacementSearch {
             const auto k = static_cast<std::size_t>(i);
             if (entry.states[k].count().empty()) return;
             const OrientedShape& oriented = shape.orientations[k];
-            if (runs[k].of_class.empty()) runs[k] = make_runs(oriented, tables_.apart());
+            if (runs[k].of_class.empty()) {
+                runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers);
+            }
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
                                           oriented.solid->extent().z));
         });

@@ -21,7 +21,7 @@ void lower_along_x(std::uint8_t* row, std::size_t count, std::vector<std::uint8_
 
 }  // namespace
 
-std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& runs) {
+std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_runs, const Runs& runs) {
     const Extent& n = solid.extent();
     const auto width = static_cast<std::size_t>(n.x);
     const std::size_t layer = width * static_cast<std::size_t>(n.y);
@@ -32,21 +32,21 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& runs) {
 
     // Along the runs' own axis each voxel's distance to the nearer end; then the other two axes, both ways.
     const std::ptrdiff_t step[3] = {1, n.x, static_cast<std::ptrdiff_t>(layer)};
-    for (const Run& run : runs.runs) {
+    for (const Run& run : solid_runs.runs) {
         std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
-        for (int i = 0; i < run.length; ++i, voxel += step[runs.axis]) {
+        for (int i = 0; i < run.length; ++i, voxel += step[solid_runs.axis]) {
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
     const std::vector<std::uint8_t> outside(width, 0);
     const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row(y, z), from, 1, width); };
-    if (runs.axis != 0) {
+    if (solid_runs.axis != 0) {
         std::vector<std::uint8_t> spare;
         for (std::size_t at = 0; at < depth.size(); at += width) {
             lower_along_x(depth.data() + at, width, spare);
         }
     }
-    if (runs.axis != 1) {
+    if (solid_runs.axis != 1) {
         for (int z = 0; z < n.z; ++z) {
             for (int y = 0; y < n.y; ++y)
                 lower(y, z, y > 0 ? row(y - 1, z) : outside.data());
@@ -54,7 +54,7 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& runs) {
                 lower(y, z, y + 1 < n.y ? row(y + 1, z) : outside.data());
         }
     }
-    if (runs.axis != 2) {
+    if (solid_runs.axis != 2) {
         for (int z = 0; z < n.z; ++z) {
             for (int y = 0; y < n.y; ++y)
                 lower(y, z, z > 0 ? row(y, z - 1) : outside.data());

@@ -17,22 +17,27 @@ struct OrientationRuns {
     Runs solid;
     /// For each of them, what phi sums up to at least where the solid is free; all 0 where that says nothing.
     std::vector<std::uint32_t> least;
+    /// A+g. With s > 1 its voxels of dx / s are not all runs: what lies in voxels of dx that are filled altogether, the
+    /// core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
     struct Widened {
         Runs runs;
         VoxelIndex offset;
+        Runs core;
+        VoxelIndex core_offset;
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
 };
 
-/// `apart`: covers_solid() of the whole shape.
-OrientationRuns make_runs(const OrientedShape& shape, bool apart);
+/// `covers`: covers_solid() of the whole shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers);
 
-/// True when every A+g holds A itself, so that phi >= 1 on every voxel of the solid wherever it is free.
+/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
+/// phi >= 1 on every voxel of the solid.
 bool covers_solid(const Shape& shape);
 
-/// Voxels by which the widened shapes reach beyond the solid on any side.
-int overhang(const Shape& shape);
+/// Voxels of dx by which the widened shapes reach beyond the solid on any side.
+int overhang(const Shape& shape, int detail);
 
 /// Words of a tile: 64 positions along x (the bits) by 8 along y (the words).
 inline constexpr int kTileRows = 8;
