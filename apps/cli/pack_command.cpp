@@ -12,6 +12,7 @@
 #include "progress_display.hpp"
 #include "summary.hpp"
 #include "text.hpp"
+#include "time_probe.hpp"
 
 namespace spectralpack::cli {
 namespace {
@@ -230,13 +231,16 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
     return written;
 }
 
-int run_estimate(const Settings& settings, ProgressDisplay& display, bool& unusable) {
+/// A dry run packs for this long to see how fast it goes.
+constexpr double kProbeSeconds = 3;
+
+int run_estimate(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
     const Estimate planned = estimate(settings.job, display);
     display.finish();
     report_unusable(planned.unusable, display);
     unusable = unusable || !planned.unusable.empty();
-    print_estimate(planned, settings.job.options);
-    return kDone;
+    print_estimate(planned, settings.job.options, probe_time(settings.job, kProbeSeconds, interrupts.token()));
+    return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
 int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
@@ -272,7 +276,7 @@ int run_pack(const PackArguments& arguments) {
     settings.job.parts = inputs.parts;
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run ? run_estimate(settings, display, unusable)
+    const int status = settings.dry_run ? run_estimate(settings, display, interrupts, unusable)
                                         : run_job(settings, display, interrupts, unusable);
     if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable) return kUnusableInput;
     return status;
@@ -345,7 +349,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--time-limit", a.time_limit, "seconds; then the best packing so far is written")
         ->check(CLI::NonNegativeNumber)
         ->group(run);
-    sub->add_flag("--dry-run", a.dry_run, "say what it would take; write nothing")->group(run);
+    sub->add_flag("--dry-run", a.dry_run, "say what memory and time it would take (packs a few seconds to see); write nothing")->group(run);
     sub->add_option("--verify-with", a.verify_with,
                     "let a second engine answer too, all or about SAMPLE placements: reference[:SAMPLE]")
         ->group(run);

@@ -111,7 +111,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     }
 }
 
-void print_estimate(const Estimate& estimate, const PackOptions& options) {
+void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time) {
     fmt::print("{} copies of {} parts into {}\n", estimate.copies, estimate.parts, size_text(options.tray));
     fmt::print("  grid       {} x {} x {} voxels of {} mm\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
                length_text(options.voxel));
@@ -119,13 +119,21 @@ void print_estimate(const Estimate& estimate, const PackOptions& options) {
                estimate.orientations == 1 ? "" : "s");
     fmt::print("  memory     about {}, of {} {}\n", bytes_text(estimate.memory), bytes_text(estimate.memory_limit),
                options.memory > 0 ? "allowed" : "free");
+    if (!time) {
+        fmt::print("  time       unknown: it cannot start with this memory\n");
+    } else if (time->packed == 0) {
+        fmt::print("  time       much more than {}: too few copies were tried by then\n", duration_text(time->seconds));
+    } else {
+        fmt::print("  time       about {} ({} of the copies were tried to see)\n", duration_text(time->seconds),
+                   percent_text(time->packed));
+    }
     fmt::print("  material   {} of the container; boxes {}\n", percent_text(estimate.volume_ratio),
                percent_text(estimate.box_ratio));
     fmt::print("  height     penalty p = {:g}\n", estimate.height_penalty);
     for (const std::string& part : estimate.too_large) {
         fmt::print("  too large  {}\n", printable(part));
     }
-    fmt::print("Nothing was packed or written (--dry-run).\n");
+    fmt::print("Nothing was written (--dry-run).\n");
 }
 
 }  // namespace spectralpack::cli

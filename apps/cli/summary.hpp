@@ -1,14 +1,17 @@
 #pragma once
 /// What a run says at its end, on standard output.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <spectralpack/spectralpack.hpp>
 
+#include "time_probe.hpp"
+
 namespace spectralpack::cli {
 
 void print_summary(const PackResult& result, const std::vector<std::string>& written);
-void print_estimate(const Estimate& estimate, const PackOptions& options);
+void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time);
 
 }  // namespace spectralpack::cli

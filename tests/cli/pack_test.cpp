@@ -180,7 +180,16 @@ TEST(Pack, DryRunTellsAndWritesNothing) {
     EXPECT_TRUE(contains(ran.out, "240 x 123 x 100 voxels")) << ran.out;
     EXPECT_TRUE(contains(ran.out, "searches"));
     EXPECT_TRUE(contains(ran.out, "memory"));
+    EXPECT_TRUE(contains(ran.out, "time       about ")) << ran.out;
     EXPECT_FALSE(fs::exists(folder / "b.json"));
+}
+
+TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
+    const Ran ran = spectralpack({"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
+                                  "--dry-run"});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "time       more than"))
+        << ran.out;
 }
 
 /// A job that runs for many seconds.
