@@ -184,14 +184,18 @@ std::string input_hash(const LoadedJob& loaded, const PackOptions& options) {
         hash.add(part.orientations);
     }
     for (const double value : {options.tray.x, options.tray.y, options.tray.z, options.voxel,
-                               options.wall_gap, options.height_penalty.value_or(-1)}) {
+                               options.wall_gap, options.height_penalty.value_or(-1),
+                               options.max_density.value_or(-1), options.max_layer_fill.value_or(-1)}) {
         hash.add(value);
     }
     hash.add(options.rotations);
     hash.add(options.detail);
     hash.add(options.refine);
     hash.add(options.interlock);
-    hash.add(options.height_at);
+    hash.add(options.height_at ? static_cast<int>(*options.height_at) : -1);
+    hash.add(options.open_height);
+    hash.add(options.minimise);
+    hash.add(options.fill);
     hash.add(options.order);
     hash.add(options.order == Order::random ? options.seed : 0);
     return hash.hex();

@@ -35,6 +35,7 @@ class JobReader {
         if (const auto options = root_.find("options")) read_job_options(*options);
         PackOptions& o = job_.settings.options;
         if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of(kUnits);
+        if (const auto v = said_once("open_height", "open-height")) o.open_height = v->boolean();
         if (const auto v = root_.find("container")) read_container(*v);
         if (const auto v = said_once("gap", "gap")) o.gap = v->number_from(0);
         if (const auto v = said_once("wall_gap", "wall-gap")) o.wall_gap = v->number_from(0);
@@ -49,9 +50,6 @@ class JobReader {
 
     /// What says that there is nothing of the kind is fine.
     void refuse_what_is_not_built() const {
-        if (const auto v = root_.find("open_height"); v && v->boolean()) {
-            not_built(*v, "an open height is");
-        }
         if (const auto v = root_.find("trays")) refuse_trays(*v);
         if (const auto v = root_.find("keep_out"); v && v->size() > 0) {
             not_built(*v, "keep-out zones are");
@@ -82,7 +80,9 @@ class JobReader {
         job_.settings.options.tray = size_of(size);
     }
 
+    /// Two sides are a base, for packings without a ceiling.
     static Vec3 size_of(const Node& node) {
+        if (node.size() == 2) return {node.element(0).positive(), node.element(1).positive(), 0};
         node.expect_size(3);
         return {node.element(0).positive(), node.element(1).positive(), node.element(2).positive()};
     }
@@ -106,7 +106,9 @@ class JobReader {
                           "verify-with",    "time-limit",      "unit",
                           "output",         "report",          "progress",
                           "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density", "detail"});
+                          "json",           "material-density", "detail", "open-height",
+                          "minimise",       "fill",            "max-density",
+                          "max-layer-fill"});
         JobSettings& s = job_.settings;
         read_options(node, s.options);
         if (const auto v = node.find("tray")) s.options.tray = size_of(*v);

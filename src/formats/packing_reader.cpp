@@ -145,6 +145,7 @@ class PackingReader {
         for (int axis = 0; axis < 3; ++axis) {
             packing_.container.size[axis] = size.element(static_cast<std::size_t>(axis)).positive();
         }
+        if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
         if (const auto mesh = node.find("mesh")) mesh->fail("a mesh as container is not supported");
         if (const auto keep_out = node.find("keep_out"); keep_out && keep_out->size() > 0) {
             keep_out->fail("keep-out zones are not supported");
@@ -166,6 +167,7 @@ class PackingReader {
         if (const auto v = node.find("object")) part.object = v->text();
         if (const auto v = node.find("item_transform")) part.item_transform = transform_of(*v);
         if (const auto v = node.find("count")) part.count = v->integer<int>(0);
+        if (const auto v = node.find("share")) part.share = v->integer<int>(1);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("unit")) part.unit = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
