@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/cpu/voxel_box.hpp"
+#include "voxel/voxel_box.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack {
