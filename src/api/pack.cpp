@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <new>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -10,19 +11,14 @@
 #include "api/load.hpp"
 #include "api/machine.hpp"
 #include "api/plan.hpp"
-#include "packing/greedy.hpp"
+#include "packing/many_trays.hpp"
 #include "packing/measure.hpp"
-#include "packing/refinement.hpp"
 #include "search/verifying_search.hpp"
 
 namespace spectralpack {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// Section 3.2: moves of at most two voxels along an axis, three rounds of x, y and z.
-constexpr double kLongestMove = 2;
-constexpr int kRefineRounds = 3;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -59,16 +55,17 @@ class Run {
         PackResult result;
         seconds_.load = seconds_since(start);
 
-        GreedyResult greedy;
+        TraysResult trays;
         try {
-            search(greedy);
+            search(trays);
         } catch (const std::bad_alloc&) {
             result.failure = ResourceError("out of memory while searching; what was placed is kept");
         } catch (const Error& error) {
             result.failure = error;
         }
+        if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         result.stopped = stop_.reason();
-        result.packing = packing_of(greedy, result);
+        result.packing = packing_of(trays);
         result.packing.metrics.seconds.total = seconds_since(start);
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
@@ -76,79 +73,73 @@ class Run {
     }
 
   private:
-    void search(GreedyResult& greedy) {
+    FillSetup fill_setup() const {
         const PackOptions& options = job_.options;
-        TraySetup setup;
         const double wall = 2 * options.wall_gap;
-        setup.size = options.tray - Vec3{wall, wall, wall};
-        setup.voxel_size = options.voxel;
-        setup.gap_classes = plan_.gap_classes;
-        Tray tray(setup);
+        FillSetup setup;
+        setup.tray.size = options.tray - Vec3{wall, wall, wall};
+        setup.tray.voxel_size = options.voxel;
+        setup.tray.gap_classes = plan_.gap_classes;
+        setup.container = options.tray;
+        setup.wall_gap = options.wall_gap;
+        setup.model = {plan_.height_penalty,
+                       options.height_at == HeightReference::top ? HeightAt::top : HeightAt::bottom};
+        setup.orientations = plan_.orientations;
+        setup.refine = options.refine;
+        return setup;
+    }
 
+    void search(TraysResult& trays) {
+        const PackOptions& options = job_.options;
+        const auto total = static_cast<std::int64_t>(plan_.items.size());
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         VerifyingSearch* verifying = nullptr;
         if (options.verify_with) {
             auto both = std::make_unique<VerifyingSearch>(
-                std::move(engine),
-                make_engine(resolve_engine(options.verify_with->engine), 0, workers_),
-                VerifyingOptions{options.verify_with->sample, static_cast<std::int64_t>(plan_.items.size()),
-                             options.seed});
+                std::move(engine), make_engine(resolve_engine(options.verify_with->engine), 0, workers_),
+                VerifyingOptions{options.verify_with->sample, total, options.seed});
             verifying = both.get();
             engine = std::move(both);
         }
-        const std::vector<std::uint64_t> ids = shape_ids(loaded_);
-        ShapeStore shapes(
-            plan_.items,
+        TrayFiller filler(
+            fill_setup(), *engine,
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
-                return std::make_shared<const Shape>(
-                    make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel, loaded_.parts[i].gap,
-                               plan_.gap_classes, workers_));
+                return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap};
             },
-            workers_, [&](double seconds) { seconds_.voxelize += seconds; });
+            workers_);
+        const std::vector<std::uint64_t> ids = shape_ids(loaded_);
+        const MakeShapeStore make_shapes = [&](const std::vector<PackItem>& items) {
+            return ShapeStore(
+                items,
+                [&](int part) {
+                    const auto i = static_cast<std::size_t>(part);
+                    return std::make_shared<const Shape>(
+                        make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel,
+                                   loaded_.parts[i].gap, plan_.gap_classes, workers_));
+                },
+                workers_, [&](double seconds) { seconds_.voxelize += seconds; });
+        };
 
         const auto start = Clock::now();
+        listener_.on_progress({Phase::search, 0, total, 0, 0});
         const double container = options.tray.x * options.tray.y * options.tray.z;
         double volume = 0;
         std::size_t placed = 0;
-        const auto total = static_cast<std::int64_t>(plan_.items.size());
-        listener_.on_progress({Phase::search, 0, total, 0, 0});
-        const CostModel model{plan_.height_penalty, options.height_at == HeightReference::top
-                                                        ? HeightAt::top
-                                                        : HeightAt::bottom};
-        std::unique_ptr<Refinement> refinement;
-        if (options.refine) {
-            refinement = std::make_unique<Refinement>(
-                RefineSetup{options.tray, options.wall_gap, kLongestMove * options.voxel, kRefineRounds},
-                plan_.orientations, options.voxel,
-                [&](int part) {
-                    const auto i = static_cast<std::size_t>(part);
-                    return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap};
-                },
-                workers_);
-        }
-        const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
-            return refinement ? refinement->settle(item, shape, best)
-                              : stand_on_grid(shape, best, options.voxel, options.wall_gap);
+        const TrayItemDone item_done = [&](const GreedyResult& tray, std::size_t done) {
+            for (; placed < tray.placed.size(); ++placed) {
+                volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
+            }
+            listener_.on_progress({Phase::search, static_cast<std::int64_t>(done), total, volume / container,
+                                   static_cast<double>(done) / static_cast<double>(total)});
         };
         const auto finish = [&] {
-            if (refinement) seconds_.refine = refinement->seconds();
+            seconds_.refine = filler.refine_seconds();
             seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
             if (verifying) verified_ = verifying->verified();
         };
         try {
-            pack_greedily(
-                tray, *engine, model, plan_.items, shapes, settle,
-                [&](std::size_t done) {
-                    for (; placed < greedy.placed.size(); ++placed) {
-                        volume += loaded_.parts[static_cast<std::size_t>(greedy.placed[placed].item.part)]
-                                      .volume;
-                    }
-                    listener_.on_progress({Phase::search, static_cast<std::int64_t>(done), total,
-                                           volume / container,
-                                           static_cast<double>(done) / static_cast<double>(total)});
-                },
-                stop_, greedy);
+            fill_trays(plan_.items, 1, filler, make_shapes, item_done, stop_, trays);
         } catch (...) {
             finish();
             throw;
@@ -167,7 +158,7 @@ class Run {
         return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
-    Packing packing_of(const GreedyResult& greedy, const PackResult& result) {
+    Packing packing_of(const TraysResult& trays) {
         Packing packing;
         packing.program = "spectralpack " SPECTRALPACK_VERSION;
         packing.input_hash = input_hash(loaded_, job_.options);
@@ -177,13 +168,18 @@ class Run {
         packing.options.engine = plan_.engine;
         packing.parts = loaded_.parts;
 
-        TrayPacking tray;
-        for (const PlacedItem& placed : greedy.placed) {
-            tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
-                                       transform_of(placed)});
+        std::set<std::pair<int, int>> settled;  // part and copy
+        for (const GreedyResult& greedy : trays.trays) {
+            TrayPacking tray;
+            for (const PlacedItem& placed : greedy.placed) {
+                settled.emplace(placed.item.part, placed.item.copy);
+                tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
+                                           transform_of(placed)});
+            }
+            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
+            packing.metrics.density += tray.density / static_cast<double>(trays.trays.size());
+            packing.trays.push_back(std::move(tray));
         }
-        measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
-        packing.trays.push_back(std::move(tray));
 
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
             const bool unusable = !loaded_.meshes[i];
@@ -195,10 +191,12 @@ class Run {
                      unusable ? loaded_.problem[i] : plan_.too_large[i]});
             }
         }
-        for (const PackItem& item : greedy.left_over) {
+        for (const PackItem& item : trays.left_over) {
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, ""});
+            settled.emplace(item.part, item.copy);
         }
-        for (const PackItem& item : greedy_untried(greedy, result)) {
+        for (const PackItem& item : plan_.items) {
+            if (settled.contains({item.part, item.copy})) continue;
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
         }
 
@@ -206,22 +204,14 @@ class Run {
         for (const Part& part : packing.parts) {
             metrics.copies += part.count;
         }
-        metrics.placed = static_cast<std::int64_t>(greedy.placed.size());
-        metrics.density = packing.trays.front().density;
+        metrics.placed = trays.placed();
         metrics.seconds = seconds_;
-        metrics.searches = greedy.searches;
+        metrics.searches = trays.searches();
         metrics.verified = verified_;
         metrics.peak_memory = peak_memory();
         metrics.engine = engine_name(plan_.engine);
         metrics.threads = workers_.threads();
         return packing;
-    }
-
-    /// What was not tried: the stop token came first, or the run failed on the way.
-    std::vector<PackItem> greedy_untried(const GreedyResult& greedy, const PackResult& result) const {
-        if (!result.failure) return greedy.untried;
-        const auto done = static_cast<std::ptrdiff_t>(greedy.placed.size() + greedy.left_over.size());
-        return {plan_.items.begin() + done, plan_.items.end()};
     }
 
     const Job& job_;
