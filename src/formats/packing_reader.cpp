@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -34,6 +35,77 @@ Transform transform_of(const Node& node) {
     if (volume == 0 || !std::isfinite(volume)) node.fail("must be invertible");
     return transform;
 }
+
+/// Reads a tray's disassembly plan and keeps track of who still stands with whom.
+class PlanReader {
+  public:
+    explicit PlanReader(const std::vector<Placement>& placements)
+        : placements_(placements), company_(placements.size(), 0), left_in_(placements.size()) {}
+
+    Disassembly read(const Node& node) {
+        Disassembly plan;
+        plan.complete = node.at("complete").boolean();
+        node.at("steps").for_each([&](const Node& step) { plan.steps.push_back(read_step(step)); });
+        if (const auto v = node.find("interlocked")) {
+            v->for_each([&](const Node& set) { plan.interlocked.push_back(placements_of(set)); });
+        }
+        return plan;
+    }
+
+  private:
+    /// Positions of placements, each named once; ascending whatever the file's order.
+    std::vector<int> placements_of(const Node& node) const {
+        if (node.size() == 0) node.fail("must name a placement");
+        std::vector<int> indices;
+        node.for_each([&](const Node& element) {
+            const int index = element.integer<int>();
+            if (index < 0 || std::cmp_greater_equal(index, placements_.size())) {
+                element.fail("must be the position of a placement of this tray, there are " +
+                             std::to_string(placements_.size()));
+            }
+            indices.push_back(index);
+        });
+        std::sort(indices.begin(), indices.end());
+        const auto twice = std::adjacent_find(indices.begin(), indices.end());
+        if (twice != indices.end()) node.fail("names placement " + std::to_string(*twice) + " twice");
+        return indices;
+    }
+
+    RemovalStep read_step(const Node& node) {
+        const Node named = node.at("placements");
+        RemovalStep step{placements_of(named), {}};
+        node.at("path").for_each([&](const Node& move) { step.path.push_back(vector_of(move)); });
+        const int company = company_[static_cast<std::size_t>(step.placements.front())];
+        for (const int index : step.placements) {
+            const auto i = static_cast<std::size_t>(index);
+            const std::string name = "placement " + std::to_string(index);
+            if (placements_[i].fixed) named.fail(name + " is fixed and never moves");
+            if (left_in_[i]) {
+                named.fail(name + " has left in step " + std::to_string(*left_in_[i]) + " already");
+            }
+            if (company_[i] != company) {
+                named.fail(name + " and placement " + std::to_string(step.placements.front()) +
+                           " no longer stand together: a group left before");
+            }
+        }
+        const bool group = step.placements.size() > 1;
+        if (group && std::cmp_equal(std::count(company_.begin(), company_.end(), company), step.placements.size())) {
+            named.fail("is all that stands together: a group must leave something behind");
+        }
+        ++steps_;
+        for (const int index : step.placements) {
+            const auto i = static_cast<std::size_t>(index);
+            company_[i] = steps_;
+            if (!group) left_in_[i] = steps_ - 1;
+        }
+        return step;
+    }
+
+    const std::vector<Placement>& placements_;
+    int steps_ = 0;                            ///< read so far
+    std::vector<int> company_;                 ///< by placement: 0 in the tray, else 1 + the step it left in
+    std::vector<std::optional<int>> left_in_;  ///< by placement: the step that took it out by itself
+};
 
 class PackingReader {
   public:
@@ -151,6 +223,7 @@ class PackingReader {
                 v->for_each([&](const Node& area) { tray.layers.area.push_back(area.number()); });
             }
         }
+        if (const auto v = node.find("disassembly")) tray.disassembly = PlanReader(tray.placements).read(*v);
         packing_.trays.push_back(std::move(tray));
     }
 

@@ -80,6 +80,18 @@ Json options_json(const PackOptions& o) {
             {"time-limit", or_null(o.time_limit)}};
 }
 
+Json plan_json(const Disassembly& plan) {
+    Json steps = Json::array();
+    for (const RemovalStep& step : plan.steps) {
+        Json path = Json::array();
+        for (const Vec3& move : step.path) {
+            path.push_back(vector_json(move));
+        }
+        steps.push_back({{"placements", step.placements}, {"path", std::move(path)}});
+    }
+    return {{"complete", plan.complete}, {"steps", std::move(steps)}, {"interlocked", plan.interlocked}};
+}
+
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
@@ -159,7 +171,7 @@ class PackingWriter {
                 {"bounding_box", std::move(box)},
                 {"height", tray.height},
                 {"layers", {{"thickness", tray.layers.thickness}, {"area", tray.layers.area}}},
-                {"disassembly", nullptr}};
+                {"disassembly", tray.disassembly ? plan_json(*tray.disassembly) : Json(nullptr)}};
     }
 
     Json metrics_json() const {

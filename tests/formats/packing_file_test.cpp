@@ -148,6 +148,18 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         {"\"tray_full\"", "\"bored\"", "unplaced[0].reason"},
         {"\"peak_memory\":123456789", "\"peak_memory\":\"much\"", "metrics.peak_memory"},
         {"\"min_gap\":0.3", "\"min_gap\":{}", "metrics.min_gap"},
+        {"\"complete\": true", "\"complete\": 1", "trays[0].disassembly.complete"},
+        {"\"complete\": true", "\"finished\": true", "trays[0].disassembly.complete"},
+        {"\"steps\":[]", "\"steps\":{}", "trays[1].disassembly.steps"},
+        {"\"placements\":[0]", "\"placements\":[]", "trays[0].disassembly.steps[0].placements"},
+        {"\"placements\":[0]", "\"placements\":[2]", "trays[0].disassembly.steps[0].placements[0]"},
+        {"\"placements\":[0]", "\"placements\":[-1]", "trays[0].disassembly.steps[0].placements[0]"},
+        {"\"placements\":[0]", "\"placements\":[0,0]", "trays[0].disassembly.steps[0].placements"},
+        {"\"placements\":[0]", "\"placements\":[1]", "trays[0].disassembly.steps[0].placements"},
+        {"[-70.0,0.25,0.0]", "[-70.0,null,0.0]", "trays[0].disassembly.steps[0].path[1][1]"},
+        {"[-70.0,0.25,0.0]", "[-70.0,0.25]", "trays[0].disassembly.steps[0].path[1]"},
+        {"\"interlocked\":[[0]]", "\"interlocked\":[[0,1]]", "trays[1].disassembly.interlocked[0][1]"},
+        {"\"interlocked\":[[0]]", "\"interlocked\":[[0,0]]", "trays[1].disassembly.interlocked[0]"},
     };
     const std::string whole = test::read_text(golden("packing.json"));
     for (const Case& c : cases) {
@@ -158,6 +170,50 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         const InputError error = refusal([&] { read_text_as_packing(text); });
         EXPECT_EQ(error.place(), c.place) << c.new_text << ": " << error.what();
         EXPECT_FALSE(error.cause().empty());
+    }
+}
+
+/// A tray of five copies (the last one fixed) with these steps.
+Packing with_steps(const std::vector<RemovalStep>& steps) {
+    Packing packing = test::small_packing();
+    TrayPacking& tray = packing.trays[0];
+    tray.placements.assign(5, tray.placements[0]);
+    tray.placements[4].fixed = true;
+    tray.disassembly = Disassembly{true, steps, {{1, 3}, {2}}};
+    return packing;
+}
+
+TEST(PackingFile, PlansWithGroupsComeBack) {
+    const std::vector<RemovalStep> steps{
+        {{0, 1, 2}, {{0, 0, 1e3}}}, {{3}, {}}, {{1, 2}, {{5, 0, 0}, {0, -9, 0.1}}}, {{2}, {{1, 0, 0}}}, {{1}, {}}, {{0}, {}}};
+    const Packing read = read_text_as_packing(packing_to_json(with_steps(steps), "."));
+    const Disassembly& plan = read.trays[0].disassembly.value();
+    EXPECT_TRUE(plan.complete);
+    EXPECT_EQ(plan.interlocked, (std::vector<std::vector<int>>{{1, 3}, {2}}));
+    ASSERT_EQ(plan.steps.size(), steps.size());
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        EXPECT_EQ(plan.steps[i].placements, steps[i].placements);
+        EXPECT_EQ(plan.steps[i].path, steps[i].path);
+    }
+}
+
+TEST(PackingFile, PlansThatTakeOutWhatIsNotThereAreRefused) {
+    struct Case {
+        std::vector<RemovalStep> steps;
+        const char* cause;
+    };
+    const Case cases[] = {
+        {{{{0}, {}}, {{0}, {}}}, "has left in step 0 already"},
+        {{{{0}, {}}, {{0, 1}, {}}}, "has left in step 0 already"},
+        {{{{0, 1}, {}}, {{1, 2}, {}}}, "no longer stand together"},
+        {{{{0, 1}, {}}, {{0, 1}, {}}}, "all that stands together"},
+        {{{{0, 1}, {}}, {{4}, {}}}, "is fixed"},
+    };
+    for (const Case& c : cases) {
+        const std::string text = packing_to_json(with_steps(c.steps), ".");
+        const InputError error = refusal([&] { read_text_as_packing(text); });
+        EXPECT_EQ(error.place(), "trays[0].disassembly.steps[1].placements");
+        EXPECT_TRUE(contains(error.cause(), c.cause)) << error.what();
     }
 }
 

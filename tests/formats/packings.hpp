@@ -61,8 +61,10 @@ inline Packing small_packing() {
     first.bounding_box = {{1, 0.1, 0}, {66, 27, 26}};
     first.height = 26;
     first.layers = {1.5, {12.5, 0, 3}};
+    first.disassembly = Disassembly{true, {{{0}, {{0, 0, 30.5}, {-70, 0.25, 0}}}}, {}};
     TrayPacking second;
     second.placements = {{0, 1, 1, false, {turned, {30, 4, 5}}}};
+    second.disassembly = Disassembly{false, {}, {{0}}};
     packing.trays = {first, second};
     packing.unplaced = {{0, 2, UnplacedReason::tray_full, "no position is free"}};
 
