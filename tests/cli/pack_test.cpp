@@ -114,6 +114,7 @@ TEST(Pack, RefinedCopiesLeaveTheGridAndKeepTheGapExactly) {
         };
         pack("grid.json", "--no-refine");
         const std::string refined = pack("refined.json", "--refine");
+        EXPECT_NEAR(read_json(folder / "refined.json")["metrics"]["min_gap"].get<double>(), std::stod(gap), 1e-3);
         EXPECT_NE(placements(folder / "grid.json"), placements(folder / "refined.json"));
         EXPECT_TRUE(contains(refined, "least gap: " + gap + " mm")) << refined;
     }
