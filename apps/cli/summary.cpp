@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "text.hpp"
@@ -52,6 +53,28 @@ void print_left_over(const Packing& packing) {
     }
 }
 
+/// What came of the shares.
+void print_shares(const Packing& packing) {
+    for (std::size_t i = 0; i < packing.parts.size() && i < kMostListed; ++i) {
+        const Part& part = packing.parts[i];
+        fmt::print("  filled     {} x {} (share {})\n", part.count, printable(part.name), part.share);
+    }
+    if (packing.parts.size() > kMostListed) fmt::print("             and {} more parts\n", packing.parts.size() - kMostListed);
+}
+
+void print_caps(const Packing& packing) {
+    const Vec3& size = packing.container.size;
+    const std::vector<double>& area = packing.trays.front().layers.area;
+    const double fullest = area.empty() ? 0 : *std::max_element(area.begin(), area.end()) / (size.x * size.y);
+    if (packing.options.max_density) {
+        fmt::print("  cap        density up to {}\n", percent_text(*packing.options.max_density));
+    }
+    if (packing.options.max_layer_fill) {
+        fmt::print("  cap        layers up to {} of their area; the fullest has {}\n",
+                   percent_text(*packing.options.max_layer_fill), percent_text(fullest));
+    }
+}
+
 }  // namespace
 
 void print_summary(const PackResult& result, const std::vector<std::string>& written) {
@@ -64,7 +87,10 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, size_text(packing.container.size));
     fmt::print("  density    {} of the container, {} of the packing's own box\n", percent_text(tray.density),
                percent_text(tray.density_bounding_box));
-    fmt::print("  height     {} mm\n", length_text(tray.height));
+    fmt::print("  height     {} mm{}\n", length_text(tray.height),
+               packing.container.open_height ? ", without a ceiling" : "");
+    if (packing.options.fill) print_shares(packing);
+    if (packing.options.max_density || packing.options.max_layer_fill) print_caps(packing);
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
                length_text(packing.options.wall_gap));
     if (metrics.min_gap) fmt::print("  least gap  {} mm, measured\n", length_text(*metrics.min_gap));

@@ -5,6 +5,7 @@
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -34,6 +35,7 @@ class JobReader {
         if (const auto options = root_.find("options")) read_job_options(*options);
         PackOptions& o = job_.settings.options;
         if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of(kUnits);
+        if (const auto v = said_once("open_height", "open-height")) o.open_height = v->boolean();
         if (const auto v = root_.find("container")) read_container(*v);
         if (const auto v = said_once("gap", "gap")) o.gap = v->number_from(0);
         if (const auto v = said_once("wall_gap", "wall-gap")) o.wall_gap = v->number_from(0);
@@ -48,9 +50,6 @@ class JobReader {
 
     /// What says that there is nothing of the kind is fine.
     void refuse_what_is_not_built() const {
-        if (const auto v = root_.find("open_height"); v && v->boolean()) {
-            not_built(*v, "an open height is");
-        }
         if (const auto v = root_.find("trays")) refuse_trays(*v);
         if (const auto v = root_.find("keep_out"); v && v->size() > 0) {
             not_built(*v, "keep-out zones are");
@@ -81,7 +80,9 @@ class JobReader {
         job_.settings.options.tray = size_of(size);
     }
 
+    /// Two sides are a base, for packings without a ceiling.
     static Vec3 size_of(const Node& node) {
+        if (node.size() == 2) return {node.element(0).positive(), node.element(1).positive(), 0};
         node.expect_size(3);
         return {node.element(0).positive(), node.element(1).positive(), node.element(2).positive()};
     }
@@ -105,7 +106,9 @@ class JobReader {
                           "verify-with",    "time-limit",      "unit",
                           "output",         "report",          "progress",
                           "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density", "detail"});
+                          "json",           "material-density", "detail", "open-height",
+                          "minimise",       "fill",            "max-density",
+                          "max-layer-fill"});
         JobSettings& s = job_.settings;
         read_options(node, s.options);
         if (const auto v = node.find("tray")) s.options.tray = size_of(*v);
@@ -140,9 +143,6 @@ class JobReader {
         if (const auto v = node.find("priority"); v && v->number() != 0)
             not_built(*v, "priorities are");
         if (const auto v = node.find("due")) not_built(*v, "due dates are");
-        if (const auto v = node.find("orientations"); v && !(v->is_text() && v->text() == "any")) {
-            not_built(*v, "orientations other than \"any\" are");
-        }
         JobPart part;
         part.key = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -150,6 +150,7 @@ class JobReader {
         if (const auto v = node.find("count")) part.count = v->integer<int>(1, kMostCopies);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));
     }
 

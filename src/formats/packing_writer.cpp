@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -71,7 +72,12 @@ Json options_json(const PackOptions& o) {
             {"refine", o.refine},
             {"interlock", name_of(kInterlockNames, o.interlock)},
             {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
-            {"height-at", name_of(kHeightNames, o.height_at)},
+            {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},
+            {"open-height", o.open_height},
+            {"minimise", name_of(kMinimiseNames, o.minimise)},
+            {"fill", o.fill},
+            {"max-density", or_null(o.max_density)},
+            {"max-layer-fill", or_null(o.max_layer_fill)},
             {"order", name_of(kOrderNames, o.order)},
             {"engine", name_of(kEngineNames, o.engine)},
             {"threads", o.threads},
@@ -110,6 +116,7 @@ class PackingWriter {
                      {"input_hash", packing_.input_hash},
                      {"container",
                       {{"size", vector_json(packing_.container.size)},
+                       {"open_height", packing_.container.open_height},
                        {"mesh", nullptr},
                        {"keep_out", Json::array()},
                        {"physical", false}}},
@@ -143,9 +150,11 @@ class PackingWriter {
                 {"item_transform",
                  part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
                 {"count", part.count},
+                {"share", part.share > 0 ? Json(part.share) : Json(nullptr)},
                 {"scale", part.scale},
                 {"unit", part.unit},
                 {"gap", part.gap},
+                {"orientations", part_orientations_json(part.orientations)},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};
     }

@@ -16,7 +16,8 @@
 namespace spectralpack {
 
 struct Container {
-    Vec3 size;
+    Vec3 size;                 ///< with open height, z is the height reached
+    bool open_height = false;  ///< no wall above
 };
 
 struct Placement {

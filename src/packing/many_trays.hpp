@@ -2,6 +2,7 @@
 /// Several trays, one after the other (appendix A.3, Algorithm 5).
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "packing/tray_filler.hpp"
@@ -11,6 +12,7 @@ namespace spectralpack {
 struct TraysResult {
     std::vector<GreedyResult> trays;
     std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
+    std::optional<double> least_gap;  ///< measured by refinement, mm
 
     std::int64_t searches() const;
     std::int64_t placed() const;

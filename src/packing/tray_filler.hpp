@@ -14,11 +14,12 @@ namespace spectralpack {
 /// What all trays of a job have in common.
 struct FillSetup {
     TraySetup tray;                  ///< the container's grid; every tray starts from it
-    Vec3 container;                  ///< size, mm
-    double wall_gap = 0;             ///< mm
+    Vec3 container;       ///< size, mm; with open height z is infinite
+    double wall_gap = 0;  ///< mm
     CostModel model;
-    std::vector<Mat3> orientations;  ///< the job's set
-    bool refine = false;             ///< continuous refinement (section 3.2)
+    std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
+    int most_layers = 0;                                ///< open height: the grid may grow to so many
+    bool refine = false;  ///< continuous refinement (section 3.2)
 };
 
 class TrayFiller {
@@ -31,13 +32,19 @@ class TrayFiller {
     void fill(const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
               const StopToken& stop, GreedyResult& result);
 
+    /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(). `shapes`: one item a part, in
+    /// the order of `shares`.
+    void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
+                        const StopToken& stop, GreedyResult& result);
+
     double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
     /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
     std::optional<double> least_gap() const { return least_gap_; }
 
   private:
-    void fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-              const StopToken& stop, GreedyResult& result);
+    /// Calls `pack` with an empty tray and the rules that copies are placed by.
+    template <class Pack>
+    void fill_one(const Pack& pack);
 
     FillSetup setup_;
     PlacementSearch& search_;

@@ -16,7 +16,7 @@
 namespace spectralpack {
 
 struct RefineSetup {
-    Vec3 container;           ///< size of the box; mesh containers are not built
+    Vec3 container;           ///< size of the box, z infinite where there is no ceiling; mesh containers are not built
     double wall_gap = 0;      ///< least distance of a mesh's box to the container's sides
     double longest_move = 4;  ///< along one axis in one round: 2 dx in the paper
     int rounds = 3;           ///< of x, y, z each

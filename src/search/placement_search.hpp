@@ -54,6 +54,16 @@ struct FreeQuery {
     int padding = 1;
 };
 
+/// Free positions a row at a time, for who needs few of them: what free_positions() would give.
+class FreeRowReader {
+  public:
+    virtual ~FreeRowReader() = default;
+    virtual const VoxelIndex& origin() const = 0;
+    virtual const Extent& extent() const = 0;
+    /// Writes the row (y, z) in whole words; bits beyond the extent are 0.
+    virtual void row(int y, int z, std::uint64_t* free) const = 0;
+};
+
 class PlacementSearch {
   public:
     virtual ~PlacementSearch() = default;
@@ -68,6 +78,12 @@ class PlacementSearch {
     /// n = the grid's: origin is -(a - 1) - padding, extent n + a - 1 + 2 padding.
     virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                          const FreeQuery& query) = 0;
+
+    /// Likewise for any voxels, in rows. The reader tells of the tray as it is now, whatever happens
+    /// to it later. Computed whole by free_positions() unless an engine knows better.
+    virtual std::unique_ptr<FreeRowReader> free_rows(const Tray& tray,
+                                                     std::shared_ptr<const BitGrid> solid,
+                                                     const FreeQuery& query);
 
     virtual const char* name() const = 0;
 

@@ -189,7 +189,7 @@ TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
     const Ran ran = spectralpack({"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
                                   "--dry-run"});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "time       more than"))
+    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "more than"))
         << ran.out;
 }
 

@@ -24,7 +24,7 @@ class BruteForceSearch : public PlacementSearch {
             const Figure figure(shape.orientations[static_cast<std::size_t>(index)]);
             const Extent count = tray.candidates(figure.shape.size);
             for_each_index(count, [&](const VoxelIndex& q) {
-                if (scenery.collides(figure, q)) return;
+                if (!model.allows(index, q.z) || scenery.collides(figure, q)) return;
                 const std::int64_t rho = scenery.rho(figure, q);
                 const Cost cost = scenery.cost(model, figure, q.z, rho);
                 if (!best || cost < best->cost) best = BestPlacement{index, q, rho, cost, {}};

@@ -53,8 +53,13 @@ TraySetup box_tray(const Extent& n) {
 /// Asks for every shape of the scene, and for free positions with and without an object.
 void ask_everything(VerifyingSearch& search, Scene& scene, RandomStream& random) {
     for (const Shape& shape : scene.shapes) {
-        const SearchResult result =
-            search.best_placement(scene.tray, shape, random_model(random), {});
+        CostModel model = random_model(random);
+        AllowedLayers allowed;
+        if (one_in(random, 4)) {
+            allowed = random_layers(shape, scene.tray.extent().z, random);
+            model.allowed = &allowed;
+        }
+        const SearchResult result = search.best_placement(scene.tray, shape, model, {});
         EXPECT_FALSE(result.stopped);
         const int index = between(random, 0, static_cast<int>(shape.orientations.size()) - 1);
         FreeQuery query;

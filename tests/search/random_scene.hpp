@@ -232,6 +232,20 @@ inline CostModel random_model(RandomStream& random) {
     return model;
 }
 
+/// Closes about a third of the layers to each orientation, in runs as caps do.
+inline AllowedLayers random_layers(const Shape& shape, int layers, RandomStream& random) {
+    AllowedLayers allowed;
+    for (std::size_t i = 0; i < shape.orientations.size(); ++i) {
+        std::vector<bool>& open = allowed.by_index.emplace_back();
+        bool now = one_in(random, 2);
+        for (int z = 0; z < layers; ++z) {
+            if (one_in(random, now ? 4 : 2)) now = !now;
+            open.push_back(now);
+        }
+    }
+    return allowed;
+}
+
 /// Adds an object of a random shape and orientation anywhere, overhanging and sharing voxels at
 /// times.
 inline void add_random_object(Scene& scene, RandomStream& random) {

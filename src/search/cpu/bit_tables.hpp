@@ -15,8 +15,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/cpu/voxel_box.hpp"
 #include "voxel/split.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 

@@ -91,6 +91,11 @@ class CpuSearch final : public PlacementSearch {
         return result;
     }
 
+    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                             const FreeQuery& query) override {
+        return std::make_unique<FreeRows>(tray.omega_move(query.without), *solid, query.padding);
+    }
+
     const char* name() const override { return "cpu"; }
     std::int64_t memory() const override { return tables_.bytes() + positions_.bytes(); }
 

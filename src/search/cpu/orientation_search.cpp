@@ -89,7 +89,7 @@ class Pass {
         most_ = -1;
         for (int i = 0; i < kBrickZ; ++i) {
             const int z = kBrickZ * bz + i;
-            limits_[i] = z < state_.count().z
+            limits_[i] = z < state_.count().z && context_.model.allows(t_.index, z)
                              ? proximity_limit(context_.model, z, t_.layers,
                                                context_.reference_layers, best, t_.index)
                              : -1;

@@ -150,6 +150,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
     const double scale = 1 / static_cast<double>(grid.count());
     std::optional<BestPlacement> best;
     for (int z = 0; z < count.z; ++z) {
+        if (!model.allows(index, z)) continue;
         for (int y = 0; y < count.y; ++y) {
             const Real* row = lane.sum.row(y, z);
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
