@@ -34,7 +34,7 @@ class CpuSearch final : public PlacementSearch {
             const OrientedShape& oriented = shape.orientations[k];
             if (runs[k].of_class.empty()) runs[k] = make_runs(oriented, tables_.apart());
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          oriented.solid->extent().z));
+                                          oriented.solid->extent()));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

@@ -11,8 +11,8 @@ namespace spectralpack {
 
 inline constexpr int kDeepest = 63;
 
-/// For each run, the sum over its voxels of delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel outside
-/// `solid`). O(voxels of the solid's grid).
+/// For each run, the sum over its voxels of delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel
+/// outside `solid`). O(voxels of the solid's grid).
 std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& runs);
 
 }  // namespace spectralpack

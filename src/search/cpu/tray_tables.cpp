@@ -29,6 +29,7 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     phi_.tighten_most();
     sums_.update(phi_, whole(tray.extent()), workers);
     coarse_.update(phi_, whole(tray.extent()), workers);
+    minima_.update(phi_, whole(tray.extent()), workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
@@ -41,6 +42,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     apart_ = apart;
     sums_ = SumTables(n, 1, false);
     coarse_ = SumTables(n, kBlock, apart);
+    minima_ = BlockMinima(n, kBlock);
     for (int c = 0; c < tray.gap_classes(); ++c) {
         bits_.refresh(c, tray.occupied(c), whole(n));
     }
@@ -77,6 +79,7 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
             }
             sums_.update(phi_, all, workers);
             coarse_.update(phi_, all, workers);
+            minima_.update(phi_, all, workers);
         }
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
@@ -95,7 +98,7 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 }
 
 std::int64_t TrayTables::bytes() const {
-    return bits_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes();
+    return bits_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes() + minima_.bytes();
 }
 
 void TrayTables::check(const Tray& tray) const {
@@ -119,6 +122,9 @@ void TrayTables::check(const Tray& tray) const {
     sums.update(phi_, whole(n), one);
     coarse.update(phi_, whole(n), one);
     require(sums == sums_ && coarse == coarse_, "prefix sums");
+    BlockMinima minima(n, kBlock);
+    minima.update(phi_, whole(n), one);
+    require(minima == minima_, "block minima");
     BitTables bits(n, bits_.margin(), bits_.layers());
     for (int c = 0; c < tray.gap_classes(); ++c) {
         bits.refresh(c, tray.occupied(c), whole(n));
