@@ -209,6 +209,48 @@ TEST(Depths, AreTheDistanceToTheOutside) {
     }
 }
 
+TEST(CellPlan, NeverClaimsMoreThanTheProximityOfAFreePosition) {
+    RandomStream random(8);
+    constexpr int kBlock = TrayTables::kBlock;
+    int telling = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Extent n = random_extent(random, {20, 20, 20}, {70, 50, 40});
+        BitGrid occupied(n);
+        DistanceGrid phi(n, Ceiling::closed);
+        BlockMinima minima(n, kBlock);
+        minima.update(phi, whole(n), Workers(1));
+        for (int objects = between(random, 0, 3); objects > 0; --objects) {
+            const BitGrid object = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
+            const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y), between(random, 0, n.z)};
+            unite(occupied, object, at);
+            minima.update(phi, phi.add(object, at, Workers(1)), Workers(2));
+        }
+        const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {17, 15, 13}));
+        const Extent& a = solid.extent();
+        const Runs runs = fewest_runs(solid);
+        for (const bool apart : {false, true}) {
+            const CellPlan plan = plan_cells(runs, a, minima, phi.most(), apart);
+            for (int question = 0; question < 200; ++question) {
+                const VoxelIndex q{between(random, 0, n.x - a.x), between(random, 0, n.y - a.y),
+                                   between(random, 0, n.z - a.z)};
+                if (apart && intersects(occupied, solid, q)) continue;
+                std::int64_t rho = 0;
+                for_each_voxel(a, [&](int x, int y, int z) {
+                    if (solid.get(x, y, z)) rho += phi.at(q.x + x, q.y + y, q.z + z);
+                });
+                const std::uint16_t* block = minima.at({q.x / kBlock, q.y / kBlock, q.z / kBlock});
+                std::int64_t bound = plan.least;
+                for (const SolidCell& cell : plan.cells) {
+                    bound += std::int64_t{cell.weight} * std::max(0, block[cell.offset] - cell.drop);
+                }
+                EXPECT_LE(bound, rho);
+                telling += bound > plan.least;
+            }
+        }
+    }
+    EXPECT_GT(telling, 100);
+}
+
 TEST(ProximityLimit, IsTheGreatestProximityThatCouldWin) {
     RandomStream random(6);
     for (int i = 0; i < 2000; ++i) {

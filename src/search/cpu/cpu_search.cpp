@@ -37,7 +37,7 @@ class CpuSearch final : public PlacementSearch {
                 runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers);
             }
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          oriented.solid->extent().z));
+                                          oriented.solid->extent()));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

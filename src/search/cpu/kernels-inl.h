@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "search/cpu/block_minima.hpp"
 #include "search/cpu/plan.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,6 +43,76 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
                  << i;
     }
     return ~above & 0xFFFFu;
+#endif
+}
+
+/// Bit i: cells do not show that rho is above `limit` in block i of those from `minima` on. i in [0, 32). Stops where
+/// they are not going to.
+HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit,
+                                     float patience) {
+    if (plan.least > limit) return 0;
+    const std::uint32_t room = limit - static_cast<std::uint32_t>(plan.least);
+    constexpr std::size_t kCellsPerLook = 8;
+#if HWY_TARGET == HWY_SCALAR
+    std::uint32_t sums[kLanes] = {};
+    for (std::size_t begin = 0; begin < plan.cells.size();) {
+        const std::size_t end = std::min(plan.cells.size(), begin + kCellsPerLook);
+        for (; begin < end; ++begin) {
+            const SolidCell& cell = plan.cells[begin];
+            for (int i = 0; i < kLanes; ++i) {
+                const std::uint16_t value = minima[cell.offset + i];
+                sums[i] += cell.weight * static_cast<std::uint32_t>(std::max(value, cell.drop) - cell.drop);
+            }
+        }
+        const auto hopeless =
+            static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room));
+        bool alive = false;
+        for (int i = 0; i < kLanes; ++i) {
+            alive |= sums[i] <= room && sums[i] >= hopeless;
+        }
+        if (!alive) break;
+    }
+    std::uint32_t bits = 0;
+    for (int i = 0; i < kLanes; ++i) {
+        bits |= static_cast<std::uint32_t>(sums[i] <= room) << i;
+    }
+    return bits;
+#else
+    const hn::CappedTag<std::uint32_t, kLanes> d32;
+    const hn::Rebind<std::uint16_t, decltype(d32)> d16;
+    constexpr std::size_t kStep = hn::MaxLanes(d32);
+    constexpr std::size_t kVectors = kLanes / kStep;
+    hn::Vec<decltype(d32)> sums[kVectors];
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        sums[v] = hn::Zero(d32);
+    }
+    const auto most = hn::Set(d32, room);
+    for (std::size_t begin = 0; begin < plan.cells.size();) {
+        const std::size_t end = std::min(plan.cells.size(), begin + kCellsPerLook);
+        for (; begin < end; ++begin) {
+            const SolidCell& cell = plan.cells[begin];
+            const auto drop = hn::Set(d16, cell.drop);
+            const auto weight = hn::Set(d32, cell.weight);
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                const auto value = hn::SaturatedSub(hn::LoadU(d16, minima + cell.offset + v * kStep), drop);
+                sums[v] = hn::Add(sums[v], hn::Mul(hn::PromoteTo(d32, value), weight));
+            }
+        }
+        const auto hopeless = hn::Set(
+            d32, static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room)));
+        auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            done = hn::And(done, hn::Or(hn::Gt(sums[v], most), hn::Lt(sums[v], hopeless)));
+        }
+        if (hn::AllTrue(d32, done)) break;
+    }
+    std::uint32_t above = 0;
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        std::uint8_t part[8] = {};
+        hn::StoreMaskBits(d32, hn::Gt(sums[v], most), part);
+        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << (v * kStep);
+    }
+    return ~above;
 #endif
 }
 

@@ -15,10 +15,11 @@ namespace spectralpack {
 namespace HWY_NAMESPACE {
 
 constexpr int kBlock = TrayTables::kBlock;
-// Bricks are bounded in pairs, whose blocks fill the lanes of one sum.
-constexpr int kPair = kLanes / kBlocksX;
+// Bricks are looked at in pairs, whose blocks fill the lanes of one sum.
+static_assert(kPair * kBlocksX == kLanes);
 // A coarse sum that has come to less than this part of its share of the limit is not going to rule
 // anything out.
+constexpr int kMostSkipped = 24;
 constexpr float kPatience = 0.6f;
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
@@ -53,7 +54,6 @@ class Pass {
             survivors_.clear();
             LookAtLimits(bz);
             if (most_ < 0) continue;
-            state_.open(bz);
             for (int by = 0; by < state_.bricks().y; ++by) {
                 for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
                     LookAtLimits(bz);
@@ -76,6 +76,7 @@ class Pass {
         std::uint32_t bound = 0;
         int bx = 0, by = 0;
         bool sifted = false;  // in this search: the first batches need not be repeated
+        std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
 
@@ -97,34 +98,57 @@ class Pass {
         }
     }
 
+    /// Which blocks of a pair's row are near enough to something that rho could stay within the limit. In a crowd all
+    /// are: where asking was in vain, it is not asked of as many rows again.
+    std::uint32_t Near(int bx, int block_y, int bz) {
+        if (rows_to_skip_ > 0) {
+            --rows_to_skip_;
+            return 0xFFFFFFFFu;
+        }
+        const std::uint32_t near =
+            WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells,
+                        LaneLimit(most_), kPatience);
+        vain_rows_ = near == 0xFFFFFFFFu ? std::min(vain_rows_ + 1, kMostSkipped) : 0;
+        rows_to_skip_ = vain_rows_;
+        return near;
+    }
+
     /// Sifts and bounds two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
         const std::uint32_t limit = LaneLimit(most_);
+        const bool fresh = !state_.is_open(bx, by, bz);
         std::uint32_t* bound[kBlocksY];
-        std::uint32_t open = 0;
+        std::uint32_t near[kBlocksY];
+        std::uint32_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
             bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
-            for (int i = 0; i < kPair; ++i) {
-                open |= AtMost(bound[j] + i * kBlocksX, limit);
-            }
+            near[j] = fresh ? 0xFFFFFFFFu : AtMost(bound[j], limit) | AtMost(bound[j] + kBlocksX, limit) << kBlocksX;
+            if (near[j] != 0) near[j] &= Near(bx, by * kBlocksY + j, bz);
+            any |= near[j];
         }
-        if (open == 0) return;
+        if (any == 0) return;
+        if (fresh) state_.open(bx, by, bz);
         const int bricks = std::min(kPair, state_.bricks().x - bx);
         bool sifted[kPair] = {};
         for (int i = 0; i < bricks; ++i) {
             sifted[i] = Sift(bx + i, by, bz);
         }
         for (int j = 0; j < kBlocksY; ++j) {
-            BoundRow(bx, by * kBlocksY + j, bz, bound[j]);
+            BoundRow(bx, by * kBlocksY + j, bz, near[j], bound[j]);
         }
         for (int i = 0; i < bricks; ++i) {
             std::uint32_t least = kDead;
             for (int j = 0; j < kBlocksY; ++j) {
-                for (int k = 0; k < kBlocksX; ++k) {
-                    least = std::min(least, bound[j][i * kBlocksX + k]);
+                for (int k = i * kBlocksX; k < (i + 1) * kBlocksX; ++k) {
+                    if (near[j] >> k & 1) least = std::min(least, bound[j][k]);
                 }
             }
-            if (least <= limit) survivors_.push_back({least, bx + i, by, sifted[i]});
+            if (least > limit) continue;
+            Survivor survivor{least, bx + i, by, sifted[i], {}};
+            for (int j = 0; j < kBlocksY; ++j) {
+                survivor.near[j] = static_cast<std::uint16_t>(near[j] >> (i * kBlocksX));
+            }
+            survivors_.push_back(survivor);
         }
     }
 
@@ -171,27 +195,28 @@ class Pass {
         }
     }
 
-    /// Bounds the blocks of a row that have no bound yet.
-    void BoundRow(int bx, int block_y, int bz, std::uint32_t* bound) {
+    /// Bounds the blocks of a row that are near and have no bound yet.
+    void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
         const std::uint32_t least = LaneLimit(t_.coarse.least);
         std::uint32_t unknown = 0;
         for (int i = 0; i < kLanes; ++i) {
-            sums[i] = bound[i] == 0 ? least : kSumLimit;
-            unknown |= static_cast<std::uint32_t>(bound[i] == 0);
+            const bool wanted = bound[i] == 0 && (near >> i & 1);
+            sums[i] = wanted ? least : kSumLimit;
+            unknown |= static_cast<std::uint32_t>(wanted);
         }
         if (unknown == 0) return;
         SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
                  t_.coarse.loads.data(), t_.coarse.batches.data(), t_.coarse.batches.size(),
                  least, LaneLimit(most_), kPatience, sums);
         for (int i = 0; i < kLanes; ++i) {
-            bound[i] = bound[i] == 0 ? sums[i] : bound[i];
+            bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
         }
     }
 
     /// Decides every position of the brick that could be the answer.
     void Settle(const Survivor& survivor, int bz) {
-        const auto [bound_then, bx, by, sifted] = survivor;
+        const auto& [bound_then, bx, by, sifted, near] = survivor;
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
         std::uint64_t* live = state_.live(bx, by, bz);
@@ -204,7 +229,7 @@ class Pass {
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
             SettleTile(bx, by, kBrickZ * bz + i, sifted ? kSiftBatches : 0, limits_[i],
-                       live + kBrickY * i, before, after);
+                       live + kBrickY * i, before, near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
@@ -212,13 +237,13 @@ class Pass {
     }
 
     void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit,
-                    std::uint64_t* live, const Bounds& before, Bounds& after) {
+                    std::uint64_t* live, const Bounds& before, const std::uint16_t* near, Bounds& after) {
         // Positions of blocks within the limit are settled, the others keep their block's bound.
         alignas(64) std::uint64_t free[kBrickY];
         alignas(64) std::uint64_t chosen[kBlocksY];
         std::uint64_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
-            chosen[j] = limit >= 0 ? Widened(AtMost(before[j], LaneLimit(limit))) : 0;
+            chosen[j] = limit >= 0 ? Widened(AtMost(before[j], LaneLimit(limit)) & near[j]) : 0;
             std::uint64_t left = 0;
             for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
                 free[y] = live[y] & chosen[j];
@@ -289,6 +314,7 @@ class Pass {
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
     std::int64_t most_ = -1;
+    int vain_rows_ = 0, rows_to_skip_ = 0;
 };
 
 void SearchLayers(OrientationTask& task, int begin, int end) {
@@ -305,7 +331,7 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, int layers) {
+                          int index, const Extent& extent) {
     const TrayTables& tables = context.tables;
     return {context,
             state,
@@ -313,8 +339,9 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             plan_collision(runs, tables),
             plan_sum(runs, tables.sums(), tables.phi().most()),
             plan_sum(runs, tables.coarse(), tables.most_pooled()),
+            plan_cells(runs.solid, extent, tables.minima(), tables.phi().most(), tables.apart()),
             index,
-            layers};
+            extent.z};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) {

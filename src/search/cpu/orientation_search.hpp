@@ -1,5 +1,6 @@
 #pragma once
-/// The search over one orientation's positions, brick layer by brick layer: sift (a few look-ups
+/// The search over one orientation's positions, brick layer by brick layer: leave out what lies in the open
+/// (a few values of phi a block), sift (a few look-ups
 /// everywhere), bound (pooled phi on blocks), settle what is left (the remaining look-ups, then the
 /// exact rho).
 
@@ -27,12 +28,13 @@ struct OrientationTask {
     const Runs& solid;
     CollisionPlan collision;
     SumPlan exact, coarse;
+    CellPlan cells;
     int index = 0;   ///< in Shape::orientations
     int layers = 0;  ///< the solid's extent along z
 };
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, int layers);
+                          int index, const Extent& extent);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

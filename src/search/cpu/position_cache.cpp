@@ -25,28 +25,27 @@ void PositionState::reset(const Extent& count) {
     bound_.resize(static_cast<std::size_t>(bricks_.z) * static_cast<std::size_t>(bound_rows_) *
                   static_cast<std::size_t>(bound_stride_));
     sifted_.resize(bricks);
-    open_.assign(static_cast<std::size_t>(bricks_.z), 0);
+    pairs_ = (bricks_.x + kPair - 1) / kPair;
+    open_.assign(static_cast<std::size_t>(checked_product({pairs_, bricks_.y, bricks_.z})), 0);
 }
 
-void PositionState::open(int bz) {
-    if (open_[static_cast<std::size_t>(bz)]) return;
-    open_[static_cast<std::size_t>(bz)] = 1;
-    std::fill_n(bound(0, 0, bz), bound_rows_ * bound_stride_, kDead);
-    for (int row = 0; row < bound_rows_; ++row) {
-        std::fill_n(bound(0, row, bz), (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock,
-                    0u);
+void PositionState::open(int bx, int by, int bz) {
+    open_[pair(bx, by, bz)] = 1;
+    const int blocks = (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock - kBlocksX * bx;
+    for (int j = 0; j < kBlocksY; ++j) {
+        std::uint32_t* row = bound(bx, kBlocksY * by + j, bz);
+        std::fill_n(row, kPair * kBlocksX, kDead);
+        std::fill_n(row, std::min(blocks, kPair * kBlocksX), 0u);
     }
-    for (int by = 0; by < bricks_.y; ++by) {
-        for (int bx = 0; bx < bricks_.x; ++bx) {
-            sifted_[brick(bx, by, bz)] = 0;
-            const int columns = std::min(kBrickX, count_.x - kBrickX * bx);
-            const std::uint64_t row = ~std::uint64_t{0} >> (kBrickX - columns);
-            const int rows = count_.y - kBrickY * by;
-            const int layers = count_.z - kBrickZ * bz;
-            std::uint64_t* words = live(bx, by, bz);
-            for (int i = 0; i < kBrickY * kBrickZ; ++i) {
-                words[i] = i % kBrickY < rows && i / kBrickY < layers ? row : 0;
-            }
+    for (int x = bx; x < std::min(bx + kPair, bricks_.x); ++x) {
+        sifted_[brick(x, by, bz)] = 0;
+        const int columns = std::min(kBrickX, count_.x - kBrickX * x);
+        const std::uint64_t row = ~std::uint64_t{0} >> (kBrickX - columns);
+        const int rows = count_.y - kBrickY * by;
+        const int layers = count_.z - kBrickZ * bz;
+        std::uint64_t* words = live(x, by, bz);
+        for (int i = 0; i < kBrickY * kBrickZ; ++i) {
+            words[i] = i % kBrickY < rows && i / kBrickY < layers ? row : 0;
         }
     }
 }
@@ -59,11 +58,18 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     if (touched.empty()) return;
     constexpr int kBlock = TrayTables::kBlock;
     for (int z = touched.lo.z / kBlock; z <= (touched.hi.z - 1) / kBlock; ++z) {
-        if (!open_[static_cast<std::size_t>(z)]) continue;
         for (int y = touched.lo.y / kBlock; y <= (touched.hi.y - 1) / kBlock; ++y) {
             std::uint32_t* row = bound(0, y, z);
-            for (int x = touched.lo.x / kBlock; x <= (touched.hi.x - 1) / kBlock; ++x) {
-                if (row[x] != kDead) row[x] = 0;
+            const int end = (touched.hi.x - 1) / kBlock + 1;
+            for (int x = touched.lo.x / kBlock; x < end;) {
+                const int bx = x / kBlocksX / kPair * kPair;
+                const int next = std::min(end, (bx + kPair) * kBlocksX);
+                if (is_open(bx, y / kBlocksY, z)) {
+                    for (; x < next; ++x) {
+                        if (row[x] != kDead) row[x] = 0;
+                    }
+                }
+                x = next;
             }
         }
     }
@@ -76,7 +82,7 @@ std::int64_t PositionState::bytes() const {
 
 std::int64_t PositionState::bytes_for(const Extent& count) {
     const Extent bricks = brick_count(count);
-    return bricks.count() * (kBrickY * kBrickZ * 8 + kBlocksX * kBlocksY * 4 + 1) + bricks.z;
+    return bricks.count() * (kBrickY * kBrickZ * 8 + kBlocksX * kBlocksY * 4 + 2);
 }
 
 void PositionCache::make_room(std::int64_t bytes) {

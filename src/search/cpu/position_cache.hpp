@@ -23,6 +23,7 @@ namespace spectralpack {
 inline constexpr int kBrickX = 64, kBrickY = 8, kBrickZ = 4;
 inline constexpr int kBlocksX = kBrickX / TrayTables::kBlock;  ///< blocks of a brick along x
 inline constexpr int kBlocksY = kBrickY / TrayTables::kBlock;
+inline constexpr int kPair = 2;  ///< bricks
 inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
 
 class PositionState {
@@ -49,9 +50,11 @@ class PositionState {
     bool sifted(int bx, int by, int bz) const { return sifted_[brick(bx, by, bz)] != 0; }
     void set_sifted(int bx, int by, int bz) { sifted_[brick(bx, by, bz)] = 1; }
 
-    /// Prepares brick layer bz for use: at first all its candidates are live and all its bounds 0.
-    /// Different layers may be opened by different threads at once.
-    void open(int bz);
+    /// Bricks are looked at in pairs along x; a pair is prepared when it is first of interest, so that
+    /// what is never looked at costs nothing. At first all its candidates are live and all its bounds 0.
+    /// Pairs of different brick layers may be opened by different threads at once.
+    bool is_open(int bx, int by, int bz) const { return open_[pair(bx, by, bz)] != 0; }
+    void open(int bx, int by, int bz);
 
     /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
     /// become 0.
@@ -67,13 +70,20 @@ class PositionState {
                    static_cast<std::size_t>(bricks_.x) +
                static_cast<std::size_t>(bx);
     }
+    std::size_t pair(int bx, int by, int bz) const {
+        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) +
+                static_cast<std::size_t>(by)) *
+                   static_cast<std::size_t>(pairs_) +
+               static_cast<std::size_t>(bx / kPair);
+    }
 
     Extent count_, bricks_;
+    int pairs_ = 0;  // along x
     int bound_rows_ = 0, bound_stride_ = 0;
     std::vector<std::uint64_t> live_;
     std::vector<std::uint32_t> bound_;
     std::vector<std::uint8_t> sifted_;
-    std::vector<std::uint8_t> open_;  // by brick layer
+    std::vector<std::uint8_t> open_;  // by pair
 };
 
 /// States by shape, within a budget; what was least useful for its size goes first.

@@ -4,7 +4,8 @@
 ///
 /// With block size P (1, 2, 4, 8), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
 /// the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
-/// only, and kMostPooled where there are none or all are farther. Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
+/// only, and kMostPooled where there are none or all are farther.
+/// Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
 /// Differences are exact as long as the true sum is below 65536; plan.cpp splits what is not.
 ///
 /// phi_P bounds rho from below on a whole block of positions: for every candidate q + d with d in

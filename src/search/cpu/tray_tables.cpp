@@ -53,6 +53,7 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     phi_.tighten_most();
     sums_.update(phi_, whole(tray.extent()), workers);
     coarse_.update(phi_, whole(tray.extent()), workers);
+    minima_.update(phi_, whole(tray.extent()), workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
@@ -64,6 +65,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     apart_ = apart;
     sums_ = SumTables(n, 1, false);
     coarse_ = SumTables(n, kBlock, apart);
+    minima_ = BlockMinima(n, kBlock);
     refresh_all(bits_, tray);
     rebuild_phi(tray, workers);
     instance_ = tray.instance();
@@ -97,6 +99,7 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
             }
             sums_.update(phi_, all, workers);
             coarse_.update(phi_, all, workers);
+            minima_.update(phi_, all, workers);
         }
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
@@ -115,7 +118,7 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 }
 
 std::int64_t TrayTables::bytes() const {
-    return bits_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes();
+    return bits_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes() + minima_.bytes();
 }
 
 void TrayTables::check(const Tray& tray) const {
@@ -139,6 +142,9 @@ void TrayTables::check(const Tray& tray) const {
     sums.update(phi_, whole(n), one);
     coarse.update(phi_, whole(n), one);
     require(sums == sums_ && coarse == coarse_, "prefix sums");
+    BlockMinima minima(n, kBlock);
+    minima.update(phi_, whole(n), one);
+    require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
     refresh_all(bits, tray);
     require(bits == bits_, "bit tables");

@@ -1,6 +1,6 @@
 #pragma once
 /// Everything the engine derives from a tray, brought up to date from the tray's journal: bit
-/// tables, phi, its prefix sums. Follows one tray at a time; a different one, or a wider margin,
+/// tables, phi, its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin,
 /// starts afresh.
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 #include "core/parallel.hpp"
 #include "search/cpu/bit_tables.hpp"
+#include "search/cpu/block_minima.hpp"
 #include "search/cpu/distance_grid.hpp"
 #include "search/cpu/sum_tables.hpp"
 #include "search/tray.hpp"
@@ -27,6 +28,7 @@ class TrayTables {
     const DistanceGrid& phi() const { return phi_; }
     const SumTables& sums() const { return sums_; }
     const SumTables& coarse() const { return coarse_; }
+    const BlockMinima& minima() const { return minima_; }
 
     /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
     bool apart() const { return apart_; }
@@ -62,6 +64,7 @@ class TrayTables {
     BitTables bits_;
     DistanceGrid phi_;
     SumTables sums_, coarse_;
+    BlockMinima minima_;
     bool apart_ = true;
     std::vector<bool> class_used_;
     bool walls_ = false;
