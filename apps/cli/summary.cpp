@@ -113,9 +113,13 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
 }
 
 void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time) {
-    fmt::print("{} copies of {} parts into {}\n", estimate.copies, estimate.parts, size_text(options.tray));
-    fmt::print("  grid       {} x {} x {} voxels of {} mm\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
-               length_text(options.voxel));
+    const bool open = options.open_height || options.minimise == Minimise::box;
+    fmt::print("{} copies of {} parts {}\n", estimate.copies, estimate.parts,
+               open ? fmt::format("onto {} x {} mm, without a ceiling", length_text(options.tray.x),
+                                  length_text(options.tray.y))
+                    : "into " + size_text(options.tray));
+    fmt::print("  grid       {} x {} x {} voxels of {} mm{}\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
+               length_text(options.voxel), open ? " to begin with" : "");
     fmt::print("  searches   at most {}, each over {} orientation{}\n", estimate.searches, estimate.orientations,
                estimate.orientations == 1 ? "" : "s");
     fmt::print("  memory     about {}, of {} {}\n", bytes_text(estimate.memory), bytes_text(estimate.memory_limit),
