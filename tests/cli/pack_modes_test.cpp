@@ -75,7 +75,9 @@ TEST_F(PackModes, PartsKeepToTheirOrientations) {
         EXPECT_LT(placement["orientation"], most[part]);
         EXPECT_EQ(packing["parts"][part]["orientations"],
                   part == 2 ? (json{{"axes", {"+x"}}, {"yaw", nullptr}}) : words[part]);
-        if (part == 4) EXPECT_EQ(placement["transform"][0][1], -1);
+        if (part == 4) {
+            EXPECT_EQ(placement["transform"][0][1], -1);
+        }
     }
 }
 
