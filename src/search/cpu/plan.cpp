@@ -97,11 +97,12 @@ void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
 
 }  // namespace
 
-OrientationRuns make_runs(const OrientedShape& shape, bool apart) {
+OrientationRuns make_runs(const OrientedShape& shape, const TrayTables& tables) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
-    result.least = apart ? depth_sums(*shape.solid, result.solid)
-                         : std::vector<std::uint32_t>(result.solid.runs.size(), 0);
+    result.cells = plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), tables.apart());
+    result.least = tables.apart() ? depth_sums(*shape.solid, result.solid)
+                                  : std::vector<std::uint32_t>(result.solid.runs.size(), 0);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
@@ -120,8 +121,10 @@ bool covers_solid(const Shape& shape) {
     for (const OrientedShape& oriented : shape.orientations) {
         for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
             if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
+            const WidenedVoxels& widened = *oriented.widened[c];
+            if (widened.offset == VoxelIndex{} && widened.voxels == *oriented.solid) continue;
             BitGrid bare = *oriented.solid;
-            subtract(bare, oriented.widened[c]->voxels, oriented.widened[c]->offset);
+            subtract(bare, widened.voxels, widened.offset);
             if (!bare.none()) return false;
         }
     }

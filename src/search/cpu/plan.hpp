@@ -23,10 +23,10 @@ struct OrientationRuns {
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
+    CellPlan cells;                ///< for the tables of one tray
 };
 
-/// `apart`: covers_solid() of the whole shape.
-OrientationRuns make_runs(const OrientedShape& shape, bool apart);
+OrientationRuns make_runs(const OrientedShape& shape, const TrayTables& tables);
 
 /// True when every A+g holds A itself, so that phi >= 1 on every voxel of the solid wherever it is free.
 bool covers_solid(const Shape& shape);
