@@ -100,7 +100,8 @@ void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
 OrientationRuns make_runs(const OrientedShape& shape, const TrayTables& tables) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
-    result.cells = plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), tables.apart());
+    result.cells =
+        plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), tables.apart());
     result.least = tables.apart() ? depth_sums(*shape.solid, result.solid)
                                   : std::vector<std::uint32_t>(result.solid.runs.size(), 0);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
