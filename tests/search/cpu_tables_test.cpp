@@ -166,7 +166,8 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
-    const OrientationRuns runs = make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true);
+    const OrientationRuns runs =
+        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables());
     const SumTables tables({210, 9, 8}, 1, false);
     for (const int most : {1, 150, 5000, 65535}) {
         const SumPlan plan = plan_sum(runs, tables, most);

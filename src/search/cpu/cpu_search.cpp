@@ -34,10 +34,10 @@ class CpuSearch final : public PlacementSearch {
             if (entry.states[k].count().empty()) return;
             const OrientedShape& oriented = shape.orientations[k];
             if (runs[k].of_class.empty()) {
-                runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers);
+                runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
             }
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          oriented.solid->extent()));
+                                          oriented.solid->extent().z));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

@@ -331,7 +331,7 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const Extent& extent) {
+                          int index, int layers) {
     const TrayTables& tables = context.tables;
     return {context,
             state,
@@ -339,9 +339,9 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             plan_collision(runs, tables),
             plan_sum(runs, tables.sums(), tables.phi().most()),
             plan_sum(runs, tables.coarse(), tables.most_pooled()),
-            plan_cells(runs.solid, extent, tables.minima(), tables.phi().most(), tables.apart()),
+            runs.cells,
             index,
-            extent.z};
+            layers};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) {

@@ -28,13 +28,13 @@ struct OrientationTask {
     const Runs& solid;
     CollisionPlan collision;
     SumPlan exact, coarse;
-    CellPlan cells;
+    const CellPlan& cells;
     int index = 0;   ///< in Shape::orientations
     int layers = 0;  ///< the solid's extent along z
 };
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const Extent& extent);
+                          int index, int layers);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

@@ -121,9 +121,11 @@ OrientationRuns::Widened runs_of(const WidenedVoxels& wide, int detail) {
 
 }  // namespace
 
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers) {
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
+    result.cells =
+        plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), tables.apart());
     if (!covers) {
         result.least.assign(result.solid.runs.size(), 0);
     } else if (detail == 1) {
@@ -150,8 +152,11 @@ bool covers_solid(const Shape& shape) {
     for (const OrientedShape& oriented : shape.orientations) {
         for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
             if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
-            BitGrid bare = oriented.fine ? *oriented.fine : *oriented.solid;
-            subtract(bare, oriented.widened[c]->voxels, oriented.widened[c]->offset);
+            const WidenedVoxels& widened = *oriented.widened[c];
+            const BitGrid& fine = oriented.fine ? *oriented.fine : *oriented.solid;
+            if (widened.offset == VoxelIndex{} && widened.voxels == fine) continue;
+            BitGrid bare = fine;
+            subtract(bare, widened.voxels, widened.offset);
             if (!bare.none()) return false;
         }
     }

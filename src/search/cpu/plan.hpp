@@ -27,10 +27,11 @@ struct OrientationRuns {
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
+    CellPlan cells;                ///< for the tables of one tray
 };
 
-/// `covers`: covers_solid() of the whole shape.
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers);
+/// For searches in the tray that `tables` follow. `covers`: covers_solid() of the whole shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables);
 
 /// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
 /// phi >= 1 on every voxel of the solid.

@@ -15,18 +15,25 @@ Extent brick_count(const Extent& count) {
 
 }  // namespace
 
-void PositionState::reset(const Extent& count) {
+void PositionState::reset(const Extent& count, const Extent& most) {
     count_ = count;
     bricks_ = brick_count(count);
     bound_rows_ = bricks_.y * kBlocksY;
     bound_stride_ = bricks_.x * kBlocksX + kBlocksX;  // bricks are looked at in pairs
-    const auto bricks = static_cast<std::size_t>(bricks_.count());
-    live_.resize(bricks * kBrickY * kBrickZ);
-    bound_.resize(static_cast<std::size_t>(bricks_.z) * static_cast<std::size_t>(bound_rows_) *
-                  static_cast<std::size_t>(bound_stride_));
-    sifted_.resize(bricks);
     pairs_ = (bricks_.x + kPair - 1) / kPair;
     open_.assign(static_cast<std::size_t>(checked_product({pairs_, bricks_.y, bricks_.z})), 0);
+    const Extent room = brick_count(most);
+    const auto bricks = static_cast<std::size_t>(room.count());
+    const auto bounds =
+        static_cast<std::size_t>(checked_product({room.z, room.y * kBlocksY, room.x * kBlocksX + kBlocksX}));
+    if (count.empty()) return;
+    if (room_for_bricks_ < bricks || room_for_bounds_ < bounds) {
+        live_ = std::make_unique_for_overwrite<std::uint64_t[]>(bricks * kBrickY * kBrickZ);
+        bound_ = std::make_unique_for_overwrite<std::uint32_t[]>(bounds);
+        sifted_ = std::make_unique_for_overwrite<std::uint8_t[]>(bricks);
+        room_for_bricks_ = bricks;
+        room_for_bounds_ = bounds;
+    }
 }
 
 void PositionState::open(int bx, int by, int bz) {
@@ -73,11 +80,6 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
             }
         }
     }
-}
-
-std::int64_t PositionState::bytes() const {
-    return static_cast<std::int64_t>(live_.capacity() * 8 + bound_.capacity() * 4 +
-                                     sifted_.capacity() + open_.capacity());
 }
 
 std::int64_t PositionState::bytes_for(const Extent& count) {
@@ -139,7 +141,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray,
             state = std::move(spare_.back());
             spare_.pop_back();
         }
-        state.reset(count);
+        state.reset(count, tray.extent());
         fresh.states.push_back(std::move(state));
     }
     fresh.runs.resize(fresh.states.size());

@@ -10,7 +10,7 @@
 /// Forgetting any of this costs time, never the answer.
 
 #include <cstdint>
-#include <list>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -28,19 +28,20 @@ inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
 
 class PositionState {
   public:
-    /// `count` candidate positions per axis. Nothing is known.
-    void reset(const Extent& count);
+    /// `count` candidate positions per axis, of at most `most`, for which room is made so that it serves any shape in
+    /// the same tray. Nothing is known.
+    void reset(const Extent& count, const Extent& most);
 
     const Extent& count() const { return count_; }
     const Extent& bricks() const { return bricks_; }
 
     /// The brick's 4 tiles of 8 words.
     std::uint64_t* live(int bx, int by, int bz) {
-        return live_.data() + brick(bx, by, bz) * (kBrickY * kBrickZ);
+        return live_.get() + brick(bx, by, bz) * (kBrickY * kBrickZ);
     }
     /// The bounds of row `block_y` of blocks in brick layer bz, from brick bx on.
     std::uint32_t* bound(int bx, int block_y, int bz) {
-        return bound_.data() +
+        return bound_.get() +
                (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bound_rows_) +
                 static_cast<std::size_t>(block_y)) *
                    static_cast<std::size_t>(bound_stride_) +
@@ -60,7 +61,6 @@ class PositionState {
     /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
 
-    std::int64_t bytes() const;
     static std::int64_t bytes_for(const Extent& count);
 
   private:
@@ -80,9 +80,11 @@ class PositionState {
     Extent count_, bricks_;
     int pairs_ = 0;  // along x
     int bound_rows_ = 0, bound_stride_ = 0;
-    std::vector<std::uint64_t> live_;
-    std::vector<std::uint32_t> bound_;
-    std::vector<std::uint8_t> sifted_;
+    // Written when a pair is opened: what never is takes no memory from the system.
+    std::unique_ptr<std::uint64_t[]> live_;
+    std::unique_ptr<std::uint32_t[]> bound_;
+    std::unique_ptr<std::uint8_t[]> sifted_;
+    std::size_t room_for_bricks_ = 0, room_for_bounds_ = 0;
     std::vector<std::uint8_t> open_;  // by pair
 };
 
