@@ -14,12 +14,12 @@ int most_layers(const Shape& shape) {
     return most;
 }
 
-/// Layers by which A+g overhangs A below.
-int overhang_below(const Shape& shape) {
+/// Layers by which A+g, in voxels of dx / detail, overhangs A below.
+int overhang_below(const Shape& shape, int detail) {
     int most = 0;
     for (const OrientedShape& oriented : shape.orientations) {
         for (const auto& wide : oriented.widened) {
-            most = std::max(most, -wide->offset.z);
+            most = std::max(most, ceil_div(-wide->offset.z, detail));
         }
     }
     return most;
@@ -44,7 +44,7 @@ int layers_on_top(const Tray& tray, const Shape& shape) {
             top = std::max(top, object->position.z + object->solid->extent().z);
         }
     }
-    return top + overhang_below(shape) + most_layers(shape) + 1;
+    return top + overhang_below(shape, tray.detail()) + most_layers(shape) + 1;
 }
 
 Tray grown(const Tray& tray, int layers) {
