@@ -14,7 +14,8 @@ int most_layers(const Shape& shape) {
     return most;
 }
 
-/// Layers by which A+g overhangs A below.
+/// Voxels, of the fineness that collisions are decided on, by which A+g overhangs A below: at least as many layers as
+/// it takes.
 int overhang_below(const Shape& shape) {
     int most = 0;
     for (const OrientedShape& oriented : shape.orientations) {
