@@ -77,7 +77,7 @@ TEST_F(CappedTray, CountsWhatStandsOffTheGrid) {
     EXPECT_TRUE(caps.may_stand(0, 0, {0, 0, 0.3}));
     caps.add(0, 0, {0, 0, 0.3});
     EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 0}));
-    EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 4.6}));
+    EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 4.4}));
     EXPECT_TRUE(caps.may_stand(0, 0, {10, 10, 5.6}));
 }
 

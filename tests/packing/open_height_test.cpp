@@ -29,7 +29,7 @@ const std::vector<Mat3> kTurns = [] {
 
 /// Tori and boxes of growing size.
 Mesh mesh_of(int part) {
-    if (part % 2 == 0) return test::torus_mesh(5 + part, 2, 24, 12);
+    if (part % 2 == 0) return test::torus_mesh(3 + part, 2, 24, 12);
     return test::box_mesh({0, 0, 0}, {3.0 + part, 9, 5});
 }
 

@@ -105,13 +105,22 @@ void PositionCache::make_room(std::int64_t bytes) {
     }
 }
 
+/// Also what takes no room: that nothing fitted the last tray says nothing of the next.
+void PositionCache::forget_all() {
+    for (auto& [id, entry] : entries_) {
+        for (PositionState& state : entry.states) {
+            if (spare_.size() < kSpareStates) spare_.push_back(std::move(state));
+        }
+    }
+    entries_.clear();
+    bytes_ = 0;
+}
+
 PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray,
                                         const TrayTables& tables) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
-        const std::int64_t budget = std::exchange(budget_, 0);
-        make_room(0);
-        budget_ = budget;
+        forget_all();
     }
     ++uses_;
     auto found = entries_.find(shape.id);

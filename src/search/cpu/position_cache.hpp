@@ -110,6 +110,7 @@ class PositionCache {
 
   private:
     void make_room(std::int64_t bytes);
+    void forget_all();
 
     std::int64_t budget_;
     std::int64_t bytes_ = 0;
