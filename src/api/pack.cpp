@@ -1,6 +1,8 @@
 #include "spectralpack/pack.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <map>
 #include <new>
 #include <set>
@@ -8,11 +10,14 @@
 #include <utility>
 
 #include "api/engine_factory.hpp"
+#include "api/fixed_copies.hpp"
 #include "api/load.hpp"
+#include "api/load_container.hpp"
 #include "api/machine.hpp"
 #include "api/plan.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/measure.hpp"
+#include "packing/walls.hpp"
 #include "search/verifying_search.hpp"
 
 namespace spectralpack {
@@ -39,14 +44,13 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded) {
 class Run {
   public:
     Run(const Job& job, Listener& listener, const StopToken& stop)
-        : job_(job), listener_(listener), stop_(stop), workers_(job.options.threads) {}
+        : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
 
     PackResult run() {
         const auto start = Clock::now();
-        check_options(job_.options);
-        loaded_ = load_parts(job_, workers_, listener_);
-        plan_ = make_plan(loaded_, job_.options, workers_);
-        require_memory(plan_, loaded_, job_.options, workers_);
+        load();
+        plan_ = make_plan(loaded_, container_, options_, workers_);
+        require_memory(plan_, loaded_, options_, workers_);
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
             if (!plan_.too_large[i].empty()) {
                 listener_.on_warning(loaded_.parts[i].name + " " + plan_.too_large[i]);
@@ -63,6 +67,7 @@ class Run {
         } catch (const Error& error) {
             result.failure = error;
         }
+        if (trays.stuck) result.failure = stuck(trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         result.stopped = stop_.reason();
         result.packing = packing_of(trays);
@@ -73,24 +78,55 @@ class Run {
     }
 
   private:
+    void load() {
+        check_options(options_);
+        container_ = load_container(job_.container, options_.tray, job_.unit);
+        options_.tray = container_.size;
+        loaded_ = load_parts(job_, workers_, listener_);
+        require_sound(loaded_, container_, options_, workers_, listener_, stop_);
+    }
+
     FillSetup fill_setup() const {
-        const PackOptions& options = job_.options;
+        const PackOptions& options = options_;
         const double wall = 2 * options.wall_gap;
         FillSetup setup;
         setup.tray.size = options.tray - Vec3{wall, wall, wall};
         setup.tray.voxel_size = options.voxel;
         setup.tray.gap_classes = plan_.gap_classes;
-        setup.container = options.tray;
+        setup.tray.blocked =
+            blocked_voxels(container_, plan_.grid, options.voxel, options.wall_gap, workers_);
+        setup.tray.blocked_is_physical = container_.physical;
+        require_free(setup.tray.blocked);
+        setup.container = container_;
         setup.wall_gap = options.wall_gap;
         setup.model = {plan_.height_penalty,
                        options.height_at == HeightReference::top ? HeightAt::top : HeightAt::bottom};
         setup.orientations = plan_.orientations;
         setup.refine = options.refine;
+        for (const FixedPlacement& fixed : loaded_.fixed) {
+            const auto part = static_cast<std::size_t>(fixed.placement.part);
+            setup.fixed.push_back(
+                {fixed.tray, loaded_.meshes[part], fixed.placement.transform, loaded_.parts[part].gap});
+        }
         return setup;
     }
 
+    void require_free(const BitGrid& blocked) const {
+        if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
+        std::string what = "no voxel of " + number_text(options_.voxel) + " mm is wholly free";
+        if (options_.wall_gap > 0) what += " and " + number_text(options_.wall_gap) + " mm from the walls";
+        if (container_.mesh) throw InputError(container_.mesh->file, "", "as a container, " + what);
+        throw UsageError("between the keep-outs " + what);
+    }
+
+    static std::string number_text(double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%g", value);
+        return text;
+    }
+
     void search(TraysResult& trays) {
-        const PackOptions& options = job_.options;
+        const PackOptions& options = options_;
         const auto total = static_cast<std::int64_t>(plan_.items.size());
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         VerifyingSearch* verifying = nullptr;
@@ -109,29 +145,34 @@ class Run {
             },
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_);
-        const MakeShapeStore make_shapes = [&](const std::vector<PackItem>& items) {
-            return ShapeStore(
-                items,
-                [&](int part) {
-                    const auto i = static_cast<std::size_t>(part);
-                    return std::make_shared<const Shape>(
-                        make_shape(ids[i], scaled_mesh(i), plan_.orientations, options.voxel,
-                                   loaded_.parts[i].gap, plan_.gap_classes, workers_));
-                },
-                workers_, [&](double seconds) { seconds_.voxelize += seconds; });
-        };
+        ShapeStore shapes(
+            [&](int part) {
+                const auto i = static_cast<std::size_t>(part);
+                return std::make_shared<const Shape>(make_shape(ids[i], scaled_mesh(i), plan_.orientations,
+                                                                options.voxel, loaded_.parts[i].gap,
+                                                                plan_.gap_classes, workers_));
+            },
+            workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep);
 
         const auto start = Clock::now();
         listener_.on_progress({Phase::search, 0, total, 0, 0});
-        const double container = options.tray.x * options.tray.y * options.tray.z;
+        TraysLimit limit{options.trays, options.try_per_tray};
+        if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
+        const double container = volume_of(container_);
         double volume = 0;
-        std::size_t placed = 0;
+        std::size_t placed = 0;    // in the tray being filled
+        std::int64_t settled = 0;  // in all trays
+        std::size_t number = 0;    // of the tray being filled, from 1
         const TrayItemDone item_done = [&](const GreedyResult& tray, std::size_t done) {
-            for (; placed < tray.placed.size(); ++placed) {
+            if (std::exchange(number, trays.trays.size()) != trays.trays.size()) placed = 0;
+            for (; placed < tray.placed.size(); ++placed, ++settled) {
                 volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
             }
-            listener_.on_progress({Phase::search, static_cast<std::int64_t>(done), total, volume / container,
-                                   static_cast<double>(done) / static_cast<double>(total)});
+            // What one tray leaves over the next one tries again.
+            const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
+            listener_.on_progress({Phase::search, sure, total,
+                                   volume / (container * static_cast<double>(trays.trays.size())),
+                                   static_cast<double>(sure) / static_cast<double>(total)});
         };
         const auto finish = [&] {
             seconds_.refine = filler.refine_seconds();
@@ -139,7 +180,7 @@ class Run {
             if (verifying) verified_ = verifying->verified();
         };
         try {
-            fill_trays(plan_.items, 1, filler, make_shapes, item_done, stop_, trays);
+            fill_trays(plan_.items, limit, filler, shapes, item_done, stop_, trays);
         } catch (...) {
             finish();
             throw;
@@ -158,27 +199,43 @@ class Run {
         return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
+    void add_placed(const GreedyResult& greedy, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
+        for (const PlacedItem& placed : greedy.placed) {
+            settled.emplace(placed.item.part, placed.item.copy);
+            tray.placements.push_back(
+                {placed.item.part, placed.item.copy, placed.orientation, false, transform_of(placed)});
+        }
+    }
+
+    /// Several trays were allowed, and one stayed empty of what is left.
+    Error stuck(const TraysResult& trays) const {
+        const Part& first = loaded_.parts[static_cast<std::size_t>(trays.left_over.front().part)];
+        return Error(ErrorKind::input,
+                     "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
+                         std::to_string(trays.left_over.size()) +
+                         (trays.left_over.size() == 1 ? " copy" : " copies") +
+                         " tried none finds a place in it, the first being " + first.name +
+                         (trays.trays.empty() ? "" : "; the trays before are kept"));
+    }
+
     Packing packing_of(const TraysResult& trays) {
         Packing packing;
         packing.program = "spectralpack " SPECTRALPACK_VERSION;
-        packing.input_hash = input_hash(loaded_, job_.options);
-        packing.container.size = job_.options.tray;
-        packing.options = job_.options;
+        packing.input_hash = input_hash(loaded_, container_, options_);
+        packing.container = container_;
+        packing.options = options_;
         packing.options.height_penalty = plan_.height_penalty;
         packing.options.engine = plan_.engine;
         packing.parts = loaded_.parts;
 
         std::set<std::pair<int, int>> settled;  // part and copy
-        for (const GreedyResult& greedy : trays.trays) {
-            TrayPacking tray;
-            for (const PlacedItem& placed : greedy.placed) {
-                settled.emplace(placed.item.part, placed.item.copy);
-                tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
-                                           transform_of(placed)});
-            }
-            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
-            packing.metrics.density += tray.density / static_cast<double>(trays.trays.size());
-            packing.trays.push_back(std::move(tray));
+        packing.trays = fixed_trays(loaded_);
+        packing.trays.resize(std::max(packing.trays.size(), trays.trays.size()));
+        for (std::size_t t = 0; t < packing.trays.size(); ++t) {
+            TrayPacking& tray = packing.trays[t];
+            if (t < trays.trays.size()) add_placed(trays.trays[t], tray, settled);
+            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, options_.voxel, workers_);
+            packing.metrics.density += tray.density / static_cast<double>(packing.trays.size());
         }
 
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
@@ -204,7 +261,7 @@ class Run {
         for (const Part& part : packing.parts) {
             metrics.copies += part.count;
         }
-        metrics.placed = trays.placed();
+        metrics.placed = trays.placed() + static_cast<std::int64_t>(loaded_.fixed.size());
         metrics.seconds = seconds_;
         metrics.searches = trays.searches();
         metrics.verified = verified_;
@@ -215,6 +272,8 @@ class Run {
     }
 
     const Job& job_;
+    PackOptions options_;   ///< as used: with the size of a container mesh
+    Container container_;
     Listener& listener_;
     StopToken stop_;
     Workers workers_;
@@ -231,12 +290,17 @@ PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
 }
 
 Estimate estimate(const Job& job, Listener& listener) {
-    check_options(job.options);
-    const Workers workers(job.options.threads);
+    PackOptions options = job.options;
+    check_options(options);
+    const Workers workers(options.threads);
+    const Container container = load_container(job.container, options.tray, job.unit);
+    options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);
-    const Plan plan = make_plan(loaded, job.options, workers);
+    require_sound(loaded, container, options, workers, listener, {});
+    const Plan plan = make_plan(loaded, container, options, workers);
     Estimate estimate;
     estimate.grid = plan.grid;
+    estimate.container = container.size;
     estimate.orientations = static_cast<int>(plan.orientations.size());
     estimate.parts = static_cast<int>(loaded.parts.size());
     for (const Part& part : loaded.parts) {

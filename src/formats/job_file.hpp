@@ -17,6 +17,8 @@ struct JobPart {
     int count = 1;
     double scale = 1;
     std::optional<double> gap;  ///< mm; none: the job's
+    double priority = 0;        ///< higher goes first
+    std::string due = {};       ///< "2026-12-01"; empty: none
     std::string key;            ///< where it stands in the file: "parts[3]"
 };
 

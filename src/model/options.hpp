@@ -23,6 +23,9 @@ struct VerifyWith {
 
 struct PackOptions {
     Vec3 tray{480, 245, 200};       ///< container size, mm
+    int trays = 1;                  ///< containers to fill, at most; 0: as many as it takes
+    int try_per_tray = 1000;        ///< of several trays: how many of the first copies left each one tries
+    std::optional<std::string> printer;  ///< preset that other values come from; kept for the record
     double voxel = 2;               ///< dx, mm
     std::string rotations = "90";   ///< none, or an angle in degrees that divides 360
     double gap = 0.2;               ///< least distance between two copies, mm

@@ -11,6 +11,7 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
     std::unordered_set<int> hopeless;  // parts that found no place
     for (std::size_t i = 0; i < items.size(); ++i) {
         const PackItem& item = items[i];
+        bool placed = false;
         if (hopeless.contains(item.part)) {
             result.left_over.push_back(item);
         } else {
@@ -25,7 +26,8 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                 return;
             }
             ++result.searches;
-            if (found.best) {
+            placed = found.best.has_value();
+            if (placed) {
                 const OrientedShape& oriented =
                     shape.orientations[static_cast<std::size_t>(found.best->index)];
                 Standing standing = settle(item, shape, *found.best);
@@ -37,7 +39,7 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                 result.left_over.push_back(item);
             }
         }
-        shapes.release(i);
+        shapes.release(i, placed);
         item_done(i + 1);
     }
 }

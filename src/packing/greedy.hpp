@@ -32,9 +32,10 @@ struct GreedyResult {
     std::int64_t searches = 0;        ///< copies really searched for
 };
 
-/// Packs `items` into `tray` on top of what stands there. A copy whose part has already found no place is left
-/// over without a search: the tray only fills up. `settle` decides where a copy stands once its place is found. `result` is filled as it goes, so that it holds what was done
-/// when an exception (out of memory, two engines that disagree) leaves this function.
+/// Packs `items` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
+/// part has already found no place is left over without a search: the tray only fills up. `settle` decides where a
+/// copy stands once its place is found. `result` is filled as it goes, so that it holds what was done when an
+/// exception (out of memory, two engines that disagree) leaves this function.
 void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                    const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
                    const ItemDone& item_done, const StopToken& stop, GreedyResult& result);

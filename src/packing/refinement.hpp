@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "packing/standing.hpp"
@@ -24,6 +25,9 @@ class Refinement {
     /// One per tray, which starts empty. `orientations`: the job's set; `voxel_size` in mm.
     Refinement(const RefineSetup& setup, const std::vector<Mat3>& orientations, double voxel_size, PartOf part_of,
                const Workers& workers);
+
+    /// What already stands in the tray: a fixed copy, a wall.
+    void stand(StandingCopy obstacle) { refiner_.add(std::move(obstacle)); }
 
     Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
 

@@ -2,19 +2,30 @@
 /// One tray from empty to done: what stands in it from the start, the greedy packing on top of that, and where each
 /// copy comes to stand.
 
+#include <memory>
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "model/packing.hpp"
 #include "packing/greedy.hpp"
 #include "packing/refinement.hpp"
 
 namespace spectralpack {
 
-/// What all trays of a job have in common.
+/// A copy that stands in a tray from the start and never moves.
+struct FixedCopy {
+    int tray = 0;
+    std::shared_ptr<const Mesh> mesh;  ///< in the mesh file's own coordinates
+    Transform transform;               ///< to the container's
+    double gap = 0;                    ///< mm; one of the tray's gap classes
+};
+
+/// What all trays of a job have in common, and the fixed copies of each.
 struct FillSetup {
-    TraySetup tray;                  ///< the container's grid; every tray starts from it
-    Vec3 container;                  ///< size, mm
+    TraySetup tray;                  ///< the container's grid, walls and keep-outs; every tray starts from it
+    Container container;
     double wall_gap = 0;             ///< mm
+    std::vector<FixedCopy> fixed;
     CostModel model;
     std::vector<Mat3> orientations;  ///< the job's set
     bool refine = false;             ///< continuous refinement (section 3.2)
@@ -25,21 +36,24 @@ class TrayFiller {
     /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that refinement moves.
     TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::PartOf part_of, const Workers& workers);
 
-    /// Fills one new tray with what finds a place of `items`, tried in this order; `shapes` holds their voxels.
-    /// `result` as in pack_greedily().
-    void fill(const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
+    /// Fills a new tray, the one with this number, with what finds a place of `items`, tried in this order; `shapes`
+    /// makes their voxels. `result` as in pack_greedily().
+    void fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
               const StopToken& stop, GreedyResult& result);
 
+    int trays_with_fixed() const { return trays_with_fixed_; }  ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
 
   private:
-    void fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-              const StopToken& stop, GreedyResult& result);
+    std::unique_ptr<Refinement> refinement() const;
+    void stand_fixed(int number, Tray& tray, Refinement* refinement) const;
 
     FillSetup setup_;
     PlacementSearch& search_;
     Refinement::PartOf part_of_;
     Workers workers_;
+    std::vector<StandingCopy> walls_;  // for refinement
+    int trays_with_fixed_ = 0;
     double refine_seconds_ = 0;
 };
 

@@ -16,7 +16,7 @@
 namespace spectralpack {
 
 struct RefineSetup {
-    Vec3 container;           ///< size of the box; mesh containers are not built
+    Vec3 container;           ///< size of the box; what else bounds it is added as walls
     double wall_gap = 0;      ///< least distance of a mesh's box to the container's sides
     double longest_move = 4;  ///< along one axis in one round: 2 dx in the paper
     int rounds = 3;           ///< of x, y, z each
@@ -27,6 +27,7 @@ struct StandingCopy {
     std::shared_ptr<const Bvh> surface;
     Vec3 offset;
     double gap = 0;  ///< two copies keep the larger of their gaps
+    bool wall = false;  ///< a wall or keep-out: who comes near keeps this gap, not its own
 
     Box box() const { return {surface->box().min + offset, surface->box().max + offset}; }
 };

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "render/feature_edges.hpp"
 #include "render/palette.hpp"
 
 namespace spectralpack {
@@ -181,6 +182,7 @@ class StageBuilder {
             Transform place = to_stage_;
             place.translation = to_stage_ * tray_origin(i);
             stage_.containers.push_back({place * Vec3{}, place * packing_.container.size});
+            outline_walls(place);
             if (!trays_[i]) continue;
             for (const Placement& placement : trays_[i]->placements) {
                 if (!drawable(placement.transform)) continue;
@@ -192,6 +194,24 @@ class StageBuilder {
                                          copy_colour(placement.part, placement.copy, parts)});
             }
         }
+    }
+
+    void outline_walls(const Transform& place) {
+        const Container& container = packing_.container;
+        outline(container.mesh, {{}, container.size}, place);
+        for (const KeepOut& keep_out : container.keep_out) {
+            outline(keep_out.mesh, keep_out.box, place);
+        }
+    }
+
+    /// A mesh without sharp edges, and one that has not been loaded, are shown by their boxes.
+    void outline(const std::optional<StandingMesh>& mesh, const Box& box, const Transform& place) {
+        std::vector<std::pair<Vec3, Vec3>> edges;
+        if (mesh && mesh->surface) edges = feature_edges(*mesh->surface);
+        for (const auto& [from, to] : edges) {
+            stage_.edges.emplace_back(place * from, place * to);
+        }
+        if (edges.empty()) stage_.outlined.push_back({place * box.min, place * box.max});
     }
 
     const Packing& packing_;

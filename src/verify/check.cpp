@@ -7,6 +7,7 @@
 #include "verify/copies.hpp"
 #include "verify/counts.hpp"
 #include "verify/figures.hpp"
+#include "verify/walls.hpp"
 #include "verify/words.hpp"
 
 namespace spectralpack {
@@ -142,7 +143,17 @@ CheckReport check_packing(const Packing& packing,
     report.stopped = !copies;
     std::vector<TrayMeasure> measures;
     const auto trays = copies ? static_cast<int>(packing.trays.size()) : 0;
-    if (copies) append(report.findings, copies->findings);
+    std::optional<Walls> walls;
+    if (copies) {
+        append(report.findings, copies->findings);
+        Box all;
+        for (const std::vector<Copy>& tray : copies->by_tray) {
+            for (const Copy& copy : tray) {
+                all.add(copy.box);
+            }
+        }
+        walls.emplace(packing, all);
+    }
     for (int tray = 0; tray < trays && !report.stopped; ++tray) {
         const std::vector<Copy>& here = copies->by_tray[static_cast<std::size_t>(tray)];
         TrayPairs pairs(packing, tray, here, workers);
@@ -153,6 +164,7 @@ CheckReport check_packing(const Packing& packing,
                                   kPreparing + (1 - kPreparing) * (tray + part) / trays});
         });
         append(report.findings, pairs.findings());
+        append(report.findings, walls->judge(tray, here, workers, stop));
         report.pairs_tested += pairs.tested();
         if (here.size() > 1) {
             report.min_gap = std::min(report.min_gap.value_or(Box::kInfinity), pairs.least());

@@ -13,6 +13,8 @@ bool differs(double stated, double measured, double tolerance) {
 }
 
 double container_volume(const Packing& packing) {
+    const auto& mesh = packing.container.mesh;
+    if (mesh && mesh->surface) return signed_volume(*mesh->surface);
     const Vec3& size = packing.container.size;
     return size.x * size.y * size.z;
 }
