@@ -158,7 +158,7 @@ void run(const Arguments& arguments) {
         [&](int part) {
             return std::make_shared<const Shape>(make_shape(
                 static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)],
-                rotations, arguments.voxel, arguments.gap, setup.gap_classes, workers));
+                rotations, arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
         },
         workers, [](double) {});
     shapes.start_tray(items);
@@ -180,7 +180,7 @@ void run(const Arguments& arguments) {
     TimedSearch search(*engine, plain.get(), every, arguments.trace);
     GreedyResult result;
     const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
-        return stand_on_grid(shape, best, arguments.voxel, 0);
+        return stand_on_grid(shape, best, arguments.voxel, 1, 0);
     };
     pack_greedily(
         tray, search, model, items, shapes, settle, [](std::size_t) {}, {}, result);

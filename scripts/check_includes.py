@@ -24,9 +24,10 @@ ALLOWED = {
     "search/cpu": BASE + ["geometry", "voxel", "search"],
     "search/cuda": BASE + ["geometry", "voxel", "search"],
     "refine": BASE + ["geometry", "model", "voxel", "search"],
-    "packing": BASE + ["geometry", "model", "voxel", "search", "refine"],
+    "disassembly": BASE + ["geometry", "model", "voxel", "search"],
+    "packing": BASE + ["geometry", "model", "voxel", "search", "refine", "disassembly"],
     "api": BASE + ["geometry", "model", "formats", "voxel", "render", "verify", "search",
-                   "search/reference", "search/cpu", "search/cuda", "refine", "packing", "spectralpack"],
+                   "search/reference", "search/cpu", "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
     "spectralpack": BASE + ["geometry", "model", "voxel", "render", "verify"],
     "cli": ["spectralpack"],
 }

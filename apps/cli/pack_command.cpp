@@ -23,11 +23,14 @@ namespace {
 struct PackArguments {
     std::vector<std::string> parts;
     std::string mesh_dir;
-    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, height_penalty, height_at, order, engine,
-        memory, verify_with, progress, report;
+    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, height_penalty,
+        height_at, order, engine, memory, verify_with, progress, report;
+    std::optional<std::string> minimise;
+    std::optional<double> max_density, max_layer_fill;
+    bool open_height = false, fill = false;
     std::optional<double> gap, wall_gap, voxel, time_limit, material_density;
     std::optional<std::uint64_t> seed;
-    std::optional<int> threads, try_per_tray;
+    std::optional<int> threads, try_per_tray, detail;
     std::vector<std::string> keep_out;
     bool physical = false;
     std::vector<std::string> outputs;
@@ -163,15 +166,29 @@ void print_printers() {
                "material and machine. --tray, --gap and --wall-gap override them.\n");
 }
 
+/// Two sides are a base, for packings without a ceiling.
+Vec3 parse_tray(const std::string& text) {
+    const bool base = std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X'; }) == 1;
+    if (!base) return parse_size(text, "--tray");
+    try {
+        Vec3 size = parse_size(text + "x1", "--tray");
+        size.z = 0;
+        return size;
+    } catch (const UsageError&) {
+        throw UsageError(fmt::format("--tray takes lengths in mm like 480x245x200 or 480x245, not '{}'", text));
+    }
+}
+
 /// `options` with what the command line says over it.
 PackOptions override_options(PackOptions options, const PackArguments& a) {
     if (a.printer) apply(known_printer(*a.printer), options);
-    if (a.tray) options.tray = parse_size(*a.tray, "--tray");
+    if (a.tray) options.tray = parse_tray(*a.tray);
     if (a.trays) options.trays = parse_trays(*a.trays);
     assign(options.try_per_tray, a.try_per_tray);
     assign(options.gap, a.gap);
     assign(options.wall_gap, a.wall_gap);
     assign(options.voxel, a.voxel);
+    assign(options.detail, a.detail);
     assign(options.rotations, a.rotations);
     assign(options.seed, a.seed);
     assign(options.threads, a.threads);
@@ -189,6 +206,14 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
         options.height_at = choose<HeightReference>(
             {{"bottom", HeightReference::bottom}, {"top", HeightReference::top}}, *a.height_at, "--height-at");
     }
+    options.open_height = options.open_height || a.open_height;
+    if (a.minimise) {
+        options.minimise =
+            choose<Minimise>({{"none", Minimise::none}, {"box", Minimise::box}}, *a.minimise, "--minimise");
+    }
+    options.fill = options.fill || a.fill;
+    if (a.max_density) options.max_density = a.max_density;
+    if (a.max_layer_fill) options.max_layer_fill = a.max_layer_fill;
     if (a.order) {
         options.order = choose<Order>({{"size", Order::size}, {"input", Order::input}, {"random", Order::random}},
                                       *a.order, "--order");
@@ -375,7 +400,15 @@ Command add_pack_command(CLI::App& app) {
                     "report for people to write: .html (a page with pictures that prints well) or .csv");
     sub->add_option("--material-density", a.material_density, "g/cm3 of the material; the report then has masses");
     const std::string container = "Container";
-    sub->add_option("--tray", a.tray, "container in mm [480x245x200]")->group(container);
+    sub->add_option("--tray", a.tray, "container in mm; with --open-height XxY will do [480x245x200]")
+        ->group(container);
+    sub->add_flag("--open-height", a.open_height, "no ceiling: least height on the tray's base")->group(container);
+    sub->add_option("--minimise", a.minimise, "box: a base, up to the tray's, and height of least volume [none]")
+        ->group(container);
+    sub->add_flag("--fill", a.fill, "as many copies as fit; counts are shares of one another")->group(container);
+    sub->add_option("--max-density", a.max_density, "cap on the density, a share like 0.3")->group(container);
+    sub->add_option("--max-layer-fill", a.max_layer_fill, "cap on the share of each layer's area, like 0.4")
+        ->group(container);
     sub->add_option("--printer", a.printer, "build volume and customary gaps of a printer; list prints them")
         ->group(container);
     sub->add_option("--container", a.container, "closed mesh to fill instead of a box")->group(container);
@@ -399,18 +432,20 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--skip-unusable", a.skip_unusable, "exit 0 although an input was unusable")->group(input);
     const std::string search = "Search";
     sub->add_option("--voxel", a.voxel, "voxel size in mm [2]")->group(search);
+    sub->add_option("--detail", a.detail, "copies may come as near as voxels this many times finer allow, 1 to 8 [2]")->group(search);
     sub->add_option("--rotations", a.rotations,
-                    "orientations tried: none, or a step in degrees: 90 (24 of them), 45, 30 ... [90]")
+                    "orientations tried: none, a step in degrees (90: 24 of them), icosahedron[:N]; each with +box for\n"
+                    "the turns of the part's minimum bounding box [90]")
         ->group(search);
     sub->add_option("--height-penalty", a.height_penalty, "how much height costs: auto, or p of p z^3 [auto]")
         ->group(search);
     sub->add_option("--height-at", a.height_at,
-                    "where height counts: bottom, or top (then before proximity) [bottom]")
+                    "where height counts: bottom, or top (then before proximity) [bottom; top without a ceiling]")
         ->group(search);
     sub->add_option("--order", a.order, "which copies first: size, input, random [size]")->group(search);
     sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
-    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes")->group(search);
-    sub->add_flag("--no-refine", a.no_refine, "stay on the grid [the default for now]")->group(search);
+    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
+    sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock, "keep copies from locking: off (post, place: not built yet) [off]")
         ->group(search);
     const std::string run = "Run";

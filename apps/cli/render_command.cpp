@@ -36,6 +36,13 @@ Command add_render_command(CLI::App& app) {
     sub->add_option("--azimuth", arguments->options.azimuth, "degrees the camera stands round the container [35]");
     sub->add_option("--elevation", arguments->options.elevation, "degrees the camera stands above it [28]");
     sub->add_option("--tray", arguments->options.tray, "only this tray, counted from 0 [all]");
+    auto* explode = sub->add_option("--explode", arguments->options.explode,
+                                    "draw copies apart along their ways out, the tray 1 + FACTOR times as long")
+                        ->type_name("FACTOR");
+    sub->add_option("--step", arguments->options.step,
+                    "draw the disassembly plan's step K, from 1 on: its copies half way out of what is left")
+        ->type_name("K")
+        ->excludes(explode);
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");
     return {sub, [arguments] { return run_render(*arguments); }};
 }

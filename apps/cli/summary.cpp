@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "text.hpp"
@@ -52,13 +53,40 @@ void print_left_over(const Packing& packing) {
     }
 }
 
+/// What came of the shares.
+void print_shares(const Packing& packing) {
+    for (std::size_t i = 0; i < packing.parts.size() && i < kMostListed; ++i) {
+        const Part& part = packing.parts[i];
+        fmt::print("  filled     {} x {} (share {})\n", part.count, printable(part.name), part.share);
+    }
+    if (packing.parts.size() > kMostListed) fmt::print("             and {} more parts\n", packing.parts.size() - kMostListed);
+}
+
+void print_caps(const Packing& packing) {
+    const Vec3& size = packing.container.size;
+    double fullest = 0;
+    for (const TrayPacking& tray : packing.trays) {
+        for (const double area : tray.layers.area) {
+            fullest = std::max(fullest, area / (size.x * size.y));
+        }
+    }
+    if (packing.options.max_density) {
+        fmt::print("  cap        density up to {}\n", percent_text(*packing.options.max_density));
+    }
+    if (packing.options.max_layer_fill) {
+        fmt::print("  cap        layers up to {} of their area; the fullest has {}\n",
+                   percent_text(*packing.options.max_layer_fill), percent_text(fullest));
+    }
+}
+
 /// One tray has its own figures; of several each has a line.
 void print_trays(const Packing& packing) {
     if (packing.trays.size() == 1) {
         const TrayPacking& tray = packing.trays.front();
         fmt::print("  density    {} of the container, {} of the packing's own box\n", percent_text(tray.density),
                    percent_text(tray.density_bounding_box));
-        fmt::print("  height     {} mm\n", length_text(tray.height));
+        fmt::print("  height     {} mm{}\n", length_text(tray.height),
+                   packing.container.open_height ? ", without a ceiling" : "");
         return;
     }
     fmt::print("  density    {} of {} containers\n", percent_text(packing.metrics.density), packing.trays.size());
@@ -99,8 +127,11 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, container_text(packing.container));
     if (const std::int64_t fixed = fixed_copies(packing)) fmt::print("  fixed      {} of them stood there\n", fixed);
     print_trays(packing);
+    if (packing.options.fill) print_shares(packing);
+    if (packing.options.max_density || packing.options.max_layer_fill) print_caps(packing);
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
                length_text(packing.options.wall_gap));
+    if (metrics.min_gap) fmt::print("  least gap  {} mm, measured\n", length_text(*metrics.min_gap));
     const std::string refining =
         packing.options.refine ? fmt::format(", refining {}", duration_text(seconds.refine)) : "";
     fmt::print("  time       {} (loading {}, voxels {}, search {}{}; {} searches, {} on {} thread{})\n",

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "model/job_settings.hpp"
+#include "model/orientation.hpp"
 
 namespace spectralpack {
 
@@ -19,6 +20,7 @@ struct PartSource {
     std::string origin;  ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
     std::optional<std::string> name = {};  ///< for people; none: as the file says
     std::optional<double> gap = {};        ///< mm; none: the job's
+    PartOrientations orientations = {};
     double priority = 0;                   ///< higher goes first
     std::string due = {};                  ///< "2026-12-01": earlier goes first; empty: last
 };

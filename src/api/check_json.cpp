@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include "formats/json_text.hpp"
@@ -16,6 +17,7 @@ const char* kind_word(FindingKind kind) {
         case FindingKind::transform: return "transform";
         case FindingKind::density: return "density";
         case FindingKind::count: return "count";
+        case FindingKind::plan: return "plan";
     }
     return "";
 }
@@ -30,27 +32,46 @@ std::string json_list(const List& list, const Text& text) {
     return "[" + joined + "]";
 }
 
+std::string int_list(const std::vector<int>& list) {
+    return json_list(list, [](int i) { return std::to_string(i); });
+}
+
+const char* json_truth(bool value) { return value ? "true" : "false"; }
+
+const char* interlocking_word(const CheckReport& report) {
+    if (report.plans_complete()) return "none";
+    const auto missing = [](const auto& plan) { return !plan; };
+    if (std::all_of(report.plans.begin(), report.plans.end(), missing)) return "not checked";
+    return "not shown to be free";
+}
+
 }  // namespace
 
 std::string check_report_json(const Scene& scene, const CheckReport& report) {
     const auto finding_text = [](const Finding& finding) {
         return "{\"kind\": " + json_string(kind_word(finding.kind)) +
-               ", \"tray\": " + std::to_string(finding.tray) + ", \"placements\": " +
-               json_list(finding.placements, [](int i) { return std::to_string(i); }) +
+               ", \"tray\": " + std::to_string(finding.tray) + ", \"placements\": " + int_list(finding.placements) +
                ", \"amount\": " + json_number(finding.amount) +
                ", \"message\": " + json_string(finding.message) + "}";
+    };
+    const auto plan_text = [](const std::optional<PlanReport>& plan) -> std::string {
+        if (!plan) return "null";
+        return "{\"ok\": " + std::string(json_truth(plan->ok())) + ", \"complete\": " + json_truth(plan->complete) +
+               ", \"steps\": " + std::to_string(plan->steps) + ", \"sweeps\": " + std::to_string(plan->sweeps) +
+               ", \"failed_steps\": " + int_list(plan->failed_steps) +
+               ", \"without_step\": " + int_list(plan->without_step) + "}";
     };
     std::size_t copies = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
         copies += tray.placements.size();
     }
-    return "{\"ok\": " + std::string(report.ok() ? "true" : "false") +
-           ", \"stopped\": " + (report.stopped ? "true" : "false") +
+    return "{\"ok\": " + std::string(json_truth(report.ok())) + ", \"stopped\": " + json_truth(report.stopped) +
            ", \"copies\": " + std::to_string(copies) +
            ", \"pairs_tested\": " + std::to_string(report.pairs_tested) +
            ", \"min_gap\": " + (report.min_gap ? json_number(*report.min_gap) : "null") +
            ", \"density\": " + json_list(report.density, json_number) +
-           ", \"interlocking\": \"not checked\", \"findings\": " +
+           ", \"interlocking\": \"" + interlocking_word(report) + "\", \"plans\": " +
+           json_list(report.plans, plan_text) + ", \"findings\": " +
            json_list(report.findings, finding_text) + "}";
 }
 

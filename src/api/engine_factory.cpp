@@ -18,7 +18,7 @@ std::int64_t memory_of_reference(const EngineNeed& need, const Workers& workers)
     ReferenceMemory memory;
     memory.tray = need.tray;
     memory.overhang = {need.overhang, need.overhang, need.overhang};
-    memory.gap_classes = need.gap_classes;
+    memory.gap_classes = need.gap_classes * part_count(need.detail);
     memory.lanes = workers.threads();
     return reference_memory(memory);
 }
@@ -31,13 +31,15 @@ constexpr bool kHasReference = false;
 #endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
-/// dilated along three axes for each gap class and the walls (2 bytes a voxel each); margins round up.
+/// dilated along three axes for each part of each gap class, each class as a whole and the walls (2 bytes a voxel each);
+/// margins round up.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
                                 need.tray.z + 1 + 2 * margin});
     };
-    return 16 * padded(0) + 2 * (need.gap_classes + 1) * padded(need.overhang);
+    const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
+    return 16 * padded(0) + 2 * layers * padded(need.overhang);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct EngineNeed {
     Extent tray;
     int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
     int gap_classes = 1;
+    int detail = 1;    ///< s of the tray
 };
 
 /// Bytes an engine of a resolved kind needs without any cache, about.

@@ -67,6 +67,17 @@ class Hash {
         }
         add(transform.translation);
     }
+    void add(const PartOrientations& orientations) {
+        add(orientations.kind);
+        add(orientations.yaw.value_or(-1));
+        for (const SignedAxis& axis : orientations.up) {
+            add(axis.axis);
+            add(axis.positive);
+        }
+        for (const Mat3& matrix : orientations.matrices) {
+            XXH3_128bits_update(state_, &matrix, sizeof matrix);
+        }
+    }
     std::string hex() const {
         const XXH128_hash_t hash = XXH3_128bits_digest(state_);
         char text[33];
@@ -139,6 +150,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         part.scale = source.scale;
         part.unit = job.unit;
         part.gap = source.gap.value_or(job.options.gap);
+        part.orientations = source.orientations;
         if (content.error) {
             part.name = source.name.value_or(std::filesystem::path(source.mesh).stem().string());
             const std::string& place = content.error->place();
@@ -187,6 +199,7 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
         hash.add(part.gap);
         hash.add(loaded.priority[i]);
         hash.add(loaded.due[i]);
+        hash.add(part.orientations);
     }
     for (const FixedPlacement& fixed : loaded.fixed) {
         hash.add(fixed.tray);
@@ -202,15 +215,20 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     }
     hash.add(container.physical);
     hash.add(options.tray);
-    for (const double value : {options.voxel, options.wall_gap, options.height_penalty.value_or(-1)}) {
+    for (const double value : {options.voxel, options.wall_gap, options.height_penalty.value_or(-1),
+                               options.max_density.value_or(-1), options.max_layer_fill.value_or(-1)}) {
         hash.add(value);
     }
     hash.add(options.trays);
     hash.add(options.trays == 1 ? 0 : options.try_per_tray);
     hash.add(options.rotations);
+    hash.add(options.detail);
     hash.add(options.refine);
     hash.add(options.interlock);
-    hash.add(options.height_at);
+    hash.add(options.height_at ? static_cast<int>(*options.height_at) : -1);
+    hash.add(options.open_height);
+    hash.add(options.minimise);
+    hash.add(options.fill);
     hash.add(options.order);
     hash.add(options.order == Order::random ? options.seed : 0);
     return hash.hex();

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -15,6 +18,7 @@
 #include "api/load_container.hpp"
 #include "api/machine.hpp"
 #include "api/plan.hpp"
+#include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/measure.hpp"
 #include "packing/walls.hpp"
@@ -29,15 +33,39 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Parts that are the same mesh at the same size with the same gap share an id, and so the engines' caches.
-std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded) {
-    std::map<std::tuple<const Mesh*, double, double>, std::uint64_t> ids;
+/// Parts that are the same mesh at the same size with the same gap and orientations share an id, and so the engines'
+/// caches.
+std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) {
+    std::map<std::tuple<const Mesh*, double, double, const void*>, std::uint64_t> ids;
     std::vector<std::uint64_t> by_part;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
-        const auto key = std::tuple(loaded.meshes[i].get(), loaded.parts[i].to_mm(), loaded.parts[i].gap);
+        const auto key = std::tuple(loaded.meshes[i].get(), loaded.parts[i].to_mm(), loaded.parts[i].gap,
+                                    static_cast<const void*>(plan.orientations[i].get()));
         by_part.push_back(ids.emplace(key, ids.size() + 1).first->second);
     }
     return by_part;
+}
+
+/// What the options, each right by itself, cannot do together yet.
+void check_together(const Job& job) {
+    const PackOptions& options = job.options;
+    const bool walls = job.container.mesh || !job.container.keep_out.empty();
+    const bool fixed = job.onto || !job.fixed.empty();
+    const auto refuse = [](const std::string& what, const std::string& with) {
+        throw UsageError(what + " does not go with " + with + " yet");
+    };
+    if (is_open(options)) {
+        const std::string open = options.minimise == Minimise::box ? "--minimise box" : "--open-height";
+        if (walls) refuse(open, "container meshes and keep-outs");
+        if (fixed) refuse(open, "fixed copies and --onto");
+        if (options.trays != 1) refuse(open, "several trays");
+    }
+    if (options.fill && options.trays != 1) refuse("--fill", "several trays");
+    if (options.max_density || options.max_layer_fill) {
+        const std::string cap = options.max_density ? "--max-density" : "--max-layer-fill";
+        if (job.container.mesh) refuse(cap, "container meshes");
+        if (fixed) refuse(cap, "fixed copies and --onto");
+    }
 }
 
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
@@ -50,6 +78,7 @@ class Run {
         const auto start = Clock::now();
         load();
         plan_ = make_plan(loaded_, container_, options_, workers_);
+        kept_.resize(loaded_.parts.size());
         require_memory(plan_, loaded_, options_, workers_);
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
             if (!plan_.too_large[i].empty()) {
@@ -80,29 +109,45 @@ class Run {
   private:
     void load() {
         check_options(options_);
+        check_together(job_);
         container_ = load_container(job_.container, options_.tray, job_.unit);
         options_.tray = container_.size;
         loaded_ = load_parts(job_, workers_, listener_);
         require_sound(loaded_, container_, options_, workers_, listener_, stop_);
     }
 
-    FillSetup fill_setup() const {
+    /// `base`: of the grid, in voxels.
+    FillSetup fill_setup(const BaseSize& base) const {
         const PackOptions& options = options_;
         const double wall = 2 * options.wall_gap;
         FillSetup setup;
-        setup.tray.size = options.tray - Vec3{wall, wall, wall};
-        setup.tray.voxel_size = options.voxel;
-        setup.tray.gap_classes = plan_.gap_classes;
-        setup.tray.blocked =
-            blocked_voxels(container_, plan_.grid, options.voxel, options.wall_gap, workers_);
+        setup.container = container_;
+        setup.container.size = tray_size(options);
+        if (options.minimise == Minimise::box) {
+            setup.container.size.x = base.x * options.voxel + wall;
+            setup.container.size.y = base.y * options.voxel + wall;
+        }
+        setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
+        setup.tray.blocked = blocked_voxels(container_, plan_.grid, options.voxel, options.wall_gap, workers_);
         setup.tray.blocked_is_physical = container_.physical;
         require_free(setup.tray.blocked);
-        setup.container = container_;
+        setup.tray.voxel_size = options.voxel;
+        setup.tray.detail = options.detail;
+        setup.tray.gap_classes = plan_.gap_classes;
         setup.wall_gap = options.wall_gap;
         setup.model = {plan_.height_penalty,
-                       options.height_at == HeightReference::top ? HeightAt::top : HeightAt::bottom};
-        setup.orientations = plan_.orientations;
+                       height_reference(options) == HeightReference::top ? HeightAt::top : HeightAt::bottom};
         setup.refine = options.refine;
+        setup.max_density = options.max_density;
+        setup.max_layer_fill = options.max_layer_fill;
+        if (is_open(options)) {
+            setup.tray.ceiling = Ceiling::open;
+            setup.tray.reference_layers =
+                std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / options.voxel - 1e-9)));
+            setup.tray.size.z = plan_.grid.z * options.voxel;
+            setup.container.size.z = Box::kInfinity;
+            setup.most_layers = plan_.most_layers;
+        }
         for (const FixedPlacement& fixed : loaded_.fixed) {
             const auto part = static_cast<std::size_t>(fixed.placement.part);
             setup.fixed.push_back(
@@ -127,35 +172,60 @@ class Run {
 
     void search(TraysResult& trays) {
         const PackOptions& options = options_;
-        const auto total = static_cast<std::int64_t>(plan_.items.size());
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         VerifyingSearch* verifying = nullptr;
         if (options.verify_with) {
             auto both = std::make_unique<VerifyingSearch>(
                 std::move(engine), make_engine(resolve_engine(options.verify_with->engine), 0, workers_),
-                VerifyingOptions{options.verify_with->sample, total, options.seed});
+                VerifyingOptions{options.verify_with->sample, static_cast<std::int64_t>(plan_.items.size()),
+                                 options.seed});
             verifying = both.get();
             engine = std::move(both);
         }
+        const auto start = Clock::now();
+        const auto finish = [&] {
+            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
+            if (verifying) verified_ = verifying->verified();
+        };
+        try {
+            if (options.minimise == Minimise::box) {
+                search_least_box(*engine, trays);
+            } else {
+                search_on({plan_.grid.x, plan_.grid.y}, *engine, trays);
+            }
+        } catch (...) {
+            finish();
+            throw;
+        }
+        finish();
+    }
+
+    /// Packs into trays of one size.
+    void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
+        const PackOptions& options = options_;
+        const FillSetup setup = fill_setup(base);
         TrayFiller filler(
-            fill_setup(), *engine,
+            setup, engine,
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
-                return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap};
+                return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap, plan_.orientations[i].get(),
+                                   loaded_.parts[i].volume};
             },
             workers_);
-        const std::vector<std::uint64_t> ids = shape_ids(loaded_);
+        const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
         ShapeStore shapes(
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
-                return std::make_shared<const Shape>(make_shape(ids[i], scaled_mesh(i), plan_.orientations,
-                                                                options.voxel, loaded_.parts[i].gap,
-                                                                plan_.gap_classes, workers_));
+                std::shared_ptr<const Shape> shape = kept_[i];
+                if (!shape) {
+                    shape = std::make_shared<const Shape>(
+                        make_shape(ids[i], scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
+                                   loaded_.parts[i].gap, plan_.gap_classes, workers_));
+                    if (keep_shapes_) kept_[i] = shape;
+                }
+                return shape;
             },
             workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep);
-
-        const auto start = Clock::now();
-        listener_.on_progress({Phase::search, 0, total, 0, 0});
         TraysLimit limit{options.trays, options.try_per_tray};
         if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
         const double container = volume_of(container_);
@@ -168,24 +238,89 @@ class Run {
             for (; placed < tray.placed.size(); ++placed, ++settled) {
                 volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
             }
+            const double density = volume / (container * static_cast<double>(trays.trays.size()));
             // What one tray leaves over the next one tries again.
             const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
-            listener_.on_progress({Phase::search, sure, total,
-                                   volume / (container * static_cast<double>(trays.trays.size())),
-                                   static_cast<double>(sure) / static_cast<double>(total)});
+            // How many copies will fill the tray is not known before.
+            const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(plan_.items.size());
+            const double work = options.fill ? density : static_cast<double>(sure) / static_cast<double>(total);
+            listener_.on_progress({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
-        const auto finish = [&] {
-            seconds_.refine = filler.refine_seconds();
-            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
-            if (verifying) verified_ = verifying->verified();
+        listener_.on_progress({Phase::search, 0, static_cast<std::int64_t>(plan_.items.size()), 0, 0});
+        const auto refined = [&] {
+            seconds_.refine += filler.refine_seconds();
+            trays.least_gap = filler.least_gap();
         };
         try {
-            fill_trays(plan_.items, limit, filler, shapes, item_done, stop_, trays);
+            if (options.fill) {
+                GreedyResult& tray = trays.trays.emplace_back();
+                filler.fill_in_shares(
+                    shares(), shapes, [&](std::size_t done) { item_done(tray, done); }, stop_, tray);
+            } else {
+                fill_trays(plan_.items, limit, filler, shapes, item_done, stop_, trays);
+            }
         } catch (...) {
-            finish();
+            refined();
             throw;
         }
-        finish();
+        refined();
+    }
+
+    /// Packs on one base after the other and keeps the packing whose own box is least. What a stop cuts short counts
+    /// only where there is nothing else.
+    void search_least_box(PlacementSearch& engine, TraysResult& best) {
+        // One base after the other wants the same voxels; the memory plan has room for so many parts'.
+        keep_shapes_ = loaded_.parts.size() <= 2 * ShapeStore::kAhead;
+        std::optional<BoxScore> least;
+        std::int64_t searches = 0;
+        const auto count = [&] { best.trays.front().searches = searches; };
+        const PackOnBase pack_on = [&](const BaseSize& base) -> std::optional<BoxScore> {
+            TraysResult trays;
+            try {
+                search_on(base, engine, trays);
+            } catch (const ResourceError&) {
+                if (!least) throw;
+                return BoxScore{std::numeric_limits<std::int64_t>::max(), 0};  // too high a packing: not this base
+            }
+            searches += trays.searches();
+            const bool stopped = !trays.trays.front().untried.empty();
+            Box box;
+            for (const PlacedItem& placed : trays.trays.front().placed) {
+                const auto i = static_cast<std::size_t>(placed.item.part);
+                box.add(bounding_box(transformed(*loaded_.meshes[i], transform_of(placed))));
+            }
+            const BoxScore score{static_cast<std::int64_t>(trays.left_over.size()), box.volume()};
+            if (!least || (!stopped && score < *least)) {
+                least = score;
+                best = std::move(trays);
+                base_ = base;
+            }
+            if (stopped) return std::nullopt;
+            return score;
+        };
+        double boxes = 0;
+        for (const PackItem& item : plan_.items) {
+            boxes += loaded_.box_volume[static_cast<std::size_t>(item.part)];
+        }
+        const int side = std::max(1, static_cast<int>(std::cbrt(boxes) / options_.voxel));
+        try {
+            search_bases(side, {1, 1}, {plan_.grid.x, plan_.grid.y}, pack_on);
+        } catch (...) {
+            if (least) count();
+            throw;
+        }
+        count();
+    }
+
+    /// In the order in which the parts come first.
+    std::vector<PartShare> shares() const {
+        std::vector<PartShare> shares;
+        std::set<int> seen;
+        for (const PackItem& item : plan_.items) {
+            if (!seen.insert(item.part).second) continue;
+            shares.push_back({item.part, loaded_.parts[static_cast<std::size_t>(item.part)].count});
+        }
+        return shares;
     }
 
     /// A part's mesh in millimetres, not turned.
@@ -196,7 +331,8 @@ class Run {
     /// The transform from the mesh file's own coordinates to where the copy stands.
     Transform transform_of(const PlacedItem& placed) const {
         const double mm = loaded_.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
-        return {mm * plan_.orientations[static_cast<std::size_t>(placed.orientation)], placed.offset};
+        const std::vector<Mat3>& turns = *plan_.orientations[static_cast<std::size_t>(placed.item.part)];
+        return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
     void add_placed(const GreedyResult& greedy, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
@@ -223,10 +359,20 @@ class Run {
         packing.program = "spectralpack " SPECTRALPACK_VERSION;
         packing.input_hash = input_hash(loaded_, container_, options_);
         packing.container = container_;
+        packing.container.size = tray_size(options_);
+        packing.container.open_height = is_open(options_);
+        if (base_) {
+            packing.container.size.x = base_->x * options_.voxel + 2 * options_.wall_gap;
+            packing.container.size.y = base_->y * options_.voxel + 2 * options_.wall_gap;
+        }
         packing.options = options_;
+        packing.options.tray = tray_size(options_);
+        packing.options.height_at = height_reference(options_);
         packing.options.height_penalty = plan_.height_penalty;
         packing.options.engine = plan_.engine;
         packing.parts = loaded_.parts;
+
+        if (options_.fill) count_what_came_of_shares(trays, packing.parts);
 
         std::set<std::pair<int, int>> settled;  // part and copy
         packing.trays = fixed_trays(loaded_);
@@ -234,6 +380,9 @@ class Run {
         for (std::size_t t = 0; t < packing.trays.size(); ++t) {
             TrayPacking& tray = packing.trays[t];
             if (t < trays.trays.size()) add_placed(trays.trays[t], tray, settled);
+            if (packing.container.open_height && !tray.placements.empty()) {
+                packing.container.size.z = reached_height(tray, loaded_.meshes);
+            }
             measure_tray(tray, packing.container, packing.parts, loaded_.meshes, options_.voxel, workers_);
             packing.metrics.density += tray.density / static_cast<double>(packing.trays.size());
         }
@@ -249,11 +398,14 @@ class Run {
             }
         }
         for (const PackItem& item : trays.left_over) {
-            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, ""});
+            const auto& reasons = trays.trays.back().why;
+            const auto why = reasons.find(item.part);
+            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full,
+                                        why == reasons.end() ? "" : why->second});
             settled.emplace(item.part, item.copy);
         }
         for (const PackItem& item : plan_.items) {
-            if (settled.contains({item.part, item.copy})) continue;
+            if (options_.fill || settled.contains({item.part, item.copy})) continue;
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
         }
 
@@ -263,6 +415,7 @@ class Run {
         }
         metrics.placed = trays.placed() + static_cast<std::int64_t>(loaded_.fixed.size());
         metrics.seconds = seconds_;
+        metrics.min_gap = trays.least_gap;
         metrics.searches = trays.searches();
         metrics.verified = verified_;
         metrics.peak_memory = peak_memory();
@@ -271,8 +424,21 @@ class Run {
         return packing;
     }
 
+    /// A packing in shares has as many copies as were placed of each part.
+    void count_what_came_of_shares(const TraysResult& trays, std::vector<Part>& parts) const {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i < loaded_.fixed_parts || !loaded_.meshes[i] || !plan_.too_large[i].empty()) continue;
+            parts[i].share = std::exchange(parts[i].count, 0);
+        }
+        for (const GreedyResult& tray : trays.trays) {
+            for (const PlacedItem& placed : tray.placed) {
+                ++parts[static_cast<std::size_t>(placed.item.part)].count;
+            }
+        }
+    }
+
     const Job& job_;
-    PackOptions options_;   ///< as used: with the size of a container mesh
+    PackOptions options_;  // as used: with the size of a container mesh
     Container container_;
     Listener& listener_;
     StopToken stop_;
@@ -281,6 +447,9 @@ class Run {
     Plan plan_;
     PhaseSeconds seconds_;
     std::int64_t verified_ = 0;
+    std::optional<BaseSize> base_;  // of the least box
+    bool keep_shapes_ = false;
+    std::vector<std::shared_ptr<const Shape>> kept_;  // by part
 };
 
 }  // namespace
@@ -292,6 +461,7 @@ PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
 Estimate estimate(const Job& job, Listener& listener) {
     PackOptions options = job.options;
     check_options(options);
+    check_together(job);
     const Workers workers(options.threads);
     const Container container = load_container(job.container, options.tray, job.unit);
     options.tray = container.size;
@@ -300,8 +470,8 @@ Estimate estimate(const Job& job, Listener& listener) {
     const Plan plan = make_plan(loaded, container, options, workers);
     Estimate estimate;
     estimate.grid = plan.grid;
-    estimate.container = container.size;
-    estimate.orientations = static_cast<int>(plan.orientations.size());
+    estimate.container = tray_size(options);
+    estimate.orientations = static_cast<int>(plan.most_orientations);
     estimate.parts = static_cast<int>(loaded.parts.size());
     for (const Part& part : loaded.parts) {
         estimate.copies += part.count;

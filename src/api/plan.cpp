@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "api/engine_factory.hpp"
 #include "api/machine.hpp"
+#include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
 #include "packing/shape_store.hpp"
 #include "search/tray.hpp"
@@ -24,6 +26,9 @@ constexpr double kCacheUnasked = 0.5;
 // What engines keep takes up to this much more than they count: freed pieces of it are not always used again.
 constexpr int kCacheShare = 2;
 
+// Finer ones would be s times finer in each of three directions, for nothing: --voxel is the option to turn then.
+constexpr int kMostDetail = 8;
+
 // The program itself, its libraries and threads.
 constexpr std::int64_t kProgramMemory = 32'000'000;
 
@@ -39,9 +44,18 @@ std::string number(double value) {
     return text;
 }
 
+/// What is left of the tray inside the wall gap; under an open ceiling without end upwards.
 Vec3 room(const PackOptions& options) {
     const double wall = 2 * options.wall_gap;
-    return options.tray - Vec3{wall, wall, wall};
+    Vec3 space = tray_size(options) - Vec3{wall, wall, wall};
+    if (is_open(options)) space.z = std::numeric_limits<double>::infinity();
+    return space;
+}
+
+int voxels_in(double length, double dx) {
+    const double voxels = std::ceil(length / dx - 1e-9);
+    if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
+    return std::max(1, static_cast<int>(voxels));
 }
 
 Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
@@ -67,16 +81,16 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
     }
     const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
     return "is " + number(size.x) + " x " + number(size.y) + " x " + number(size.z) +
-           " mm and fits into " + number(space.x) + " x " + number(space.y) + " x " + number(space.z) +
-           " mm in none of the " + std::to_string(orientations.size()) + " orientation" +
+           " mm and fits " + (std::isinf(space.z) ? "on " : "into ") + number(space.x) + " x " + number(space.y) +
+           (std::isinf(space.z) ? "" : " x " + number(space.z)) + " mm in none of the " + std::to_string(orientations.size()) + " orientation" +
            (orientations.size() == 1 ? "" : "s") + " tried";
 }
 
 /// Bytes of a part's voxels in all orientations, about: bit rows are padded to words, so the mean over which
-/// axis runs along x; one set for A and one for A+g per distinct positive gap.
-std::int64_t shape_memory(const Vec3& size, double dx, std::size_t orientations,
+/// axis runs along x; one set for A, one for its fine voxels and one, fine too, for A+g per distinct positive gap.
+std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_t orientations,
                           const std::vector<double>& gap_classes) {
-    const auto bits = [&](double margin) {
+    const auto bits = [&](double margin, double dx) {
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = std::ceil((size[axis] + margin) / dx);
@@ -86,50 +100,119 @@ std::int64_t shape_memory(const Vec3& size, double dx, std::size_t orientations,
         }
         return sum;
     };
-    double bytes = bits(0);
+    const double fine = voxel / detail;
+    double bytes = bits(0, voxel) + (detail > 1 ? bits(0, fine) : 0);
     for (const double gap : gap_classes) {
-        if (gap > 0) bytes += bits(2 * (gap + dx));
+        if (gap > 0) bytes += bits(2 * (gap + fine), fine);
     }
     return static_cast<std::int64_t>(bytes * static_cast<double>(orientations));
 }
 
-/// Bytes of one run at voxel size dx, without caches.
-std::int64_t memory_at(double dx, const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
-                       const Workers& workers) {
-    Extent grid;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double voxels = std::ceil(room(options)[axis] / dx - 1e-9);
-        if (voxels > 1e9) return std::numeric_limits<std::int64_t>::max();
-        grid[axis] = std::max(1, static_cast<int>(voxels));
-    }
-    std::int64_t meshes = 0;
+/// Bytes that do not depend on the grid: meshes and the voxels of the parts that are held at once.
+std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded) {
+    std::int64_t bytes = kProgramMemory;
     std::vector<std::int64_t> shapes;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!loaded.meshes[i]) continue;
         const Mesh& mesh = *loaded.meshes[i];
-        meshes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
-                                            mesh.triangles.size() * sizeof(Triangle));
+        bytes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
+                                           mesh.triangles.size() * sizeof(Triangle));
         if (!plan.too_large[i].empty() || copies_to_pack(loaded, i) == 0) continue;
-        shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx,
-                                      plan.orientations.size(), plan.gap_classes));
+        shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx, detail,
+                                      plan.orientations[i]->size(), plan.gap_classes));
     }
     const std::size_t held = std::min<std::size_t>(shapes.size(), 2 * ShapeStore::kAhead);
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
                       std::greater<>());
-    const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
-    const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
-                          static_cast<int>(plan.gap_classes.size())};
-    std::int64_t bytes = kProgramMemory + meshes + engine_memory(plan.engine, need, workers);
     for (std::size_t i = 0; i < held; ++i) {
         bytes += shapes[i];
     }
+    return bytes;
+}
+
+/// Bytes of the engines in such a grid, without caches.
+std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, const PackOptions& options,
+                            const Workers& workers) {
+    const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
+    const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
+                          static_cast<int>(plan.gap_classes.size()), options.detail};
+    std::int64_t bytes = engine_memory(plan.engine, need, workers);
     if (options.verify_with) {
         bytes += engine_memory(resolve_engine(options.verify_with->engine), need, workers);
     }
     return bytes;
 }
 
+/// The parts' orientation sets; parts that differ in nothing that decides them share one.
+void plan_orientations(const LoadedJob& loaded, const PackOptions& options, const Workers& workers, Plan& plan) {
+    const RotationSpec spec = parse_rotations(options.rotations);
+    struct Wanted {
+        PartOrientations part;
+        const Mesh* boxed = nullptr;  // whose box frame is added
+        std::shared_ptr<const std::vector<Mat3>> set;
+    };
+    std::vector<Wanted> wanted;
+    std::map<const Mesh*, std::size_t> boxed;
+    std::vector<std::size_t> wanted_by(loaded.parts.size());
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        if (!loaded.meshes[i]) continue;
+        Wanted want{loaded.parts[i].orientations, nullptr, nullptr};
+        if (spec.box && want.part.kind == PartOrientations::Kind::any) {
+            want.boxed = loaded.meshes[i].get();
+            const auto [entry, fresh] = boxed.try_emplace(want.boxed, wanted.size());
+            wanted_by[i] = entry->second;
+            if (fresh) wanted.push_back(want);
+            continue;
+        }
+        const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const Wanted& other) {
+            return !other.boxed && other.part == want.part;
+        });
+        wanted_by[i] = static_cast<std::size_t>(same - wanted.begin());
+        if (same == wanted.end()) wanted.push_back(want);
+    }
+    workers.for_each(static_cast<std::int64_t>(wanted.size()), [&](std::int64_t k) {
+        Wanted& want = wanted[static_cast<std::size_t>(k)];
+        const Mat3 frame = want.boxed ? minimum_box_frame(*want.boxed) : Mat3{};
+        want.set = std::make_shared<const std::vector<Mat3>>(orientation_set(spec, want.part, frame));
+    });
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        plan.orientations.push_back(loaded.meshes[i] ? wanted[wanted_by[i]].set : nullptr);
+        if (loaded.meshes[i]) plan.most_orientations = std::max(plan.most_orientations, plan.orientations[i]->size());
+    }
+}
+
+/// Layers to begin with under an open ceiling: what the parts' boxes would fill, and one part's longest side.
+int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& options) {
+    constexpr double kFilled = 0.5;  // of the parts' boxes, about what they come to when they are packed
+    double boxes = 0, longest = 0;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        if (!loaded.meshes[i] || !plan.too_large[i].empty()) continue;
+        boxes += loaded.parts[i].count * loaded.box_volume[i];
+        const Vec3 size = bounding_box(*loaded.meshes[i]).size();
+        longest = std::max(longest, loaded.parts[i].to_mm() * std::max({size.x, size.y, size.z}));
+    }
+    const Vec3 space = room(options);
+    return voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
+}
+
+Extent with_layers(Extent grid, int layers) {
+    grid.z = layers;
+    return grid;
+}
+
 }  // namespace
+
+bool is_open(const PackOptions& options) { return options.open_height || options.minimise == Minimise::box; }
+
+HeightReference height_reference(const PackOptions& options) {
+    return options.height_at.value_or(is_open(options) ? HeightReference::top : HeightReference::bottom);
+}
+
+Vec3 tray_size(const PackOptions& options) {
+    Vec3 size = options.tray;
+    if (is_open(options) && size.z == 0) size.z = std::max(size.x, size.y);
+    return size;
+}
 
 void check_options(const PackOptions& options) {
     const auto positive = [](double value, const char* what) {
@@ -142,16 +225,21 @@ void check_options(const PackOptions& options) {
             throw UsageError(std::string(what) + " must be zero or a positive number");
         }
     };
+    const Vec3 tray = tray_size(options);
     for (int axis = 0; axis < 3; ++axis) {
-        positive(options.tray[axis], "every side of --tray");
-        if (options.tray[axis] <= 2 * options.wall_gap) {
+        if (axis == 2 && tray.z == 0) throw UsageError("--tray needs a height, except with --open-height");
+        positive(tray[axis], "every side of --tray");
+        if (tray[axis] <= 2 * options.wall_gap) {
             throw UsageError("--wall-gap " + number(options.wall_gap) + " leaves no room in a tray of " +
-                             number(options.tray[axis]) + " mm");
+                             number(tray[axis]) + " mm");
         }
     }
     positive(options.voxel, "--voxel");
     if (options.trays < 0) throw UsageError("--trays takes a number or all");
     if (options.try_per_tray < 0) throw UsageError("--try-per-tray takes a number of copies, 0 for all");
+    if (options.detail < 1 || options.detail > kMostDetail) {
+        throw UsageError("--detail must be 1 to " + std::to_string(kMostDetail));
+    }
     not_negative(options.gap, "--gap");
     not_negative(options.wall_gap, "--wall-gap");
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
@@ -159,6 +247,24 @@ void check_options(const PackOptions& options) {
     if (options.time_limit) not_negative(*options.time_limit, "--time-limit");
     if (options.interlock != Interlock::off) {
         throw UsageError("--interlock post and place are not built yet: only off");
+    }
+    parse_rotations(options.rotations);
+    const auto share = [](const std::optional<double>& value, const char* what) {
+        if (value && !(*value > 0 && *value <= 1)) {
+            throw UsageError(std::string(what) + " must be a share above 0 and up to 1");
+        }
+    };
+    share(options.max_density, "--max-density");
+    share(options.max_layer_fill, "--max-layer-fill");
+    if (is_open(options)) {
+        const std::string open = options.open_height ? "--open-height" : "--minimise box";
+        if (options.fill) throw UsageError("--fill needs a height to fill: it does not go with " + open);
+        if (options.max_density) {
+            throw UsageError("--max-density needs a container's volume: it does not go with " + open);
+        }
+        if (height_reference(options) == HeightReference::bottom && options.height_penalty == 0) {
+            throw UsageError(open + " with --height-at bottom needs a height penalty above 0");
+        }
     }
     const Vec3 space = room(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
@@ -171,7 +277,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
                const Workers& workers) {
     check_options(options);
     Plan plan;
-    plan.orientations = orientation_set(options.rotations);
+    plan_orientations(loaded, options, workers, plan);
     plan.engine = resolve_engine(options.engine);
     plan.gap_classes = {};
     const double container_volume = volume_of(container);
@@ -181,7 +287,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
-        plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), plan.orientations,
+        plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i],
                                           room(options));
     });
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
@@ -199,22 +305,32 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()),
                            plan.gap_classes.end());
     plan.items = order_items(sizes, options.order, options.seed);
-    plan.height_penalty =
-        options.height_penalty.value_or(automatic_height_penalty(sizes, container_volume));
-    for (int axis = 0; axis < 3; ++axis) {
-        const double voxels = std::ceil(room(options)[axis] / options.voxel - 1e-9);
-        if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
-        plan.grid[axis] = std::max(1, static_cast<int>(voxels));
+    plan.height_penalty = options.height_penalty.value_or(
+        automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
+    for (int axis = 0; axis < 2; ++axis) {
+        plan.grid[axis] = voxels_in(room(options)[axis], options.voxel);
     }
+    plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(room(options).z, options.voxel);
     plan.memory_limit = options.memory > 0
                             ? options.memory
                             : static_cast<std::int64_t>(kShareOfFree *
                                                         static_cast<double>(available_memory()));
-    plan.memory = memory_at(options.voxel, plan, loaded, options, workers);
+    plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
+    const auto engines = [&](int layers) {
+        return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
+    };
+    if (is_open(options)) {
+        plan.most_layers = 1;
+        for (int step = 1 << 20; step > 0; step /= 2) {
+            if (plan.memory + engines(plan.most_layers + step) <= plan.memory_limit) plan.most_layers += step;
+        }
+        plan.grid.z = std::min(plan.grid.z, plan.most_layers);
+    }
+    plan.memory += engines(plan.grid.z);
     plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;
     if (options.memory == 0) {
         const double wanted = kCacheUnasked * static_cast<double>(plan.grid.count()) *
-                              static_cast<double>(plan.orientations.size());
+                              static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
     if (options.trays != 1) {
@@ -229,7 +345,15 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
     double fitting = options.voxel;
     const Vec3 space = room(options);
     const double coarsest = std::min({space.x, space.y, space.z});
-    while (fitting < coarsest && memory_at(fitting, plan, loaded, options, workers) > plan.memory_limit) {
+    const auto grid_at = [&](double dx) {
+        const double by = options.voxel / dx;
+        const auto coarser = [&](int voxels) { return std::max(1, static_cast<int>(std::ceil(voxels * by))); };
+        return Extent{coarser(plan.grid.x), coarser(plan.grid.y), coarser(plan.grid.z)};
+    };
+    while (fitting < coarsest &&
+           parts_memory(fitting, options.detail, plan, loaded) +
+                   engines_memory(fitting, grid_at(fitting), plan, options, workers) >
+               plan.memory_limit) {
         fitting *= 1.1;
     }
     std::string advice = "; no voxel size fits";

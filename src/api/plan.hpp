@@ -1,6 +1,7 @@
 #pragma once
 /// What a run will do and take, settled before it starts.
 
+#include <memory>
 #include <vector>
 
 #include "api/load.hpp"
@@ -10,19 +11,30 @@ namespace spectralpack {
 
 /// A job's decisions that follow from its options and parts.
 struct Plan {
-    std::vector<Mat3> orientations;
+    std::vector<std::shared_ptr<const std::vector<Mat3>>> orientations;  ///< by part: its set; null where unusable
+    std::size_t most_orientations = 0;  ///< of a part
     std::vector<double> gap_classes;   ///< distinct gaps of usable parts, ascending
     double height_penalty = 0;         ///< p
     std::vector<PackItem> items;       ///< in the order to try, without what cannot fit
     std::vector<std::string> too_large;  ///< by part: why it fits in no orientation; empty where it fits
     EngineKind engine = EngineKind::cpu; ///< resolved
-    Extent grid;
+    Extent grid;                       ///< with open height, as high as it starts
+    int most_layers = 0;               ///< open height: as high as memory lets it grow
     std::int64_t memory = 0;           ///< bytes the run needs without caches, meshes included
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;            ///< bytes left for caches
     std::int64_t keep = 0;             ///< bytes of voxels that may be held from one tray to the next
     double box_ratio = 0, volume_ratio = 0;
 };
+
+/// True where the packing has no ceiling.
+bool is_open(const PackOptions& options);
+
+/// Where height counts, unless the options say so.
+HeightReference height_reference(const PackOptions& options);
+
+/// The tray with its z set where it was left open: the container, or with open height its base and reference height.
+Vec3 tray_size(const PackOptions& options);
 
 /// Throws UsageError for options that make no sense or are not built.
 void check_options(const PackOptions& options);

@@ -6,6 +6,7 @@
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
+#include "formats/part_orientations.hpp"
 #include "model/printer.hpp"
 
 namespace spectralpack {
@@ -32,11 +33,11 @@ class JobReader {
         root_.expect_keys({"format", "version", "unit", "container", "open_height", "trays",
                            "keep_out", "wall_gap", "gap", "parts", "fixed", "options"});
         job_.settings.file = file_;
-        refuse_what_is_not_built();
         if (const auto options = root_.find("options")) read_job_options(*options);
         PackOptions& o = job_.settings.options;
         if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of(kUnits);
         if (const auto v = said_once("trays", "trays")) o.trays = trays_of(*v);
+        if (const auto v = said_once("open_height", "open-height")) o.open_height = v->boolean();
         if (const auto v = root_.find("container")) read_container(*v);
         if (const auto v = root_.find("keep_out")) {
             v->for_each([&](const Node& node) { read_keep_out(node); });
@@ -51,17 +52,6 @@ class JobReader {
     }
 
   private:
-    [[noreturn]] static void not_built(const Node& node, const std::string& what) {
-        throw UsageError(node.file() + ": " + node.path() + ": " + what + " not built yet");
-    }
-
-    /// What says that there is nothing of the kind is fine.
-    void refuse_what_is_not_built() const {
-        if (const auto v = root_.find("open_height"); v && v->boolean()) {
-            not_built(*v, "an open height is");
-        }
-    }
-
     void read_container(const Node& node) {
         node.expect_keys({"size", "mesh", "transform", "unit", "physical"});
         ContainerSource& container = job_.settings.container;
@@ -109,7 +99,9 @@ class JobReader {
         job_.settings.fixed.push_back(std::move(source));
     }
 
+    /// Two sides are a base, for packings without a ceiling.
     static Vec3 size_of(const Node& node) {
+        if (node.size() == 2) return {node.element(0).positive(), node.element(1).positive(), 0};
         node.expect_size(3);
         return {node.element(0).positive(), node.element(1).positive(), node.element(2).positive()};
     }
@@ -134,7 +126,9 @@ class JobReader {
                           "verify-with",    "time-limit",      "unit",
                           "output",         "report",          "progress",
                           "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density"});
+                          "json",           "material-density", "detail", "open-height",
+                          "minimise",       "fill",            "max-density",
+                          "max-layer-fill"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);
@@ -178,9 +172,6 @@ class JobReader {
     void read_part(const Node& node) {
         node.expect_keys(
             {"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
-        if (const auto v = node.find("orientations"); v && !(v->is_text() && v->text() == "any")) {
-            not_built(*v, "orientations other than \"any\" are");
-        }
         JobPart part;
         part.key = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -190,6 +181,7 @@ class JobReader {
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
         if (const auto v = node.find("priority")) part.priority = v->number();
         if (const auto v = node.find("due")) part.due = date_of(*v);
+        if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));
     }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/job_settings.hpp"
+#include "model/orientation.hpp"
 
 namespace spectralpack {
 
@@ -17,6 +18,7 @@ struct JobPart {
     int count = 1;
     double scale = 1;
     std::optional<double> gap;  ///< mm; none: the job's
+    PartOrientations orientations = {};
     double priority = 0;        ///< higher goes first
     std::string due = {};       ///< "2026-12-01"; empty: none
     std::string key;            ///< where it stands in the file: "parts[3]"

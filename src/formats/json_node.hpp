@@ -81,6 +81,13 @@ class Node {
         return value;
     }
 
+    /// Above 0, at most 1.
+    double share() const {
+        const double value = positive();
+        if (value > 1) fail("must be at most 1");
+        return value;
+    }
+
     template <class Integer>
     Integer integer(Integer least = std::numeric_limits<Integer>::min(),
                     Integer most = std::numeric_limits<Integer>::max()) const {

@@ -43,6 +43,7 @@ void read_options(const Node& node, PackOptions& o) {
     if (const auto v = node.find("try-per-tray")) o.try_per_tray = v->integer<int>(0);
     if (const auto v = node.find("printer")) o.printer = v->text();
     if (const auto v = node.find("voxel")) o.voxel = v->positive();
+    if (const auto v = node.find("detail")) o.detail = v->integer<int>(1);
     if (const auto v = node.find("rotations")) {
         o.rotations = v->is_text() ? v->text() : fmt::format("{:g}", v->number());
     }
@@ -54,6 +55,11 @@ void read_options(const Node& node, PackOptions& o) {
         o.height_penalty = v->number_from(0);
     }
     if (const auto v = node.find("height-at")) o.height_at = v->one_of(kHeightNames);
+    if (const auto v = node.find("open-height")) o.open_height = v->boolean();
+    if (const auto v = node.find("minimise")) o.minimise = v->one_of(kMinimiseNames);
+    if (const auto v = node.find("fill")) o.fill = v->boolean();
+    if (const auto v = node.find("max-density")) o.max_density = v->share();
+    if (const auto v = node.find("max-layer-fill")) o.max_layer_fill = v->share();
     if (const auto v = node.find("order")) o.order = v->one_of(kOrderNames);
     if (const auto v = node.find("engine")) o.engine = v->one_of(kEngineNames);
     if (const auto v = node.find("threads")) o.threads = v->integer<int>();

@@ -36,6 +36,9 @@ void write_3mf(const Packing& packing, const PartMeshes& meshes, const std::file
 /// Binary STL of all copies merged.
 void write_stl(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path);
 
+/// Binary STL of one mesh as it stands.
+void write_stl(const Mesh& mesh, const std::filesystem::path& path);
+
 /// CSV of transforms: tray,part,name,copy,orientation,m00..m23.
 void write_transforms_csv(const Packing& packing, const std::filesystem::path& path);
 

@@ -24,6 +24,7 @@ inline constexpr Names<EngineKind, 4> kEngineNames{{{"auto", EngineKind::automat
                                                     {"reference", EngineKind::reference}}};
 inline constexpr Names<HeightReference, 2> kHeightNames{
     {{"bottom", HeightReference::bottom}, {"top", HeightReference::top}}};
+inline constexpr Names<Minimise, 2> kMinimiseNames{{{"none", Minimise::none}, {"box", Minimise::box}}};
 inline constexpr Names<UnplacedReason, 5> kReasonNames{
     {{"tray_full", UnplacedReason::tray_full},
      {"too_large", UnplacedReason::too_large},

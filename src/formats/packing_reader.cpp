@@ -6,6 +6,7 @@
 #include "formats/option_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -57,7 +58,7 @@ class PlanReader {
             const std::string name = "placement " + std::to_string(index);
             if (placements_[i].fixed) named.fail(name + " is fixed and never moves");
             if (left_in_[i]) {
-                named.fail(name + " has left in step " + std::to_string(*left_in_[i]) + " already");
+                named.fail(name + " has left in steps[" + std::to_string(*left_in_[i]) + "] already");
             }
             if (company_[i] != company) {
                 named.fail(name + " and placement " + std::to_string(step.placements.front()) +
@@ -118,6 +119,7 @@ class PackingReader {
         for (int axis = 0; axis < 3; ++axis) {
             packing_.container.size[axis] = size.element(static_cast<std::size_t>(axis)).positive();
         }
+        if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
         Container& container = packing_.container;
         if (const auto mesh = node.find("mesh")) container.mesh = standing_mesh(*mesh, node);
         if (const auto keep_out = node.find("keep_out")) {
@@ -148,9 +150,11 @@ class PackingReader {
         if (const auto v = node.find("object")) part.object = v->text();
         if (const auto v = node.find("item_transform")) part.item_transform = transform_of(*v);
         if (const auto v = node.find("count")) part.count = v->integer<int>(0);
+        if (const auto v = node.find("share")) part.share = v->integer<int>(1);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("unit")) part.unit = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         if (const auto v = node.find("volume")) part.volume = v->number();
         if (const auto v = node.find("repairs")) {
             v->for_each([&](const Node& repair) { part.repairs.push_back(repair.text()); });

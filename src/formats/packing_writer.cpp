@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
+#include "formats/part_orientations.hpp"
 
 namespace spectralpack {
 namespace {
@@ -67,13 +68,19 @@ Json options_json(const PackOptions& o) {
             {"try-per-tray", o.try_per_tray},
             {"printer", or_null(o.printer)},
             {"voxel", o.voxel},
+            {"detail", o.detail},
             {"rotations", o.rotations},
             {"gap", o.gap},
             {"wall-gap", o.wall_gap},
             {"refine", o.refine},
             {"interlock", name_of(kInterlockNames, o.interlock)},
             {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
-            {"height-at", name_of(kHeightNames, o.height_at)},
+            {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},
+            {"open-height", o.open_height},
+            {"minimise", name_of(kMinimiseNames, o.minimise)},
+            {"fill", o.fill},
+            {"max-density", or_null(o.max_density)},
+            {"max-layer-fill", or_null(o.max_layer_fill)},
             {"order", name_of(kOrderNames, o.order)},
             {"engine", name_of(kEngineNames, o.engine)},
             {"threads", o.threads},
@@ -145,6 +152,7 @@ class PackingWriter {
     Json container_json() const {
         const Container& container = packing_.container;
         Json json = {{"size", vector_json(container.size)},
+                     {"open_height", container.open_height},
                      {"mesh", container.mesh ? Json(container_path_) : Json(nullptr)},
                      {"transform", container.mesh ? transform_json(container.mesh->transform) : Json(nullptr)},
                      {"keep_out", Json::array()},
@@ -171,9 +179,11 @@ class PackingWriter {
                 {"item_transform",
                  part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
                 {"count", part.count},
+                {"share", part.share > 0 ? Json(part.share) : Json(nullptr)},
                 {"scale", part.scale},
                 {"unit", part.unit},
                 {"gap", part.gap},
+                {"orientations", part_orientations_json(part.orientations)},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};
     }

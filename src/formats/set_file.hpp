@@ -22,4 +22,7 @@ std::vector<SetRow> read_set(const std::filesystem::path& path);
 /// The same for text at hand; `file` is for messages.
 std::vector<SetRow> parse_set(const std::string& file, std::string_view text);
 
+/// Writes rows as a set file, whole or not at all.
+void write_set(const std::vector<SetRow>& rows, const std::filesystem::path& path);
+
 }  // namespace spectralpack

@@ -1,6 +1,7 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <limits>
 
 #include "core/atomic_file.hpp"
@@ -35,16 +36,9 @@ std::string facets(const Mesh& mesh) {
     return bytes;
 }
 
-}  // namespace
-
-void write_stl(const Packing& packing, const PartMeshes& meshes,
-               const std::filesystem::path& path) {
-    std::uint64_t count = 0;
-    for (const TrayPacking& tray : packing.trays) {
-        for (const Placement& placement : tray.placements) {
-            count += meshes.at(static_cast<std::size_t>(placement.part))->triangles.size();
-        }
-    }
+/// `count` facets that write(out) writes, under a header.
+void write_facets(const std::filesystem::path& path, std::uint64_t count,
+                  const std::function<void(std::ostream&)>& write) {
     if (count > std::numeric_limits<std::uint32_t>::max()) {
         throw ResourceError("cannot write " + path.string() +
                             ": an STL holds no more than 4294967295 facets");
@@ -55,6 +49,32 @@ void write_stl(const Packing& packing, const PartMeshes& meshes,
         const auto stated = static_cast<std::uint32_t>(count);
         std::memcpy(header + 80, &stated, sizeof stated);
         out.write(header, sizeof header);
+        write(out);
+        out.close();
+        if (!out)
+            throw ResourceError("cannot write " + path.string() +
+                                ": the disk is full or the folder is read-only");
+    });
+}
+
+}  // namespace
+
+void write_stl(const Mesh& mesh, const std::filesystem::path& path) {
+    write_facets(path, mesh.triangles.size(), [&](std::ostream& out) {
+        const std::string bytes = facets(mesh);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    });
+}
+
+void write_stl(const Packing& packing, const PartMeshes& meshes,
+               const std::filesystem::path& path) {
+    std::uint64_t count = 0;
+    for (const TrayPacking& tray : packing.trays) {
+        for (const Placement& placement : tray.placements) {
+            count += meshes.at(static_cast<std::size_t>(placement.part))->triangles.size();
+        }
+    }
+    write_facets(path, count, [&](std::ostream& out) {
         for (std::size_t i = 0; i < packing.trays.size(); ++i) {
             const Vec3 shift{tray_shift(packing, i), 0, 0};
             for (const Placement& placement : packing.trays[i].placements) {
@@ -65,10 +85,6 @@ void write_stl(const Packing& packing, const PartMeshes& meshes,
                 out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
             }
         }
-        out.close();
-        if (!out)
-            throw ResourceError("cannot write " + path.string() +
-                                ": the disk is full or the folder is read-only");
     });
 }
 

@@ -31,7 +31,7 @@ struct Sweep {
 class Slide {
   public:
     Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-          double gap, double at_most)
+          double gap, double at_most, double graze = kTouchTolerance)
         : moving_(moving),
           still_(still),
           offset_(offset),
@@ -39,13 +39,15 @@ class Slide {
           sign_(direction.sign),
           touching_(gap == 0),
           gap_(touching_ ? 0 : std::max(gap, kSlideSlack)),
+          graze_(graze),
           best_(at_most),
           faces_known_(moving.faces_outwards() && still.faces_outwards()) {}
 
-    double run() {
+    /// The free way; once it is known to be less than `enough`, any that is not free.
+    double run(double enough) {
         if (moving_.nodes().empty() || still_.nodes().empty() || !(best_ > 0)) return best_;
         push(0, 0);
-        while (!stack_.empty() && best_ > 0) {
+        while (!stack_.empty() && best_ > 0 && best_ >= enough) {
             const Pair pair = stack_.back();
             stack_.pop_back();
             if (pair.earliest < best_) visit(pair);
@@ -71,7 +73,7 @@ class Slide {
         const double du = std::max(a.u0 - b.u1, b.u0 - a.u1);
         const double dv = std::max(a.v0 - b.v1, b.v0 - a.v1);
         if (touching_) {
-            if (du > -kTouchTolerance || dv > -kTouchTolerance) return Box::kInfinity;
+            if (du > -graze_ || dv > -graze_) return Box::kInfinity;
             if (a.low > b.high + kRecovery) return Box::kInfinity;  // gone past
         } else {
             const double across =
@@ -180,7 +182,7 @@ class Slide {
 
     /// gap 0: likewise.
     double touch(const Corners& a, const Corners& b) const {
-        if (overlap_across(a, b) <= kTouchTolerance) return best_;
+        if (overlap_across(a, b) <= graze_) return best_;
         if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
         const double far = 1 + size_along(a, b);
         const Contact leave = first_contact(a, b, far, -far, 0, kReached, -1);
@@ -247,7 +249,7 @@ class Slide {
     Vec3 offset_;
     int axis_, sign_;
     bool touching_;
-    double gap_;
+    double gap_, graze_;
     double best_;  ///< the way that is free as far as is known
     bool faces_known_;
     std::vector<Pair> stack_;
@@ -257,7 +259,12 @@ class Slide {
 
 double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
              double gap, double at_most) {
-    return Slide(moving, offset, still, direction, gap, at_most).run();
+    return Slide(moving, offset, still, direction, gap, at_most).run(0);
+}
+
+bool slides_past(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
+                 double graze, double way) {
+    return Slide(moving, offset, still, direction, 0, way, graze).run(way) >= way;
 }
 
 }  // namespace spectralpack

@@ -13,6 +13,7 @@ enum class Interlock { off, place, post };
 enum class Order { size, input, random };
 enum class EngineKind { automatic, cpu, cuda, reference };
 enum class HeightReference { bottom, top };
+enum class Minimise { none, box };
 
 struct VerifyWith {
     EngineKind engine = EngineKind::reference;
@@ -27,13 +28,19 @@ struct PackOptions {
     int try_per_tray = 1000;        ///< of several trays: how many of the first copies left each one tries
     std::optional<std::string> printer;  ///< preset that other values come from; kept for the record
     double voxel = 2;               ///< dx, mm
-    std::string rotations = "90";   ///< none, or an angle in degrees that divides 360
+    int detail = 2;                 ///< s: collisions between copies are decided on voxels of dx / s
+    std::string rotations = "90";   ///< model/orientation.hpp
     double gap = 0.2;               ///< least distance between two copies, mm
     double wall_gap = 0;            ///< least distance to the container, mm
-    bool refine = false;            ///< continuous refinement (section 3.2): not built yet
+    bool refine = true;             ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;     ///< section 4: not built yet
     std::optional<double> height_penalty;     ///< p of equation 5; none: appendix A.2
-    HeightReference height_at = HeightReference::bottom;
+    std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
+    bool open_height = false;       ///< least height; the tray's z is the reference height (0: its longer side)
+    Minimise minimise = Minimise::none;
+    bool fill = false;              ///< as many copies as fit, in the shares that the counts give
+    std::optional<double> max_density;     ///< share of the container that copies may take
+    std::optional<double> max_layer_fill;  ///< share of a layer's area that cross-sections may take
     Order order = Order::size;
     EngineKind engine = EngineKind::automatic;
     int threads = 0;                ///< 0: all the machine has

@@ -2,87 +2,125 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <set>
+#include <string_view>
 
 #include "core/error.hpp"
 
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kMaxOrientations = 100'000;
+constexpr double kRotation = 1e-6;  // how far an entry of R R^T may be from the identity's
 
-/// sin of a whole number of twelfths of 90 degrees where a square root gives it exactly; else the library's.
-double sine_of_degrees(double degrees) {
-    degrees = std::fmod(std::fmod(degrees, 360) + 360, 360);
-    if (degrees >= 180) return -sine_of_degrees(degrees - 180);
-    if (degrees > 90) return sine_of_degrees(180 - degrees);
-    if (degrees == 0) return 0;
-    if (degrees == 30) return 0.5;
-    if (degrees == 45) return std::sqrt(0.5);
-    if (degrees == 60) return std::sqrt(0.75);
-    if (degrees == 90) return 1;
-    return std::sin(degrees * (3.14159265358979323846 / 180));
+template <class Number>
+bool parse_whole(std::string_view text, Number& number) {
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
 }
 
-double cosine_of_degrees(double degrees) { return sine_of_degrees(degrees + 90); }
-
-Mat3 turn_about(int axis, double degrees) {
-    const double s = sine_of_degrees(degrees), c = cosine_of_degrees(degrees);
-    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    Mat3 m;
-    m.rows[a][a] = c;
-    m.rows[a][b] = -s;
-    m.rows[b][a] = s;
-    m.rows[b][b] = c;
-    return m;
-}
-
-/// Equal up to rounding: entries in units of 1e-6.
-std::array<std::int64_t, 9> rounded(const Mat3& m) {
-    std::array<std::int64_t, 9> key{};
-    for (int i = 0; i < 9; ++i) {
-        key[static_cast<std::size_t>(i)] = std::llround(m.rows[i / 3][i % 3] * 1e6);
+std::vector<Mat3> sampled(const RotationSpec& rotations) {
+    switch (rotations.sampling) {
+        case RotationSpec::Sampling::none: return {Mat3{}};
+        case RotationSpec::Sampling::euler: return euler_orientations(rotations.step);
+        case RotationSpec::Sampling::icosahedron: return icosahedral_orientations(rotations.subdivisions);
     }
-    return key;
+    return {};
+}
+
+/// A turn that makes the part's axis point up.
+Mat3 upward(const SignedAxis& up) {
+    switch (up.axis) {
+        case 0: return turn_about(1, up.positive ? -90 : 90);
+        case 1: return turn_about(0, up.positive ? 90 : -90);
+        default: return turn_about(0, up.positive ? 0 : 180);
+    }
+}
+
+std::vector<Mat3> turned_about_vertical(const std::vector<SignedAxis>& ups, double yaw) {
+    std::vector<Mat3> set;
+    for (const SignedAxis& up : ups) {
+        const Mat3 stood = upward(up);
+        for (int k = 0; k * yaw < 360 - 1e-6; ++k) {
+            set.push_back(turn_about(2, k * yaw) * stood);
+        }
+    }
+    return distinct(set);
 }
 
 }  // namespace
 
-std::vector<Mat3> euler_orientations(double step_degrees) {
-    if (!(step_degrees > 0) || step_degrees > 360 ||
-        std::abs(360 / step_degrees - std::round(360 / step_degrees)) > 1e-9) {
-        throw UsageError("a rotation step must be an angle in degrees that divides 360");
+RotationSpec parse_rotations(const std::string& rotations) {
+    constexpr std::string_view kBox = "+box", kIcosahedron = "icosahedron";
+    RotationSpec spec;
+    std::string_view text = rotations;
+    if (text.ends_with(kBox)) {
+        spec.box = true;
+        text.remove_suffix(kBox.size());
     }
-    const auto steps = static_cast<std::int64_t>(std::llround(360 / step_degrees));
-    if (steps > 60) {
-        throw UsageError("a rotation step below 6 degrees gives too many orientations (over " +
-                         std::to_string(kMaxOrientations) + ")");
+    if (text == "none") {
+        spec.sampling = RotationSpec::Sampling::none;
+        return spec;
     }
-    std::vector<Mat3> orientations;
-    std::set<std::array<std::int64_t, 9>> seen;
-    for (std::int64_t i = 0; i < steps; ++i) {
-        const Mat3 about_x = turn_about(0, static_cast<double>(i) * step_degrees);
-        for (std::int64_t j = 0; j < steps; ++j) {
-            const Mat3 about_xy = about_x * turn_about(1, static_cast<double>(j) * step_degrees);
-            for (std::int64_t k = 0; k < steps; ++k) {
-                const Mat3 turn = about_xy * turn_about(2, static_cast<double>(k) * step_degrees);
-                if (seen.insert(rounded(turn)).second) orientations.push_back(turn);
-            }
+    if (text.starts_with(kIcosahedron)) {
+        spec.sampling = RotationSpec::Sampling::icosahedron;
+        text.remove_prefix(kIcosahedron.size());
+        if (text.empty()) return spec;
+        if (text.front() == ':' && parse_whole(text.substr(1), spec.subdivisions)) return spec;
+    } else if (parse_whole(text, spec.step)) {
+        return spec;
+    }
+    throw UsageError("--rotations takes 'none', an angle in degrees or 'icosahedron:N', each also with '+box'; not '" +
+                     rotations + "'");
+}
+
+double yaw_step(const RotationSpec& rotations) {
+    switch (rotations.sampling) {
+        case RotationSpec::Sampling::none: return 360;
+        case RotationSpec::Sampling::euler: return rotations.step;
+        case RotationSpec::Sampling::icosahedron: return icosahedral_roll(rotations.subdivisions);
+    }
+    return 360;
+}
+
+std::optional<Mat3> as_rotation(const Mat3& matrix) {
+    const Mat3 product = matrix * transposed(matrix);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            const double off = product.rows[row][column] - (row == column ? 1 : 0);
+            if (!(std::abs(off) <= kRotation)) return std::nullopt;
         }
     }
-    return orientations;
+    if (determinant(matrix) < 0) return std::nullopt;
+    const auto unit = [](const Vec3& v) { return 1 / length(v) * v; };
+    const Vec3 x = unit(matrix.rows[0]);
+    const Vec3 y = unit(matrix.rows[1] - dot(matrix.rows[1], x) * x);
+    return Mat3{{x, y, cross(x, y)}};
+}
+
+std::vector<Mat3> orientation_set(const RotationSpec& rotations, const PartOrientations& part, const Mat3& box_frame) {
+    using Kind = PartOrientations::Kind;
+    switch (part.kind) {
+        case Kind::fixed: return {Mat3{}};
+        case Kind::upright:
+            require_step(yaw_step(rotations), "a rotation step");
+            return turned_about_vertical({SignedAxis{}}, yaw_step(rotations));
+        case Kind::axes: {
+            const double yaw = part.yaw.value_or(yaw_step(rotations));
+            require_step(yaw, "a turn about the vertical");
+            return turned_about_vertical(part.up, yaw);
+        }
+        case Kind::matrices: return distinct(part.matrices);
+        case Kind::any: break;
+    }
+    std::vector<Mat3> set = sampled(rotations);
+    if (!rotations.box || box_frame == Mat3{}) return set;
+    for (const Mat3& turn : euler_orientations(90)) {
+        set.push_back(turn * box_frame);
+    }
+    return distinct(set);
 }
 
 std::vector<Mat3> orientation_set(const std::string& rotations) {
-    if (rotations == "none") return {Mat3{}};
-    double angle = 0;
-    const char* end = rotations.data() + rotations.size();
-    const auto parsed = std::from_chars(rotations.data(), end, angle);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) {
-        throw UsageError("--rotations takes 'none' or an angle in degrees, not '" + rotations + "'");
-    }
-    return euler_orientations(angle);
+    return orientation_set(parse_rotations(rotations), {});
 }
 
 }  // namespace spectralpack

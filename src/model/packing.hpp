@@ -32,10 +32,11 @@ struct KeepOut {
 
 /// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
 struct Container {
-    Vec3 size;
+    Vec3 size;                 ///< with open height, z is the height reached
     std::optional<StandingMesh> mesh = {};
     std::vector<KeepOut> keep_out = {};
-    bool physical = false;  ///< walls and keep-outs are really there: nothing leaves through them
+    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
+    bool open_height = false;  ///< no wall above
 };
 
 /// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.

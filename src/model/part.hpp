@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/transform.hpp"
+#include "model/orientation.hpp"
 
 namespace spectralpack {
 
@@ -16,9 +17,11 @@ struct Part {
     std::optional<std::string> object;        ///< 3MF: id of the object in the file
     std::optional<Transform> item_transform;  ///< 3MF: the build item's, in the file's unit
     int count = 1;
+    int share = 0;         ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
     double scale = 1;
     double unit = 1;       ///< millimetres per unit of the mesh file
     double gap = 0;        ///< mm
+    PartOrientations orientations;  ///< those it may take
     double volume = 0;     ///< signed volume of one scaled copy, mm^3
     std::vector<std::string> repairs;  ///< what was mended on loading, in words
 

@@ -1,13 +1,96 @@
 #include "packing/greedy.hpp"
 
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
+#include "core/error.hpp"
+#include "packing/open_height.hpp"
+
 namespace spectralpack {
+namespace {
+
+/// Places one copy after another.
+class Placer {
+  public:
+    enum class Outcome { placed, no_place, stopped };
+
+    Placer(Tray& tray, PlacementSearch& search, const CostModel& model, const Settle& settle, const StopToken& stop,
+           GreedyResult& result, const GreedyLimits& limits)
+        : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result),
+          limits_(limits) {}
+
+    template <class ShapeOf>
+    Outcome place(const PackItem& item, const ShapeOf& shape_of) {
+        if (stop_.stopped()) return Outcome::stopped;
+        if (limits_.caps) {
+            const std::string why = limits_.caps->why_not(item.part);
+            if (!why.empty()) {
+                result_.why[item.part] = why;
+                return Outcome::no_place;
+            }
+        }
+        const Shape& shape = shape_of();
+        const SearchResult found = search(item, shape);
+        if (found.stopped) return Outcome::stopped;
+        ++result_.searches;
+        if (!found.best) {
+            const std::string why = limits_.caps ? limits_.caps->no_layer_left() : "";
+            if (!why.empty()) result_.why[item.part] = why;
+            return Outcome::no_place;
+        }
+        const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
+        Standing standing = settle_(item, shape, *found.best);
+        const ObjectId object = tray_.add(std::move(standing.object));
+        if (limits_.caps) limits_.caps->add(item.part, oriented.orientation, standing.offset);
+        result_.placed.push_back(
+            {item, oriented.orientation, found.best->position, standing.offset, object, found.best->cost});
+        return Outcome::placed;
+    }
+
+  private:
+    SearchResult search(const PackItem& item, const Shape& shape) {
+        for (;;) {
+            CostModel model = model_;
+            if (limits_.caps) model.allowed = limits_.caps->allowed(item.part, shape, tray_.extent().z);
+            SearchResult found = search_.best_placement(tray_, shape, model, stop_);
+            if (found.stopped || tray_.setup().ceiling == Ceiling::closed) return found;
+            if (found.best && holds_in_any_grid(tray_, shape, model, *found.best)) return found;
+            const int enough = layers_on_top(tray_, shape);
+            if (!found.best && tray_.extent().z >= enough) return found;
+            grow(enough);
+        }
+    }
+
+    void grow(int enough) {
+        const int layers = tray_.extent().z;
+        int wanted = std::max(enough, layers + layers / 2);
+        if (limits_.most_layers > 0) {
+            wanted = std::min(wanted, limits_.most_layers);
+            if (wanted < enough || wanted <= layers) {
+                throw ResourceError("the packing grows beyond the height that memory allows; a larger base, coarser "
+                                    "voxels or more memory would help");
+            }
+        }
+        tray_ = grown(tray_, wanted);
+    }
+
+    Tray& tray_;
+    PlacementSearch& search_;
+    const CostModel& model_;
+    const Settle& settle_;
+    const StopToken& stop_;
+    GreedyResult& result_;
+    const GreedyLimits& limits_;
+};
+
+}  // namespace
 
 void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                    const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
-                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result) {
+                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
+                   const GreedyLimits& limits) {
+    Placer placer(tray, search, model, settle, stop, result, limits);
     std::unordered_set<int> hopeless;  // parts that found no place
     for (std::size_t i = 0; i < items.size(); ++i) {
         const PackItem& item = items[i];
@@ -15,32 +98,59 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
         if (hopeless.contains(item.part)) {
             result.left_over.push_back(item);
         } else {
-            if (stop.stopped()) {
+            const auto outcome = placer.place(item, [&]() -> const Shape& { return shapes.at(i); });
+            if (outcome == Placer::Outcome::stopped) {
                 result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
                 return;
             }
-            const Shape& shape = shapes.at(i);
-            const SearchResult found = search.best_placement(tray, shape, model, stop);
-            if (found.stopped) {
-                result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
-                return;
-            }
-            ++result.searches;
-            placed = found.best.has_value();
-            if (placed) {
-                const OrientedShape& oriented =
-                    shape.orientations[static_cast<std::size_t>(found.best->index)];
-                Standing standing = settle(item, shape, *found.best);
-                const ObjectId object = tray.add(std::move(standing.object));
-                result.placed.push_back({item, oriented.orientation, found.best->position,
-                                         standing.offset, object, found.best->cost});
-            } else {
+            placed = outcome == Placer::Outcome::placed;
+            if (!placed) {
                 hopeless.insert(item.part);
                 result.left_over.push_back(item);
             }
         }
         shapes.release(i, placed);
         item_done(i + 1);
+    }
+}
+
+void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
+                    const std::vector<PartShare>& shares, ShapeStore& shapes, const Settle& settle,
+                    const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
+                    const GreedyLimits& limits) {
+    struct Candidate {
+        std::size_t index;  // in `shares`
+        int placed = 0;
+    };
+    std::vector<Candidate> open;  // parts that still find a place
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        open.push_back({i});
+    }
+    Placer placer(tray, search, model, settle, stop, result, limits);
+    while (!open.empty()) {
+        std::int64_t placed = 0, all = 0;
+        for (const Candidate& part : open) {
+            placed += part.placed;
+            all += shares[part.index].share;
+        }
+        // What a part lacks once there is one copy more: share / all * (placed + 1) - its own, times `all`.
+        const auto lacks = [&](const Candidate& part) {
+            return static_cast<double>(shares[part.index].share) * static_cast<double>(placed + 1) -
+                   static_cast<double>(part.placed) * static_cast<double>(all);
+        };
+        const auto next = std::max_element(open.begin(), open.end(), [&](const Candidate& a, const Candidate& b) {
+            return lacks(a) < lacks(b);
+        });
+        const auto outcome = placer.place({shares[next->index].part, next->placed},
+                                          [&]() -> const Shape& { return shapes.at(next->index); });
+        if (outcome == Placer::Outcome::stopped) return;
+        if (outcome == Placer::Outcome::placed) {
+            ++next->placed;
+        } else {
+            shapes.release(next->index, true);
+            open.erase(next);
+        }
+        item_done(result.placed.size());
     }
 }
 

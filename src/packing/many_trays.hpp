@@ -2,6 +2,7 @@
 /// Several trays, one after the other (appendix A.3, Algorithm 5).
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "packing/tray_filler.hpp"
@@ -19,6 +20,7 @@ struct TraysResult {
     /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
     /// `trays`.
     bool stuck = false;
+    std::optional<double> least_gap;  ///< measured by refinement, mm
 
     std::int64_t searches() const;
     std::int64_t placed() const;

@@ -4,10 +4,9 @@
 #include <cstddef>
 
 namespace spectralpack {
-namespace {
 
-/// Adds the mesh's cross-section areas half way up each layer. The area of a section is the sum over its
-/// segments of (p x q) / 2, each segment with the solid on its left (Green's theorem).
+/// The area of a section is the sum over its segments of (p x q) / 2, each segment with the solid on its left
+/// (Green's theorem).
 void add_section_areas(const Mesh& mesh, double thickness, std::vector<double>& area) {
     for (const Triangle& t : mesh.triangles) {
         const Vec3 corner[3] = {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
@@ -35,7 +34,14 @@ void add_section_areas(const Mesh& mesh, double thickness, std::vector<double>& 
     }
 }
 
-}  // namespace
+double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr<const Mesh>>& meshes) {
+    double top = 0;
+    for (const Placement& placement : tray.placements) {
+        const Mesh& mesh = *meshes[static_cast<std::size_t>(placement.part)];
+        top = std::max(top, bounding_box(transformed(mesh, placement.transform)).max.z);
+    }
+    return top;
+}
 
 void measure_tray(TrayPacking& tray, const Container& container, const std::vector<Part>& parts,
                   const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness,

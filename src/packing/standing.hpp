@@ -16,6 +16,6 @@ struct Standing {
 using Settle = std::function<Standing(const PackItem&, const Shape&, const BestPlacement&)>;
 
 /// On the grid, whose lower corner is `wall_gap` inside the container.
-Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double voxel_size, double wall_gap);
+Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double voxel_size, int detail, double wall_gap);
 
 }  // namespace spectralpack

@@ -3,6 +3,7 @@
 /// copy comes to stand.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -22,13 +23,14 @@ struct FixedCopy {
 
 /// What all trays of a job have in common, and the fixed copies of each.
 struct FillSetup {
-    TraySetup tray;                  ///< the container's grid, walls and keep-outs; every tray starts from it
-    Container container;
-    double wall_gap = 0;             ///< mm
+    TraySetup tray;          ///< the container's grid, walls and keep-outs; every tray starts from it
+    Container container;     ///< with open height its size.z is infinite
+    double wall_gap = 0;     ///< mm
     std::vector<FixedCopy> fixed;
     CostModel model;
-    std::vector<Mat3> orientations;  ///< the job's set
-    bool refine = false;             ///< continuous refinement (section 3.2)
+    std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
+    int most_layers = 0;                                ///< open height: the grid may grow to so many
+    bool refine = false;  ///< continuous refinement (section 3.2)
 };
 
 class TrayFiller {
@@ -41,11 +43,21 @@ class TrayFiller {
     void fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
               const StopToken& stop, GreedyResult& result);
 
+    /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(). `shapes`: one item a part, in
+    /// the order of `shares`.
+    void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
+                        const StopToken& stop, GreedyResult& result);
+
     int trays_with_fixed() const { return trays_with_fixed_; }  ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
+    /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
+    std::optional<double> least_gap() const { return least_gap_; }
 
   private:
-    std::unique_ptr<Refinement> refinement() const;
+    /// Calls `pack` with a tray in which only fixed copies stand, and the rules that copies are placed by.
+    template <class Pack>
+    void fill_one(int number, const Pack& pack);
+
     void stand_fixed(int number, Tray& tray, Refinement* refinement) const;
 
     FillSetup setup_;
@@ -55,6 +67,7 @@ class TrayFiller {
     std::vector<StandingCopy> walls_;  // for refinement
     int trays_with_fixed_ = 0;
     double refine_seconds_ = 0;
+    std::optional<double> least_gap_;
 };
 
 }  // namespace spectralpack

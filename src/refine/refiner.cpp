@@ -145,6 +145,11 @@ class Walk {
     double way_ = 0;
 };
 
+/// Where most copies will stand: a region to index.
+Vec3 finite(const Vec3& container) {
+    return {container.x, container.y, std::isfinite(container.z) ? container.z : std::max(container.x, container.y)};
+}
+
 }  // namespace
 
 std::array<int, 3> descent(const std::array<Cost, 6>& neighbours) {
@@ -157,7 +162,7 @@ std::array<int, 3> descent(const std::array<Cost, 6>& neighbours) {
     return direction;
 }
 
-Refiner::Refiner(const RefineSetup& setup) : setup_(setup), index_({Vec3{}, setup.container}) {
+Refiner::Refiner(const RefineSetup& setup) : setup_(setup), index_({Vec3{}, finite(setup.container)}) {
     const Vec3& size = setup.container;
     if (!std::isfinite(setup.wall_gap) || setup.wall_gap < 0) {
         throw UsageError("the wall gap must be a number of millimetres, 0 or more");
@@ -167,7 +172,7 @@ Refiner::Refiner(const RefineSetup& setup) : setup_(setup), index_({Vec3{}, setu
         throw UsageError("the wall gap leaves no room in the container");
     }
     if (!std::isfinite(setup.longest_move) || setup.longest_move < 0 || setup.rounds < 0 ||
-        !std::isfinite(size.x + size.y + size.z)) {
+        !std::isfinite(size.x + size.y) || std::isnan(size.z)) {
         throw InternalError("refinement: the setup makes no sense");
     }
 }
@@ -226,7 +231,7 @@ double Refiner::clearance(const StandingCopy& copy, double upper_bound,
     double least = upper_bound;
     for (const CopyId id : ids) {
         const StandingCopy* other = find(id);
-        if (!other || id == except) continue;
+        if (!other || other->wall || id == except) continue;
         least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least)
                     .distance;
     }

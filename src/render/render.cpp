@@ -21,6 +21,12 @@ void check(const RenderOptions& options) {
     if (!(options.elevation >= -90 && options.elevation <= 90)) {
         throw UsageError("the camera's elevation lies between -90 and 90 degrees");
     }
+    if (options.explode && !(*options.explode >= 0 && std::isfinite(*options.explode))) {
+        throw UsageError("a tray is drawn apart by a factor of 0 or more");
+    }
+    if (options.explode && options.step) {
+        throw UsageError("a picture shows a tray drawn apart or one step of its plan, not both");
+    }
 }
 
 }  // namespace

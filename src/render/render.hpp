@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,16 @@ struct RenderOptions {
     double elevation = 28;  ///< degrees above it, in [-90, 90]; from below there is no floor
     int tray = -1;          ///< which tray; -1: all, side by side
     int samples = 3;        ///< per pixel and axis, against jagged edges
+    /// Copies drawn apart along their ways out, the tray stretched by 1 + this (>= 0) that way.
+    std::optional<double> explode;
+    /// The disassembly plan's step from 1 on: its copies highlighted half way, with what is left of
+    /// those they stood together with. 0: the whole tray. Needs one tray to be chosen.
+    std::optional<int> step;
 };
 
 /// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the
-/// container outlined, ambient occlusion and a soft shadow on the floor.
+/// container outlined, ambient occlusion and a soft shadow on the floor. Throws UsageError for options
+/// out of range, and where a disassembly plan is to be drawn and a tray has none.
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
              const RenderOptions& options, const Workers& workers);
 

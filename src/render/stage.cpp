@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "render/feature_edges.hpp"
 #include "render/palette.hpp"
+#include "render/taking_apart.hpp"
 
 namespace spectralpack {
 namespace {
@@ -14,6 +15,9 @@ namespace {
 constexpr double kAside = 0.15;   // space between two trays of a row, of their width
 constexpr double kBehind = 1.3;   // space between two rows, of the trays' height
 constexpr double kSteepest = 15;  // degrees: seen from lower than this, rows would hide one another
+
+const Vec3 kGrey{0.3, 0.3, 0.3};
+constexpr double kMuted = 0.75;  // of a copy's colour that is grey where another is what matters
 
 std::array<Vec3, 8> corners(const Box& box) {
     std::array<Vec3, 8> result;
@@ -50,6 +54,7 @@ class StageBuilder {
 
     Stage build() {
         choose_trays();
+        take_apart();
         measure();
         set_out();
         normalize();
@@ -78,6 +83,57 @@ class StageBuilder {
         }
     }
 
+    /// Where each tray's copies are drawn.
+    void take_apart() {
+        if (options_.step && trays_.size() > 1) {
+            throw UsageError("a step is one tray's: choose the tray, the packing has " +
+                             std::to_string(trays_.size()));
+        }
+        for (const TrayPacking* tray : trays_) {
+            shown_copies_.emplace_back(tray ? tray->placements.size() : 0);
+            if (!options_.step && !options_.explode) continue;
+            if (!tray || !tray->disassembly) {
+                throw UsageError("the packing has no disassembly plan" +
+                                 (trays_.size() > 1 ? " for tray " + std::to_string(shown_copies_.size() - 1) : "") +
+                                 ", so how it comes apart cannot be drawn");
+            }
+            if (options_.step) {
+                const auto steps = static_cast<int>(tray->disassembly->steps.size());
+                if (*options_.step < 0 || *options_.step > steps) {
+                    throw UsageError("there is no step " + std::to_string(*options_.step) + ": the plan has " +
+                                     std::to_string(steps) + ", counted from 1");
+                }
+                shown_copies_.back() = show_step(*tray, *options_.step);
+            } else {
+                std::vector<Box> boxes;
+                for (const Placement& placement : tray->placements) {
+                    boxes.push_back(moved(bounding_box(*mesh_of(placement)), placement.transform));
+                }
+                shown_copies_.back() = show_exploded(*tray, boxes, *options_.explode);
+            }
+        }
+    }
+
+    /// The copy's own transform, moved to where it is drawn.
+    Transform pose_of(std::size_t tray, std::size_t i) const {
+        Transform pose = trays_[tray]->placements[i].transform;
+        pose.translation = pose.translation + shown_copies_[tray][i].offset;
+        return pose;
+    }
+
+    bool is_drawn(std::size_t tray, std::size_t i) const {
+        return shown_copies_[tray][i].drawn && drawable(pose_of(tray, i));
+    }
+
+    Vec3 colour_of(std::size_t tray, std::size_t i) const {
+        const Placement& placement = trays_[tray]->placements[i];
+        const Vec3 colour =
+            copy_colour(placement.part, placement.copy, static_cast<int>(packing_.parts.size()));
+        if (!options_.step || *options_.step == 0) return colour;
+        return shown_copies_[tray][i].leaving ? from_oklch(0.68, 0.2, 40)
+                                              : kMuted * kGrey + (1 - kMuted) * colour;
+    }
+
     const std::shared_ptr<const Mesh>& mesh_of(const Placement& placement) const {
         const auto part = static_cast<std::size_t>(placement.part);
         if (part >= meshes_.size() || !meshes_[part]) {
@@ -93,14 +149,13 @@ class StageBuilder {
         const Box container{{0, 0, 0}, packing_.container.size};
         shown_ = container;
         std::map<const Mesh*, Box> boxes;
-        for (const TrayPacking* tray : trays_) {
-            if (!tray) continue;
-            for (const Placement& placement : tray->placements) {
-                const Mesh& mesh = *mesh_of(placement);
+        for (std::size_t tray = 0; tray < trays_.size(); ++tray) {
+            for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
+                const Mesh& mesh = *mesh_of(trays_[tray]->placements[i]);
                 const auto [box, fresh] = boxes.try_emplace(&mesh);
                 if (fresh) box->second = bounding_box(mesh);
-                const Transform& pose = placement.transform;
-                if (!drawable(pose) || contains(shown_, moved(box->second, pose))) continue;
+                const Transform pose = pose_of(tray, i);
+                if (!is_drawn(tray, i) || contains(shown_, moved(box->second, pose))) continue;
                 for (const Triangle& triangle : mesh.triangles) {
                     for (const std::uint32_t vertex : triangle) {
                         shown_.add(pose * mesh.vertices[vertex]);
@@ -177,21 +232,18 @@ class StageBuilder {
         stage_.floor = to_stage_.translation.z + scale * shown_.min.z;
 
         std::map<const Mesh*, int> known;
-        const auto parts = static_cast<int>(packing_.parts.size());
-        for (std::size_t i = 0; i < trays_.size(); ++i) {
+        for (std::size_t tray = 0; tray < trays_.size(); ++tray) {
             Transform place = to_stage_;
-            place.translation = to_stage_ * tray_origin(i);
+            place.translation = to_stage_ * tray_origin(tray);
             stage_.containers.push_back({place * Vec3{}, place * packing_.container.size});
             outline_walls(place);
-            if (!trays_[i]) continue;
-            for (const Placement& placement : trays_[i]->placements) {
-                if (!drawable(placement.transform)) continue;
-                const auto& mesh = mesh_of(placement);
+            for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
+                if (!is_drawn(tray, i)) continue;
+                const auto& mesh = mesh_of(trays_[tray]->placements[i]);
                 const auto [index, fresh] =
                     known.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
                 if (fresh) stage_.meshes.push_back(mesh);
-                stage_.copies.push_back({index->second, place * placement.transform,
-                                         copy_colour(placement.part, placement.copy, parts)});
+                stage_.copies.push_back({index->second, place * pose_of(tray, i), colour_of(tray, i)});
             }
         }
     }
@@ -218,6 +270,7 @@ class StageBuilder {
     const std::vector<std::shared_ptr<const Mesh>>& meshes_;
     const RenderOptions& options_;
     std::vector<const TrayPacking*> trays_;  ///< null: a packing without trays
+    std::vector<std::vector<ShownCopy>> shown_copies_;  ///< by tray and placement
     Box shown_;
     Vec3 to_right_, to_back_;  ///< from a tray to the next of its row, and to the next row
     int columns_ = 1;

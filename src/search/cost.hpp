@@ -3,7 +3,9 @@
 /// Shared by all engines so that they round alike.
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace spectralpack {
 
@@ -12,9 +14,23 @@ enum class HeightAt {
     top,     ///< (q_z + the object's layers, rho), compared lexicographically
 };
 
+/// Layers in which the lower corner of an orientation may lie: where others are closed (a cap on what a layer holds),
+/// their positions are no candidates.
+struct AllowedLayers {
+    std::vector<std::vector<bool>> by_index;  ///< by index in Shape::orientations and layer; beyond the end: closed
+
+    bool at(int index, int z) const {
+        const std::vector<bool>& layers = by_index[static_cast<std::size_t>(index)];
+        return static_cast<std::size_t>(z) < layers.size() && layers[static_cast<std::size_t>(z)];
+    }
+};
+
 struct CostModel {
     double height_penalty = 4;  ///< p of equation 5
     HeightAt height_at = HeightAt::bottom;
+    const AllowedLayers* allowed = nullptr;  ///< null: all layers; outlives the search it is for
+
+    bool allows(int index, int z) const { return !allowed || allowed->at(index, z); }
 };
 
 /// H[z] for z in [0, nz): p * t * t * t with t = z / nz (equation 5). `reference_layers` is nz.

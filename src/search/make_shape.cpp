@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "search/shape.hpp"
 #include "voxel/permute.hpp"
+#include "voxel/split.hpp"
 
 namespace spectralpack {
 namespace {
@@ -48,18 +49,19 @@ Widened for_each_gap(double own_gap, const std::vector<double>& gap_classes, con
 }  // namespace
 
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
-                 double voxel_size, double gap, const std::vector<double>& gap_classes,
+                 double voxel_size, int detail, double gap, const std::vector<double>& gap_classes,
                  const Workers& workers) {
     const auto own_class = std::ranges::find(gap_classes, gap);
     if (own_class == gap_classes.end() || !std::ranges::is_sorted(gap_classes)) {
         throw InternalError("a part's gap is not among the job's gap classes");
     }
+    const double fine_size = voxel_size / detail;
     Shape shape;
     shape.id = id;
     shape.gap_class = static_cast<int>(own_class - gap_classes.begin());
 
     std::vector<OrientedVoxels> voxels =
-        voxelize_orientations(mesh, rotations, voxel_size, workers);
+        voxelize_orientations(mesh, rotations, fine_size, workers);
     struct Source {
         std::size_t root;  ///< in shape.orientations: the first that differs in its axes only
         AxisOrder axes;
@@ -79,8 +81,12 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         shape.orientations.push_back({static_cast<int>(i),
                                       voxels[i].size,
                                       voxels[i].min,
-                                      std::make_shared<const BitGrid>(std::move(voxels[i].solid)),
-                                      {}});
+                                      nullptr,
+                                      {},
+                                      std::make_shared<const BitGrid>(std::move(voxels[i].solid))});
+        OrientedShape& made = shape.orientations.back();
+        made.solid = detail == 1 ? made.fine
+                                 : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
     }
 
     // Widening costs more than all else here, so each root is widened and the others get its grids
@@ -90,8 +96,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         const Mat3& rotation = rotations[static_cast<std::size_t>(root.orientation)];
         const Mesh turned = transformed(mesh, {rotation, {}});
         root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
-            return wanted > 0 ? widen(*root.solid, turned, voxel_size, wanted, workers)
-                              : WidenedVoxels{*root.solid, {}};
+            return wanted > 0 ? widen(*root.fine, turned, fine_size, wanted, workers)
+                              : WidenedVoxels{*root.fine, {}};
         });
     });
     for (std::size_t i = 0; i < sources.size(); ++i) {

@@ -6,8 +6,8 @@
 /// Definition (docs/conventions.md; section 3.1 and appendix A.1), A being one orientation:
 ///
 ///   zeta(q) = sum over x of s_A(x) s_W(x + q)
-///           + sum over gap classes c and x of s_{A+g(c)}(x) s_{O(c)}(x + q)           (equation 2)
-///             with W the walls, container mask and keep-out, O(c) the objects of class c
+///           + sum over gap classes c and fine x of s_{A+g(c)}(x) s_{O(c)}(x + s q)    (equation 2)
+///             with W the walls, container mask and keep-out, O(c) the fine voxels of class c's objects
 ///   rho(q)  = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place      (4)
 ///   best    = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0       (6)
 
@@ -54,6 +54,16 @@ struct FreeQuery {
     int padding = 1;
 };
 
+/// Free positions a row at a time, for who needs few of them: what free_positions() would give.
+class FreeRowReader {
+  public:
+    virtual ~FreeRowReader() = default;
+    virtual const VoxelIndex& origin() const = 0;
+    virtual const Extent& extent() const = 0;
+    /// Writes the row (y, z) in whole words; bits beyond the extent are 0.
+    virtual void row(int y, int z, std::uint64_t* free) const = 0;
+};
+
 class PlacementSearch {
   public:
     virtual ~PlacementSearch() = default;
@@ -63,10 +73,17 @@ class PlacementSearch {
                                         const CostModel& model, const StopToken& stop) = 0;
 
     /// Positions q at which the unwidened voxels A of orientation `index` meet nothing of
-    /// Omega_move (what overhangs the grid meets nothing). Per axis, with a = A's extent and
+    /// Omega_move (what overhangs the grid meets nothing), in voxels of dx also where the tray has finer ones: copies that
+    /// share voxels of dx are in each other's way here. Per axis, with a = A's extent and
     /// n = the grid's: origin is -(a - 1) - padding, extent n + a - 1 + 2 padding.
     virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                          const FreeQuery& query) = 0;
+
+    /// Likewise for any voxels, in rows. The reader tells of the tray as it is now, whatever happens
+    /// to it later. Computed whole by free_positions() unless an engine knows better.
+    virtual std::unique_ptr<FreeRowReader> free_rows(const Tray& tray,
+                                                     std::shared_ptr<const BitGrid> solid,
+                                                     const FreeQuery& query);
 
     virtual const char* name() const = 0;
 

@@ -16,10 +16,13 @@ struct OrientedShape {
     Vec3 size;                             ///< of the turned mesh's box, mm: decides the candidates
     Vec3 min;                              ///< the turned mesh's box minimum, mm
     std::shared_ptr<const BitGrid> solid;  ///< A
-    /// A+g against the objects of each gap class of the tray, where g = max(own gap, the class's
-    /// gap); for g = 0 the unwidened voxels with offset 0. One per class, in the tray's order;
-    /// equal g share one grid.
+    /// A+g, in voxels of dx / s, against the objects of each gap class of the tray, where g = max(own
+    /// gap, the class's gap); for g = 0 the unwidened voxels with offset 0. One per class, in the
+    /// tray's order; equal g share one grid.
     std::vector<std::shared_ptr<const WidenedVoxels>> widened;
+    /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
+    /// reaches into.
+    std::shared_ptr<const BitGrid> fine{};
 };
 
 struct Shape {
@@ -29,11 +32,12 @@ struct Shape {
     std::vector<OrientedShape> orientations;
 };
 
-/// Voxelises `mesh` (mm, scaled, not turned) in every rotation, widens it for every gap class, and
-/// merges orientations with equal voxels (and equal sizes to 1e-6 mm) into the least index.
+/// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for
+/// every gap class, and merges orientations with equal voxels (and equal sizes to 1e-6 mm) into the
+/// least index.
 /// `gap_classes`: the job's distinct gaps, ascending; `gap` is one of them.
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
-                 double voxel_size, double gap, const std::vector<double>& gap_classes,
+                 double voxel_size, int detail, double gap, const std::vector<double>& gap_classes,
                  const Workers& workers);
 
 }  // namespace spectralpack

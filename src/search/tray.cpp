@@ -27,6 +27,13 @@ bool overlap(const TrayObject& a, const TrayObject& b) {
 
 }  // namespace
 
+TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail, int gap_class) {
+    if (detail == 1) return {fine, fine_position, gap_class, false, fine, fine_position};
+    CoarseVoxels reached = reached_voxels(*fine, fine_position, detail);
+    return {std::make_shared<const BitGrid>(std::move(reached.voxels)), reached.offset, gap_class, false,
+            std::move(fine), fine_position};
+}
+
 TrayIdentity::TrayIdentity() {
     static std::atomic<std::uint64_t> counter{0};  // an identity: nothing depends on its value
     value_ = ++counter;
@@ -36,6 +43,7 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     const double dx = setup_.voxel_size;
     if (!(dx > 0) || !std::isfinite(dx))
         throw UsageError("the voxel size must be a positive length");
+    if (setup_.detail < 1) throw InternalError("a tray's detail must be 1 or more");
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = setup_.size[axis] / dx;
         if (!std::isfinite(voxels) || voxels < 1 - kWholeVoxel) {
@@ -55,6 +63,9 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     }
     reference_layers_ = setup_.reference_layers > 0 ? setup_.reference_layers : extent_.z;
     occupied_.assign(setup_.gap_classes.size(), BitGrid(extent_));
+    if (setup_.detail > 1) {
+        parts_.assign(setup_.gap_classes.size() * static_cast<std::size_t>(part_count(setup_.detail)), BitGrid(extent_));
+    }
 }
 
 Extent Tray::candidates(const Vec3& size) const {
@@ -64,7 +75,8 @@ Extent Tray::candidates(const Vec3& size) const {
         if (!(room >= 0)) return {};
         count[axis] = static_cast<int>(std::floor(room / setup_.voxel_size)) + 1;
         // The tolerance must not push voxels over the edge of the grid.
-        const int voxels = voxels_along(size[axis], setup_.voxel_size);
+        const int fine = voxels_along(size[axis], setup_.voxel_size / setup_.detail);
+        const int voxels = (fine + setup_.detail - 1) / setup_.detail;
         count[axis] = std::min(count[axis], extent_[axis] - voxels + 1);
         if (count[axis] <= 0) return {};
     }
@@ -95,12 +107,22 @@ BitGrid Tray::omega_move(std::optional<ObjectId> without) const {
     return all;
 }
 
+void Tray::unite_parts(const TrayObject& object) {
+    if (setup_.detail == 1) return;
+    const SplitVoxels fine = split(*object.fine, object.fine_position, setup_.detail);
+    for (std::size_t p = 0; p < fine.parts.size(); ++p) {
+        unite(parts_[static_cast<std::size_t>(object.gap_class) * fine.parts.size() + p], fine.parts[p], fine.offset);
+    }
+}
+
 ObjectId Tray::add(TrayObject object) {
     if (object.gap_class < 0 || object.gap_class >= gap_classes()) {
         throw InternalError("an object has a gap class that the tray does not have");
     }
+    if (setup_.detail > 1 && !object.fine) throw InternalError("an object has no fine voxels");
     const ObjectId id = object_count();
     unite(occupied_[static_cast<std::size_t>(object.gap_class)], *object.solid, object.position);
+    unite_parts(object);
     objects_.push_back({std::move(object), true});
     journal_.push_back({version() + 1, id, true});
     return id;
@@ -112,10 +134,18 @@ void Tray::remove(ObjectId id) {
     gone.present = false;
     BitGrid& occupied = occupied_[static_cast<std::size_t>(gone.object.gap_class)];
     subtract(occupied, *gone.object.solid, gone.object.position);
+    if (setup_.detail > 1) {
+        const SplitVoxels fine = split(*gone.object.fine, gone.object.fine_position, setup_.detail);
+        for (std::size_t p = 0; p < fine.parts.size(); ++p) {
+            subtract(parts_[static_cast<std::size_t>(gone.object.gap_class) * fine.parts.size() + p], fine.parts[p],
+                     fine.offset);
+        }
+    }
     for (const Entry& entry : objects_) {
         if (entry.present && entry.object.gap_class == gone.object.gap_class &&
             overlap(entry.object, gone.object)) {
             unite(occupied, *entry.object.solid, entry.object.position);
+            unite_parts(entry.object);
         }
     }
     journal_.push_back({version() + 1, id, false});

@@ -15,6 +15,7 @@
 #include "geometry/vec3.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/distance_field.hpp"
+#include "voxel/split.hpp"
 
 namespace spectralpack {
 
@@ -24,6 +25,7 @@ inline constexpr double kContainTolerance = 1e-6;
 struct TraySetup {
     Vec3 size;                           ///< container less the wall gap on every side, mm
     double voxel_size = 2;               ///< dx, mm
+    int detail = 1;                      ///< s: collisions are decided on voxels of dx / s
     std::vector<double> gap_classes{0};  ///< distinct gaps of the job's parts, ascending, mm
     Ceiling ceiling = Ceiling::closed;   ///< open: no wall above, for open height
     int reference_layers = 0;            ///< nz of equation 5; 0: the grid's own
@@ -42,7 +44,13 @@ struct TrayObject {
     VoxelIndex position;  ///< of the solid's voxel (0,0,0)
     int gap_class = 0;
     bool fixed = false;
+    /// With s > 1 the object in voxels of dx / s; `solid` is then the voxels of dx that it reaches into (fine_object()).
+    std::shared_ptr<const BitGrid> fine{};
+    VoxelIndex fine_position{};  ///< of the fine grid's voxel (0,0,0), in voxels of dx / s
 };
+
+/// The object whose voxels of dx / detail are `fine` at `fine_position`.
+TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail, int gap_class);
 
 /// One entry of the journal: object `id` was added or removed when the version became `version`.
 struct TrayChange {
@@ -84,10 +92,16 @@ class Tray {
     /// 0 .. count - 1; an empty extent when it does not fit. The voxels then lie in the grid.
     Extent candidates(const Vec3& size) const;
 
-    /// Objects of one gap class, without walls and keep-out.
+    /// Voxels of dx that objects of one gap class reach into, without walls and keep-out.
     const BitGrid& occupied(int gap_class) const {
         return occupied_[static_cast<std::size_t>(gap_class)];
     }
+    /// Part `part` of the fine voxels of one gap class's objects (voxel/split.hpp). With s = 1: occupied().
+    const BitGrid& occupied_part(int gap_class, int part) const {
+        return setup_.detail == 1 ? occupied(gap_class)
+                                  : parts_[static_cast<std::size_t>(gap_class * part_count(setup_.detail) + part)];
+    }
+    int detail() const { return setup_.detail; }
     /// Container mask and keep-out inside the grid; empty grid when all is free.
     const BitGrid& blocked() const { return setup_.blocked; }
     /// Omega_place within the grid: all classes and blocked().
@@ -95,7 +109,8 @@ class Tray {
     /// Omega_move within the grid, with object `without` taken out.
     BitGrid omega_move(std::optional<ObjectId> without = std::nullopt) const;
 
-    /// Throws InternalError for a gap class that the tray does not have.
+    /// Throws InternalError for a gap class that the tray does not have, and for an object without fine voxels where
+    /// s > 1.
     ObjectId add(TrayObject object);
     /// Voxels that other objects hold stay. Throws InternalError where `id` is not in the tray.
     void remove(ObjectId id);
@@ -119,11 +134,14 @@ class Tray {
         bool present = true;
     };
 
+    void unite_parts(const TrayObject& object);
+
     TraySetup setup_;
     Extent extent_;
     int reference_layers_ = 0;
     TrayIdentity identity_;
     std::vector<BitGrid> occupied_;
+    std::vector<BitGrid> parts_;  // by gap class and part; none with s = 1
     std::vector<Entry> objects_;
     std::vector<TrayChange> journal_;
 };

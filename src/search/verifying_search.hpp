@@ -12,7 +12,7 @@ namespace spectralpack {
 struct VerifyingOptions {
     std::int64_t sample = 0;  ///< about so many of the expected calls; 0: every call
     std::int64_t expected_calls =
-        1;  ///< of best_placement; free_positions is sampled at the same rate
+        1;  ///< of best_placement; free positions are sampled at the same rate
     std::uint64_t seed = 0;
 };
 
@@ -29,6 +29,8 @@ class VerifyingSearch final : public PlacementSearch {
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                  const FreeQuery& query) override;
+    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                             const FreeQuery& query) override;
     const char* name() const override { return engine_->name(); }
     std::int64_t memory() const override { return engine_->memory() + oracle_->memory(); }
 

@@ -7,6 +7,7 @@
 #include "verify/copies.hpp"
 #include "verify/counts.hpp"
 #include "verify/figures.hpp"
+#include "verify/replay.hpp"
 #include "verify/walls.hpp"
 #include "verify/words.hpp"
 
@@ -132,7 +133,14 @@ void append(std::vector<Finding>& all, const std::vector<Finding>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
+/// Share of a tray's work that comparing its copies is taken to be where a plan is replayed, too.
+constexpr double kComparing = 0.5;
+
 }  // namespace
+
+bool CheckReport::plans_complete() const {
+    return std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan && plan->complete && plan->ok(); });
+}
 
 CheckReport check_packing(const Packing& packing,
                           const std::vector<std::shared_ptr<const Mesh>>& meshes,
@@ -156,15 +164,29 @@ CheckReport check_packing(const Packing& packing,
     }
     for (int tray = 0; tray < trays && !report.stopped; ++tray) {
         const std::vector<Copy>& here = copies->by_tray[static_cast<std::size_t>(tray)];
-        TrayPairs pairs(packing, tray, here, workers);
-        report.stopped = !pairs.run(stop, [&](std::size_t done, std::size_t total) {
-            const double part = static_cast<double>(done) / static_cast<double>(total);
+        const bool has_plan = packing.trays[static_cast<std::size_t>(tray)].disassembly.has_value();
+        const double comparing = has_plan ? kComparing : 1;
+        const auto tell = [&](std::size_t done, std::size_t total, double from, double share) {
+            const double part = from + share * static_cast<double>(done) / static_cast<double>(total);
             listener.on_progress({Phase::check, static_cast<std::int64_t>(done),
                                   static_cast<std::int64_t>(total), 0,
                                   kPreparing + (1 - kPreparing) * (tray + part) / trays});
-        });
+        };
+        TrayPairs pairs(packing, tray, here, workers);
+        report.stopped = !pairs.run(
+            stop, [&](std::size_t done, std::size_t total) { tell(done, total, 0, comparing); });
         append(report.findings, pairs.findings());
         append(report.findings, walls->judge(tray, here, workers, stop));
+        report.plans.emplace_back();
+        if (has_plan && !report.stopped) {
+            const Replay replay =
+                replay_plan(packing, tray, here, workers, stop, [&](std::size_t done, std::size_t total) {
+                    tell(done, total, comparing, 1 - comparing);
+                });
+            report.stopped = replay.stopped;
+            report.plans.back() = replay.report;
+            append(report.findings, replay.findings);
+        }
         report.pairs_tested += pairs.tested();
         if (here.size() > 1) {
             report.min_gap = std::min(report.min_gap.value_or(Box::kInfinity), pairs.least());
@@ -178,11 +200,12 @@ CheckReport check_packing(const Packing& packing,
         report.density.push_back(measured_density(packing, measure));
     }
     if (!report.stopped) append(report.findings, figure_findings(packing, measures, report.min_gap));
-    std::stable_sort(report.findings.begin(), report.findings.end(),
-                     [](const Finding& a, const Finding& b) {
-                         return std::tie(a.tray, a.placements, a.kind) <
-                                std::tie(b.tray, b.placements, b.kind);
-                     });
+    // Those of plans keep the order of their steps.
+    std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
+        const bool plan_a = a.kind == FindingKind::plan, plan_b = b.kind == FindingKind::plan;
+        if (a.tray != b.tray || plan_a != plan_b) return std::tie(a.tray, plan_a) < std::tie(b.tray, plan_b);
+        return !plan_a && std::tie(a.placements, a.kind) < std::tie(b.placements, b.kind);
+    });
     return report;
 }
 

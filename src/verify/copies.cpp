@@ -132,7 +132,8 @@ class Preparation {
             const double below = wall_gap - copy.box.min[axis];
             const double above = copy.box.max[axis] - (packing_.container.size[axis] - wall_gap);
             for (const auto& [amount, sign] : {std::pair(below, '-'), std::pair(above, '+')}) {
-                if (amount <= kCheckTolerance) continue;
+                const bool no_wall = packing_.container.open_height && axis == 2 && sign == '+';
+                if (no_wall || amount <= kCheckTolerance) continue;
                 worst = std::max(worst, amount);
                 sides += (sides.empty() ? "" : ", ") + short_number(amount) + " mm at " + sign + "xyz"[axis];
             }

@@ -12,11 +12,13 @@ bool differs(double stated, double measured, double tolerance) {
     return !(std::abs(stated - measured) <= tolerance);  // a NaN differs
 }
 
-double container_volume(const Packing& packing) {
+/// Of a tray's container; with open height it ends where the tray's copies do.
+double container_volume(const Packing& packing, const Box& copies) {
     const auto& mesh = packing.container.mesh;
     if (mesh && mesh->surface) return signed_volume(*mesh->surface);
     const Vec3& size = packing.container.size;
-    return size.x * size.y * size.z;
+    const bool reached = packing.container.open_height && !copies.empty();
+    return size.x * size.y * (reached ? copies.max.z : size.z);
 }
 
 /// Greatest difference of two boxes' coordinates; 0 for two empty ones.
@@ -41,7 +43,7 @@ std::string range_text(const Box& box) {
 }  // namespace
 
 double measured_density(const Packing& packing, const TrayMeasure& tray) {
-    const double volume = container_volume(packing);
+    const double volume = container_volume(packing, tray.box);
     return volume > 0 ? tray.volume / volume : 0;
 }
 
@@ -60,12 +62,13 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
     const auto compare_density = [&](int tray, const std::string& what, double stated, double measured) {
         compare(tray, what, stated, measured, kDensityTolerance * std::abs(measured) + 1e-12, "");
     };
-    double volume = 0;
+    double volume = 0, all = 0;
     for (std::size_t t = 0; t < trays.size(); ++t) {
         const TrayPacking& stated = packing.trays[t];
         const Box& box = trays[t].box;
         const int tray = static_cast<int>(t);
         volume += trays[t].volume;
+        all += container_volume(packing, box);
         compare_density(tray, "density", stated.density, measured_density(packing, trays[t]));
         compare_density(tray, "density in its bounding box", stated.density_bounding_box,
                         box.volume() > 0 ? trays[t].volume / box.volume() : 0);
@@ -77,7 +80,10 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
         }
         compare(tray, "height", stated.height, box.empty() ? 0 : box.max.z, kCheckTolerance, " mm");
     }
-    const double all = container_volume(packing) * static_cast<double>(trays.size());
+    if (packing.container.open_height && trays.size() == 1 && !trays.front().box.empty()) {
+        compare(kWholePacking, "height of the container", packing.container.size.z, trays.front().box.max.z,
+                kCheckTolerance, " mm");
+    }
     compare_density(kWholePacking, "density", packing.metrics.density, all > 0 ? volume / all : 0);
     if (packing.metrics.min_gap && min_gap) {
         compare(kWholePacking, "least distance of two copies", *packing.metrics.min_gap, *min_gap,

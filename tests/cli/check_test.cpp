@@ -127,8 +127,77 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
 }
 
 TEST_F(Check, RequirePlanFailsAsLongAsThereIsNone) {
-    check();
+    EXPECT_TRUE(contains(check().out, "interlocking: not checked"));
     EXPECT_EQ(spectralpack({"check", "--require-plan", (folder_ / "b.json").string()}).status, 1);
+}
+
+TEST_F(Check, ReplaysThePlan) {
+    packing_.trays[0].disassembly = {true, {{{2}, {{10, 0, 0}}}, {{1}, {{0, 0, 4}, {0, 0, 6}}}, {{0}, {}}}, {}};
+    const Ran ran = check();
+    EXPECT_EQ(ran.status, 0) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "plan: 3 steps replayed, ok\ninterlocking: none")) << ran.out;
+    EXPECT_EQ(spectralpack({"check", "--require-plan", (folder_ / "b.json").string()}).status, 0);
+    const json report = json::parse(spectralpack({"check", "--json", (folder_ / "b.json").string()}).out);
+    EXPECT_EQ(report["interlocking"], "none");
+    EXPECT_EQ(report["plans"][0]["steps"], 3);
+    EXPECT_TRUE(report["plans"][0]["complete"]);
+}
+
+TEST_F(Check, NamesTheStepThatFails) {
+    packing_.trays[0].disassembly = {true, {{{1}, {{30, 0, 0}}}, {{2}, {{10, 0, 0}}}, {{0}, {}}}, {}};
+    const Ran ran = check();
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_TRUE(contains(ran.out, "FAILED: plan, step 1 of 3: cube #1 runs into cube #2, at least ")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "plan: 3 steps replayed, 1 failed")) << ran.out;
+    const json report = json::parse(spectralpack({"check", "--json", (folder_ / "b.json").string()}).out);
+    EXPECT_EQ(report["findings"][0]["kind"], "plan");
+    EXPECT_EQ(report["findings"][0]["placements"], json({1, 2}));
+    EXPECT_EQ(report["plans"][0]["failed_steps"], json({0}));
+}
+
+TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
+    packing_.trays[0].disassembly = {false, {{{2}, {{10, 0, 0}}}}, {{0, 1}}};
+    const Ran ran = check();
+    EXPECT_EQ(ran.status, 0) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "INCOMPLETE: no way out for cube #0, cube #1")) << ran.out;
+    EXPECT_TRUE(contains(ran.out, "NOT EXCLUDED")) << ran.out;
+    const Ran required = spectralpack({"check", "--require-plan", (folder_ / "b.json").string()});
+    EXPECT_EQ(required.status, 1);
+    EXPECT_TRUE(contains(required.err, "no complete disassembly plan")) << required.err;
+}
+
+TEST_F(Check, APlanForCopiesThatAreNotThereExitsWithThree) {
+    packing_.trays[0].disassembly = {true, {{{3}, {}}}, {}};
+    const Ran ran = check();
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_TRUE(contains(ran.err, "trays[0].disassembly.steps[0].placements[0]")) << ran.err;
+}
+
+TEST_F(Check, RenderDrawsHowItComesApart) {
+    check();
+    const auto render = [&](std::vector<std::string> options, const std::string& name) {
+        options.insert(options.begin(), {"render", (folder_ / "b.json").string(), "-o", (folder_ / name).string(),
+                                         "--size", "120x90"});
+        return spectralpack(options);
+    };
+    const Ran without = render({"--explode", "1"}, "none.png");
+    EXPECT_EQ(without.status, 2);
+    EXPECT_TRUE(contains(without.err, "no disassembly plan")) << without.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "none.png"));
+    packing_.trays[0].disassembly = {true, {{{2}, {{10, 0, 0}}}, {{1}, {{10, 0, 0}}}, {{0}, {}}}, {}};
+    check();
+    EXPECT_EQ(render({}, "whole.png").status, 0);
+    EXPECT_EQ(render({"--step", "0"}, "0.png").status, 0);
+    EXPECT_EQ(render({"--step", "1"}, "1.png").status, 0);
+    EXPECT_EQ(render({"--step", "3", "--tray", "0"}, "3.png").status, 0);
+    EXPECT_EQ(render({"--explode", "0.5"}, "apart.png").status, 0);
+    EXPECT_EQ(read_text(folder_ / "0.png"), read_text(folder_ / "whole.png"));
+    EXPECT_NE(read_text(folder_ / "1.png"), read_text(folder_ / "whole.png"));
+    EXPECT_NE(read_text(folder_ / "apart.png"), read_text(folder_ / "whole.png"));
+    EXPECT_EQ(render({"--step", "4"}, "none.png").status, 2);
+    EXPECT_EQ(render({"--step", "-1"}, "none.png").status, 2);
+    EXPECT_EQ(render({"--explode", "-1"}, "none.png").status, 2);
+    EXPECT_EQ(render({"--explode", "1", "--step", "1"}, "none.png").status, 2);
 }
 
 TEST_F(Check, RenderDrawsThePacking) {

@@ -114,6 +114,7 @@ TEST(Pack, RefinedCopiesLeaveTheGridAndKeepTheGapExactly) {
         };
         pack("grid.json", "--no-refine");
         const std::string refined = pack("refined.json", "--refine");
+        EXPECT_NEAR(read_json(folder / "refined.json")["metrics"]["min_gap"].get<double>(), std::stod(gap), 1e-3);
         EXPECT_NE(placements(folder / "grid.json"), placements(folder / "refined.json"));
         EXPECT_TRUE(contains(refined, "least gap: " + gap + " mm")) << refined;
     }
@@ -188,7 +189,7 @@ TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
     const Ran ran = spectralpack({"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
                                   "--dry-run"});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "time       more than"))
+    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "more than"))
         << ran.out;
 }
 

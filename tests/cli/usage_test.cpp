@@ -44,6 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--tray", "1x1x1", "--voxel", "2"}, "smaller than one voxel"},
         BadCall{{"pack", kPart, "--voxel", "-1"}, "--voxel"}, BadCall{{"pack", kPart, "--voxel", "nan"}, "--voxel"},
         BadCall{{"pack", kPart, "--gap", "-0.5"}, "--gap"}, BadCall{{"pack", kPart, "--gap", "nan"}, "--gap"},
+        BadCall{{"pack", kPart, "--detail", "0"}, "--detail"}, BadCall{{"pack", kPart, "--detail", "9"}, "--detail"},
         BadCall{{"pack", kPart, "--wall-gap", "200"}, "--wall-gap"},
         BadCall{{"pack", kPart, "--rotations", "17"}, "divides 360"},
         BadCall{{"pack", kPart, "--rotations", "lots"}, "--rotations"},

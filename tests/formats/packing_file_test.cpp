@@ -219,8 +219,8 @@ TEST(PackingFile, PlansThatTakeOutWhatIsNotThereAreRefused) {
         const char* cause;
     };
     const Case cases[] = {
-        {{{{0}, {}}, {{0}, {}}}, "has left in step 0 already"},
-        {{{{0}, {}}, {{0, 1}, {}}}, "has left in step 0 already"},
+        {{{{0}, {}}, {{0}, {}}}, "has left in steps[0] already"},
+        {{{{0}, {}}, {{0, 1}, {}}}, "has left in steps[0] already"},
         {{{{0, 1}, {}}, {{1, 2}, {}}}, "no longer stand together"},
         {{{{0, 1}, {}}, {{0, 1}, {}}}, "all that stands together"},
         {{{{0, 1}, {}}, {{4}, {}}}, "is fixed"},

@@ -17,8 +17,10 @@ inline Packing small_packing() {
     packing.program = "spectralpack 0.0.0";
     packing.input_hash = "00ff";
     packing.container.size = {100, 80, 60.5};
+    packing.container.open_height = true;
     packing.options.tray = packing.container.size;
     packing.options.voxel = 1.5;
+    packing.options.detail = 3;
     packing.options.rotations = "45";
     packing.options.gap = 0.25;
     packing.options.wall_gap = 1;
@@ -26,6 +28,11 @@ inline Packing small_packing() {
     packing.options.interlock = Interlock::place;
     packing.options.height_penalty = 1e8;
     packing.options.height_at = HeightReference::top;
+    packing.options.open_height = true;
+    packing.options.minimise = Minimise::box;
+    packing.options.fill = true;
+    packing.options.max_density = 0.5;
+    packing.options.max_layer_fill = 0.75;
     packing.options.order = Order::random;
     packing.options.engine = EngineKind::reference;
     packing.options.threads = 3;
@@ -38,8 +45,12 @@ inline Packing small_packing() {
     bracket.name = "bracket \"left\" & <co>";
     bracket.mesh = "/elsewhere/meshes/bracket.stl";
     bracket.count = 3;
+    bracket.share = 2;
     bracket.scale = 0.5;
     bracket.gap = 0.25;
+    bracket.orientations.kind = PartOrientations::Kind::axes;
+    bracket.orientations.up = {{2, true}, {0, false}};
+    bracket.orientations.yaw = 45;
     bracket.volume = 1000.0 / 3;
     bracket.repairs = {"turned the mesh, which was inside out"};
     packing.parts.push_back(bracket);

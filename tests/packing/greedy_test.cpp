@@ -14,7 +14,7 @@ using test::FirstFit;
 
 class Greedy : public testing::Test {
   protected:
-    Greedy() : tray_(TraySetup{{4, 4, 2}, 1, {0}, Ceiling::closed, 0, {}, false}) {}
+    Greedy() : tray_(TraySetup{{4, 4, 2}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {}
 
     void pack(const std::vector<PackItem>& items) {
         ShapeStore shapes(
@@ -22,7 +22,7 @@ class Greedy : public testing::Test {
             Workers(2), [](double) {});
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 0);
+            return stand_on_grid(shape, best, 1, 1, 0);
         };
         pack_greedily(tray_, search_, {}, items, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
     }
@@ -46,6 +46,32 @@ TEST_F(Greedy, PlacesInOrderAndSkipsCopiesOfAPartThatFoundNoPlace) {
     EXPECT_EQ(search_.asked, 6);
     EXPECT_EQ(done_, 8);
     EXPECT_EQ(tray_.occupied(0).count(), 32);
+}
+
+TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
+    tray_ = Tray(TraySetup{{6, 6, 6}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
+    const std::vector<PartShare> shares{{1, 1}, {0, 2}};  // cubes of 3 and of 2, 1 : 2
+    const std::vector<PackItem> items{{1, 0}, {0, 0}};
+    ShapeStore shapes(
+        [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); }, Workers(2),
+        [](double) {});
+    shapes.start_tray(items);
+    const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
+        return stand_on_grid(shape, best, 1, 1, 0);
+    };
+    pack_in_shares(tray_, search_, {}, shares, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+    // 0 lacks more at first (2 of 3), then both lack as much and 1 comes first.
+    ASSERT_GE(result_.placed.size(), 6u);
+    std::vector<int> parts;
+    int counts[2] = {};
+    for (const PlacedItem& placed : result_.placed) {
+        parts.push_back(placed.item.part);
+        EXPECT_EQ(placed.item.copy, counts[placed.item.part]++);
+    }
+    EXPECT_EQ((std::vector<int>(parts.begin(), parts.begin() + 6)), (std::vector<int>{0, 1, 0, 0, 1, 0}));
+    EXPECT_TRUE(result_.left_over.empty());
+    // Nothing more of either fits.
+    EXPECT_FALSE(search_.best_placement(tray_, *box_shape(0, 2), {}, {}).best);
 }
 
 TEST_F(Greedy, AStopLeavesTheRestUntried) {

@@ -15,7 +15,8 @@ class ManyTrays : public testing::Test {
     ManyTrays()
         : shapes_([this](int part) { return test::box_shape(static_cast<std::uint64_t>(part), part + 1, &made_); },
                   Workers(1), [](double) {}, 1 << 20) {
-        setup_.tray = TraySetup{{4, 4, 2}, 1, {0}, Ceiling::closed, 0, {}, false};
+        setup_.tray.size = {4, 4, 2};
+        setup_.tray.voxel_size = 1;
         setup_.container.size = {4, 4, 2};
     }
 

@@ -5,6 +5,7 @@
 /// as well.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -23,7 +24,7 @@ class BruteForceSearch : public PlacementSearch {
             const Figure figure(shape.orientations[static_cast<std::size_t>(index)]);
             const Extent count = tray.candidates(figure.shape.size);
             for_each_index(count, [&](const VoxelIndex& q) {
-                if (scenery.collides(figure, q)) return;
+                if (!model.allows(index, q.z) || scenery.collides(figure, q)) return;
                 const std::int64_t rho = scenery.rho(figure, q);
                 const Cost cost = scenery.cost(model, figure, q.z, rho);
                 if (!best || cost < best->cost) best = BestPlacement{index, q, rho, cost, {}};
@@ -52,7 +53,7 @@ class BruteForceSearch : public PlacementSearch {
             extent[axis] = n[axis] + a.extent()[axis] - 1 + 2 * query.padding;
         }
         result.free = BitGrid(extent);
-        const BitGrid omega = occupied_by_objects(tray, query.without, std::nullopt);
+        const BitGrid omega = occupied_by_objects(tray, 1, query.without, std::nullopt);
         const bool walls = tray.setup().blocked_is_physical;
         const std::vector<VoxelIndex> voxels = set_voxels(a);
         for_each_index(extent, [&](const VoxelIndex& i) {
@@ -93,21 +94,29 @@ class BruteForceSearch : public PlacementSearch {
         return !tray.blocked().extent().empty() && tray.blocked().get(v.x, v.y, v.z);
     }
 
-    static BitGrid occupied_by_objects(const Tray& tray, std::optional<ObjectId> without,
+    /// In voxels of dx / detail, where detail is 1 or the tray's.
+    static BitGrid occupied_by_objects(const Tray& tray, int detail, std::optional<ObjectId> without,
                                        std::optional<int> gap_class) {
-        BitGrid bits(tray.extent());
+        const Extent& n = tray.extent();
+        BitGrid bits({detail * n.x, detail * n.y, detail * n.z});
+        const int pooled = tray.detail() / detail;
         for (ObjectId id = 0; id < tray.object_count(); ++id) {
             const TrayObject* object = tray.find(id);
             if (!object || id == without) continue;
             if (gap_class && object->gap_class != *gap_class) continue;
-            for (const VoxelIndex& v : set_voxels(*object->solid, object->position)) {
-                if (tray.extent().contains(v)) bits.set(v.x, v.y, v.z);
+            const bool fine = tray.detail() > 1;
+            for (VoxelIndex v : set_voxels(fine ? *object->fine : *object->solid,
+                                           fine ? object->fine_position : object->position)) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    v[axis] = static_cast<int>(std::floor(static_cast<double>(v[axis]) / pooled));
+                }
+                if (bits.extent().contains(v)) bits.set(v.x, v.y, v.z);
             }
         }
         return bits;
     }
 
-    /// An orientation as lists of voxels: A, and A+g(c) for every gap class c.
+    /// An orientation as lists of voxels: A, and A+g(c), in fine voxels, for every gap class c.
     struct Figure {
         const OrientedShape& shape;
         std::vector<VoxelIndex> a;
@@ -125,11 +134,13 @@ class BruteForceSearch : public PlacementSearch {
     struct Scenery {
         const Tray& tray;
         std::vector<BitGrid> objects;  ///< per gap class
+        std::vector<BitGrid> fine;     ///< the same in voxels of dx / s
         Grid<std::int32_t> phi;
 
         explicit Scenery(const Tray& t) : tray(t), phi(t.extent()) {
             for (int c = 0; c < tray.gap_classes(); ++c) {
-                objects.push_back(occupied_by_objects(tray, std::nullopt, c));
+                objects.push_back(occupied_by_objects(tray, 1, std::nullopt, c));
+                fine.push_back(occupied_by_objects(tray, tray.detail(), std::nullopt, c));
             }
             for_each_index(tray.extent(),
                            [&](const VoxelIndex& v) { phi.at(v.x, v.y, v.z) = distance_at(v); });
@@ -165,10 +176,11 @@ class BruteForceSearch : public PlacementSearch {
             for (const VoxelIndex& x : figure.a) {
                 if (!n.contains(x + q) || blocked(tray, x + q)) return true;
             }
-            for (std::size_t c = 0; c < objects.size(); ++c) {
+            const int s = tray.detail();
+            for (std::size_t c = 0; c < fine.size(); ++c) {
                 for (const VoxelIndex& x : figure.widened[c]) {
-                    const VoxelIndex v = x + q;
-                    if (n.contains(v) && objects[c].get(v.x, v.y, v.z)) return true;
+                    const VoxelIndex v = x + VoxelIndex{s * q.x, s * q.y, s * q.z};
+                    if (fine[c].extent().contains(v) && fine[c].get(v.x, v.y, v.z)) return true;
                 }
             }
             return false;

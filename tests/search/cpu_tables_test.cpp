@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "random_scene.hpp"
+#include "search/cpu/depths.hpp"
 #include "search/cpu/incumbent.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/runs.hpp"
@@ -52,8 +53,8 @@ TEST(BitTables, AreDilationsByPowersOfTwo) {
         const Extent n = random_extent(random, {1, 1, 1}, {90, 12, 10});
         const int margin = between(random, 0, 3);
         const BitGrid occupied = random_bits(random, n, 9);
-        BitTables tables(n, margin, 2);
-        tables.refresh(1, occupied, whole(n));
+        BitTables tables(n, margin, 1, 1, 1);
+        tables.refresh(1, {&occupied}, whole(n));
         for (int question = 0; question < 4000; ++question) {
             const int axis = between(random, 0, 2), level = between(random, 0, BitTables::kLevels);
             VoxelIndex at;
@@ -77,16 +78,16 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     RandomStream random(3);
     const Extent n{100, 17, 23};
     BitGrid occupied(n);
-    BitTables tables(n, 2, 1);
+    BitTables tables(n, 2, 1, 1, 0);
     for (int i = 0; i < 40; ++i) {
         const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
         const Extent& e = solid.extent();
         const VoxelIndex at{between(random, -5, n.x), between(random, -5, n.y),
                             between(random, -5, n.z)};
         one_in(random, 3) ? subtract(occupied, solid, at) : unite(occupied, solid, at);
-        tables.refresh(0, occupied, {at, at + VoxelIndex{e.x, e.y, e.z}});
-        BitTables fresh(n, 2, 1);
-        fresh.refresh(0, occupied, whole(n));
+        tables.refresh(0, {&occupied}, {at, at + VoxelIndex{e.x, e.y, e.z}});
+        BitTables fresh(n, 2, 1, 1, 0);
+        fresh.refresh(0, {&occupied}, whole(n));
         EXPECT_TRUE(fresh == tables);
     }
 }
@@ -124,9 +125,10 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
 TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
     RandomStream random(5);
     for (const int block : {1, 2, 4, 8}) {
+        const bool apart = block == 2 || block == 4;
         const Extent n = random_extent(random, {5, 4, 3}, {70, 19, 23});
         DistanceGrid phi(n, Ceiling::closed);
-        SumTables tables(n, block);
+        SumTables tables(n, block, apart);
         tables.update(phi, whole(n), Workers(1));
         for (int step = 0; step < 5; ++step) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
@@ -135,10 +137,11 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
             tables.update(phi, phi.add(solid, at, Workers(1)), Workers(2));
         }
         const auto pooled = [&](const VoxelIndex& v) {
-            int least = phi.most();
+            int least = apart ? SumTables::kMostPooled : phi.most();
             for_each_voxel({block, block, block}, [&](int x, int y, int z) {
                 const VoxelIndex w = v + VoxelIndex{x, y, z};
-                if (n.contains(w)) least = std::min<int>(least, phi.at(w.x, w.y, w.z));
+                if (!n.contains(w) || (apart && phi.at(w.x, w.y, w.z) == 0)) return;
+                least = std::min<int>(least, phi.at(w.x, w.y, w.z));
             });
             return least;
         };
@@ -163,8 +166,8 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
-    const Runs runs = fewest_runs(solid);
-    const SumTables tables({210, 9, 8}, 1);
+    const OrientationRuns runs = make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true);
+    const SumTables tables({210, 9, 8}, 1, false);
     for (const int most : {1, 150, 5000, 65535}) {
         const SumPlan plan = plan_sum(runs, tables, most);
         std::int64_t voxels = 0;
@@ -178,6 +181,31 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
             voxels += in_batch;
         }
         EXPECT_EQ(voxels, solid.count());
+    }
+}
+
+TEST(Depths, AreTheDistanceToTheOutside) {
+    RandomStream random(7);
+    for (int i = 0; i < 60; ++i) {
+        const Extent n = random_extent(random, {1, 1, 1}, {i % 2 ? 150 : 12, i % 3 ? 9 : 140, 11});
+        BitGrid solid = random_solid(random, n);
+        if (i % 4 == 0) solid.fill(true);
+        BitGrid outside(n);
+        for_each_voxel(n, [&](int x, int y, int z) { outside.set(x, y, z, !solid.get(x, y, z)); });
+        const Grid<std::int32_t> depth = manhattan_distance(outside, Ceiling::closed);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Runs runs = runs_along(solid, axis);
+            const std::vector<std::uint32_t> sums = depth_sums(solid, runs, runs);
+            ASSERT_EQ(sums.size(), runs.runs.size());
+            for (std::size_t k = 0; k < sums.size(); ++k) {
+                std::uint32_t expected = 0;
+                VoxelIndex v = runs.runs[k].start;
+                for (int step = 0; step < runs.runs[k].length; ++step, ++v[axis]) {
+                    expected += static_cast<std::uint32_t>(std::min(kDeepest, depth.at(v.x, v.y, v.z)));
+                }
+                EXPECT_EQ(sums[k], expected);
+            }
+        }
     }
 }
 

@@ -53,8 +53,13 @@ TraySetup box_tray(const Extent& n) {
 /// Asks for every shape of the scene, and for free positions with and without an object.
 void ask_everything(VerifyingSearch& search, Scene& scene, RandomStream& random) {
     for (const Shape& shape : scene.shapes) {
-        const SearchResult result =
-            search.best_placement(scene.tray, shape, random_model(random), {});
+        CostModel model = random_model(random);
+        AllowedLayers allowed;
+        if (one_in(random, 4)) {
+            allowed = random_layers(shape, scene.tray.extent().z, random);
+            model.allowed = &allowed;
+        }
+        const SearchResult result = search.best_placement(scene.tray, shape, model, {});
         EXPECT_FALSE(result.stopped);
         const int index = between(random, 0, static_cast<int>(shape.orientations.size()) - 1);
         FreeQuery query;
@@ -100,6 +105,41 @@ TEST_P(EngineTest, AnswersTheDefinitionWithWideGaps) {
     limits.reach = 9;  // beyond the grid on every side: nothing may wrap
     limits.gap_classes = 4;
     check_random_scenes(make_verified(), limits, 40);
+}
+
+TEST_P(EngineTest, AnswersTheDefinitionWithFinerCollisionVoxels) {
+    SceneLimits limits;
+    limits.detail = 3;
+    check_random_scenes(make_verified(), limits, 100);
+    limits.most = {8, 7, 6};
+    limits.reach = 9;
+    check_random_scenes(make_verified(), limits, 20);
+    for (int axis = 0; axis < 3; ++axis) {
+        SCOPED_TRACE(axis);
+        limits = long_scene(axis);
+        limits.detail = 3;
+        check_random_scenes(make_verified(), limits, 4);
+    }
+}
+
+TEST_P(EngineTest, FitsPartsIntoSharedVoxels) {
+    // Two boxes of one and a half voxels side by side fill a tray of three.
+    TraySetup setup = box_tray({3, 2, 2});
+    setup.detail = 2;
+    Tray tray(setup);
+    const auto fine = full_box({3, 4, 4});
+    Shape shape{1, 0, {plain_shape(full_box({2, 2, 2}))}};
+    shape.orientations[0].size = {1.5, 2, 2};
+    shape.orientations[0].fine = fine;
+    shape.orientations[0].widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}})};
+    tray.add(fine_object(fine, {3, 0, 0}, 2, 0));
+    const auto result = make_engine()->best_placement(tray, shape, {}, {});
+    ASSERT_TRUE(result.best);
+    EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
+    EXPECT_EQ(result.best->proximity, 4);  // of the voxels it shares nothing is left to go
+    tray.add(fine_object(fine, {0, 0, 0}, 2, 0));
+    EXPECT_EQ(tray.occupied(0).count(), 12);
+    EXPECT_FALSE(make_engine()->best_placement(tray, shape, {}, {}).best);
 }
 
 TEST_P(EngineTest, KeepsSeveralTraysAndTheirCopiesApart) {

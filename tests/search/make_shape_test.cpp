@@ -6,6 +6,7 @@
 #include "model/orientation.hpp"
 #include "search/shape.hpp"
 #include "support/shapes.hpp"
+#include "voxel/split.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -14,7 +15,7 @@ const std::vector<double> kNoGap{0};
 
 Shape shape_of(const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size,
                double gap = 0, const std::vector<double>& gaps = kNoGap, int threads = 2) {
-    return make_shape(7, mesh, rotations, voxel_size, gap, gaps, Workers(threads));
+    return make_shape(7, mesh, rotations, voxel_size, 1, gap, gaps, Workers(threads));
 }
 
 /// An L of two boxes: no rotation maps it onto itself.
@@ -107,6 +108,23 @@ TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
                 // Equal gaps share one grid.
                 EXPECT_EQ(oriented.widened[c] == oriented.widened[own], c <= own);
             }
+        }
+    }
+}
+
+TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
+    const auto rotations = orientation_set("90");
+    const Mesh mesh = bracket();
+    for (const int detail : {2, 3}) {
+        const Shape shape = make_shape(7, mesh, rotations, 1, detail, 0.5, {0.5}, Workers(2));
+        for (const OrientedShape& oriented : shape.orientations) {
+            const Mesh one = turned(mesh, rotations[static_cast<std::size_t>(oriented.orientation)]);
+            const BitGrid fine = voxelize(one, 1.0 / detail, Workers(1));
+            EXPECT_EQ(*oriented.fine, fine);
+            EXPECT_EQ(*oriented.solid, reached_voxels(fine, {}, detail).voxels);
+            const WidenedVoxels wide = widen(fine, one, 1.0 / detail, 0.5, Workers(1));
+            EXPECT_EQ(oriented.widened[0]->voxels, wide.voxels);
+            EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
         }
     }
 }

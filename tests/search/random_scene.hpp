@@ -24,6 +24,7 @@ struct SceneLimits {
     int gap_classes = 3;   ///< at most
     int reach = 2;         ///< voxels by which A+g goes beyond A, at most
     int objects = 8;       ///< in the tray at first, at most
+    int detail = 1;        ///< of the tray, at most
 };
 
 /// Rows of several words along `axis`, thin across: for what engines do at word and block
@@ -139,8 +140,16 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
         extent[axis] = tray[axis] + between(random, 1, 2);
         shape.size[axis] = extent[axis] * setup.voxel_size;
     }
-    auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
+    Extent fine;
+    for (int axis = 0; axis < 3; ++axis) {
+        fine[axis] = voxels_along(shape.size[axis], setup.voxel_size / setup.detail);
+    }
+    auto solid = std::make_shared<const BitGrid>(random_solid(random, fine));
     shape.solid = solid;
+    if (setup.detail > 1) {
+        shape.solid = std::make_shared<const BitGrid>(reached_voxels(*solid, {}, setup.detail).voxels);
+        shape.fine = solid;
+    }
     const double own = setup.gap_classes[static_cast<std::size_t>(own_class)];
     std::shared_ptr<const WidenedVoxels> previous;
     double previous_gap = -1;
@@ -194,6 +203,7 @@ inline BitGrid random_blocked(RandomStream& random, const Extent& tray) {
 inline TraySetup random_setup(RandomStream& random, const SceneLimits& limits) {
     TraySetup setup;
     setup.voxel_size = std::vector<double>{2, 1, 0.5, 0.7}[random.below(4)];
+    if (limits.detail > 1) setup.detail = between(random, 1, limits.detail);
     const Extent tray = random_extent(random, limits.least, limits.most);
     for (int axis = 0; axis < 3; ++axis) {
         setup.size[axis] = tray[axis] == 1  // a tray is at least one whole voxel long
@@ -222,6 +232,20 @@ inline CostModel random_model(RandomStream& random) {
     return model;
 }
 
+/// Closes about a third of the layers to each orientation, in runs as caps do.
+inline AllowedLayers random_layers(const Shape& shape, int layers, RandomStream& random) {
+    AllowedLayers allowed;
+    for (std::size_t i = 0; i < shape.orientations.size(); ++i) {
+        std::vector<bool>& open = allowed.by_index.emplace_back();
+        bool now = one_in(random, 2);
+        for (int z = 0; z < layers; ++z) {
+            if (one_in(random, now ? 4 : 2)) now = !now;
+            open.push_back(now);
+        }
+    }
+    return allowed;
+}
+
 /// Adds an object of a random shape and orientation anywhere, overhanging and sharing voxels at
 /// times.
 inline void add_random_object(Scene& scene, RandomStream& random) {
@@ -235,8 +259,17 @@ inline void add_random_object(Scene& scene, RandomStream& random) {
         position[axis] = overhang ? between(random, -a[axis], n[axis])
                                   : between(random, 0, std::max(0, n[axis] - a[axis]));
     }
-    scene.present.push_back(
-        scene.tray.add({oriented.solid, position, shape.gap_class, one_in(random, 5)}));
+    TrayObject object{oriented.solid, position, shape.gap_class, false};
+    const int detail = scene.tray.detail();
+    if (detail > 1) {  // anywhere between grid positions
+        VoxelIndex fine;
+        for (int axis = 0; axis < 3; ++axis) {
+            fine[axis] = detail * position[axis] + between(random, 0, detail - 1);
+        }
+        object = fine_object(oriented.fine, fine, detail, shape.gap_class);
+    }
+    object.fixed = one_in(random, 5);
+    scene.present.push_back(scene.tray.add(std::move(object)));
 }
 
 /// Adds an object or, once in three times, removes one.
@@ -267,9 +300,10 @@ inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {},
 
 /// What a packing does: the object stands where the search says.
 inline void place(Scene& scene, const Shape& shape, int index, const VoxelIndex& position) {
-    scene.present.push_back(
-        scene.tray.add({shape.orientations[static_cast<std::size_t>(index)].solid, position,
-                        shape.gap_class, false}));
+    const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
+    const int s = scene.tray.detail();
+    scene.present.push_back(scene.tray.add({oriented.solid, position, shape.gap_class, false, oriented.fine,
+                                            {s * position.x, s * position.y, s * position.z}}));
 }
 
 }  // namespace spectralpack::test

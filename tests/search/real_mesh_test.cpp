@@ -35,7 +35,7 @@ std::vector<BestPlacement> pack(VerifyingSearch& search, const char* rotations,
     std::vector<BestPlacement> placements;
     std::uint64_t id = 1;
     for (const Mesh& mesh : meshes()) {
-        const Shape shape = make_shape(id, mesh, orientation_set(rotations), setup.voxel_size,
+        const Shape shape = make_shape(id, mesh, orientation_set(rotations), setup.voxel_size, 1,
                                        gaps[id % gaps.size()], gaps, workers);
         ++id;
         for (int copy = 0; copy < 2; ++copy) {

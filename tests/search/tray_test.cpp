@@ -159,6 +159,47 @@ TEST(Tray, OccupancyIsTheUnionOfWhatIsPresent) {
     }
 }
 
+TEST(Tray, PartsAreTheFineVoxelsOfWhatIsPresent) {
+    SceneLimits limits;
+    limits.detail = 3;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        Scene scene = random_scene(random, limits);
+        const Tray& tray = scene.tray;
+        const int s = tray.detail();
+        if (s == 1) continue;
+        for (int step = 0; step < 8; ++step) {
+            random_change(scene, random);
+            for (int c = 0; c < tray.gap_classes(); ++c) {
+                EXPECT_EQ(tray.occupied(c), union_of(tray, c));
+                std::vector<BitGrid> parts(static_cast<std::size_t>(part_count(s)), BitGrid(tray.extent()));
+                for (const ObjectId id : scene.present) {
+                    const TrayObject& object = *tray.find(id);
+                    if (object.gap_class != c) continue;
+                    for_each_voxel(object.fine->extent(), [&](int x, int y, int z) {
+                        const VoxelIndex v = VoxelIndex{x, y, z} + object.fine_position;
+                        const VoxelIndex coarse{floor_div(v.x, s), floor_div(v.y, s), floor_div(v.z, s)};
+                        if (!object.fine->get(x, y, z) || !tray.extent().contains(coarse)) return;
+                        const int part = ((v.z - s * coarse.z) * s + v.y - s * coarse.y) * s + v.x - s * coarse.x;
+                        parts[static_cast<std::size_t>(part)].set(coarse.x, coarse.y, coarse.z);
+                    });
+                }
+                for (int part = 0; part < part_count(s); ++part) {
+                    EXPECT_EQ(tray.occupied_part(c, part), parts[static_cast<std::size_t>(part)]);
+                }
+            }
+        }
+    }
+}
+
+TEST(Tray, RefusesAnObjectWithoutFineVoxelsWhereTheyDecide) {
+    TraySetup setup = setup_of({6, 5, 4}, 1);
+    setup.detail = 2;
+    Tray tray(setup);
+    EXPECT_THROW(tray.add({box({1, 1, 1}), {0, 0, 0}, 0, false}), InternalError);
+}
+
 TEST(Tray, RemovingLeavesVoxelsThatOthersHold) {
     Tray tray(setup_of({6, 5, 4}, 1));
     const ObjectId first = tray.add({box({3, 2, 2}), {0, 0, 0}, 0, false});

@@ -21,6 +21,16 @@ class CheckTest : public testing::Test {
         packing_.trays.resize(1);
     }
 
+    void open_height() {
+        packing_.container.open_height = true;
+        double top = 0;
+        for (const Placement& placement : packing_.trays[0].placements) {
+            const Mesh& mesh = *meshes_[static_cast<std::size_t>(placement.part)];
+            top = std::max(top, bounding_box(transformed(mesh, placement.transform)).max.z);
+        }
+        packing_.container.size.z = top;
+    }
+
     int add_part(const std::string& name, Mesh mesh, double scale = 1, double unit = 1) {
         Part part;
         part.id = static_cast<int>(packing_.parts.size());
@@ -250,6 +260,26 @@ TEST_F(Build, JudgesMirroredCopiesByTheirTrueShape) {
     EXPECT_EQ(report.findings[0].kind, Kind::transform);
     EXPECT_EQ(report.findings[1].kind, Kind::overlap);
     EXPECT_EQ(report.findings[1].placements, (std::vector{7, 8}));
+}
+
+TEST_F(CheckTest, OpenHeightEndsWhereTheCopiesDo) {
+    const int part = add_part("cube", cube_mesh(20));
+    place(part, {0, 0, 0});
+    place(part, {30, 0, 70});
+    EXPECT_FALSE(check_stated().ok()) << "70 + 20 mm stick out of 60";
+    open_height();
+    EXPECT_TRUE(check_stated().ok());
+    EXPECT_NEAR(check().density.at(0), 2 * 8000.0 / (100 * 80 * 90), 1e-12);
+    transform(0).translation.z = -1;
+    EXPECT_EQ(check_stated().findings.at(0).kind, Kind::outside) << "there is a floor";
+    transform(0).translation.z = 0;
+    packing_.container.size.z = 120;
+    state_figures();
+    const CheckReport report = check();
+    EXPECT_FALSE(report.ok());
+    for (const Finding& finding : report.findings) {
+        EXPECT_EQ(finding.kind, Kind::density) << finding.message;
+    }
 }
 
 TEST_F(CheckTest, ScaleAndUnitCount) {

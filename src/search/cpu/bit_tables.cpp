@@ -17,15 +17,17 @@ Word row_bits(const Word* row, int words, int first) {
 
 }  // namespace
 
-BitTables::BitTables(const Extent& grid, int margin, int layers)
+BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers)
     : grid_(grid),
       margin_(margin),
-      layers_(layers),
+      detail_(detail),
+      fine_layers_(fine_layers),
+      coarse_layers_(coarse_layers),
       columns_((grid.x + 2 * margin + 63) / 64 + 1),
       column_(grid.y + 2 * margin),
       table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
-    const std::int64_t tables = static_cast<std::int64_t>(layers) * kTables;
-    const std::int64_t words = checked_product({table_, tables}) + column_ + 64;
+    const std::int64_t groups = checked_product({fine_layers, part_count(detail)}) + coarse_layers;
+    const std::int64_t words = checked_product({table_, groups, kTables}) + column_ + 64;
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
@@ -33,16 +35,20 @@ BitTables::BitTables(const Extent& grid, int margin, int layers)
 }
 
 BitTables::Place BitTables::place(int layer, int axis, int level, const VoxelIndex& d) const {
-    const int index = level == 0 ? 0 : 1 + axis * kLevels + level - 1;
-    const int bit = d.x + margin_;
+    const int s = detail(layer);
+    VoxelIndex coarse;
+    for (int i = 0; i < 3; ++i) {
+        coarse[i] = floor_div(d[i], s);
+    }
+    const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
+    const int bit = coarse.x + margin_;
     const std::int64_t offset =
-        (static_cast<std::int64_t>(layer) * kTables + index) * table_ +
-        (static_cast<std::int64_t>(d.z + margin_) * columns_ + bit / 64) * column_ + d.y + margin_;
+        table_offset(layer, part, axis, level) +
+        (static_cast<std::int64_t>(coarse.z + margin_) * columns_ + bit / 64) * column_ + coarse.y + margin_;
     return {static_cast<std::int32_t>(offset), bit % 64};
 }
 
-void BitTables::refresh_plain(int layer, const BitGrid& occupied, const VoxelBox& changed) {
-    Word* plain = table(layer, 0, 0);
+void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed) {
     const int first = (changed.lo.x + margin_) / 64;
     const int last = (changed.hi.x - 1 + margin_) / 64;
     for (int z = changed.lo.z; z < changed.hi.z; ++z) {
@@ -56,44 +62,59 @@ void BitTables::refresh_plain(int layer, const BitGrid& occupied, const VoxelBox
     }
 }
 
-void BitTables::refresh(int layer, const BitGrid& occupied, const VoxelBox& changed) {
+/// to = from OR `moved` moved down by `by` voxels of dx along the axis, for the words of lo <= X < hi (margin included).
+void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
+                       const VoxelIndex& hi) {
+    const int rows = static_cast<int>(column_), layers = grid_.z + 2 * margin_;
+    for (int z = lo.z; z < hi.z; ++z) {
+        for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
+            const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_;
+            if (axis == 0 && by > 0) {
+                for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
+                    to[y] = from[y] | moved[y] >> by | moved[y + column_] << (64 - by);
+                }
+            } else if (axis == 1) {
+                const int both = std::min(hi.y, rows - by);
+                for (std::int64_t y = at + lo.y; y < at + both; ++y) {
+                    to[y] = from[y] | moved[y + by];
+                }
+                for (std::int64_t y = at + std::max(lo.y, both); y < at + hi.y; ++y) {
+                    to[y] = from[y];
+                }
+            } else {
+                const bool both = axis == 0 || z + by < layers;
+                const std::int64_t up = axis == 0 ? 0 : by * static_cast<std::int64_t>(columns_) * column_;
+                for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
+                    to[y] = both ? from[y] | moved[y + up] : from[y];
+                }
+            }
+        }
+    }
+}
+
+void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed) {
     const VoxelBox box = intersection(changed, whole(grid_));
     if (box.empty()) return;
-    refresh_plain(layer, occupied, box);
-    const VoxelIndex size{(columns_ - 1) * 64, static_cast<int>(column_), grid_.z + 2 * margin_};
-    for (int axis = 0; axis < 3; ++axis) {
+    const int s = detail(layer);
+    const auto table = [&](int part, int axis, int level) {
+        return words_.data() + table_offset(layer, part, axis, level);
+    };
+    for (int part = 0; part < part_count(s); ++part) {
+        refresh_plain(table(part, 0, 0), *parts[static_cast<std::size_t>(part)], box);
+    }
+    int stride = 1;  // from a part to the next along the axis
+    for (int axis = 0; axis < 3; ++axis, stride *= s) {
         for (int level = 1; level <= kLevels; ++level) {
             const int half = 1 << (level - 1);
             // In table coordinates (the margin included), what can differ.
             VoxelIndex lo = box.lo + VoxelIndex{margin_, margin_, margin_};
             const VoxelIndex hi = box.hi + VoxelIndex{margin_, margin_, margin_};
-            lo[axis] = std::max(0, lo[axis] - (2 * half - 1));
-            const Word* from = table(layer, axis, level - 1);
-            Word* to = table(layer, axis, level);
-            for (int z = lo.z; z < hi.z; ++z) {
-                for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
-                    const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_;
-                    if (axis == 0) {
-                        for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
-                            to[y] = from[y] | from[y] >> half | from[y + column_] << (64 - half);
-                        }
-                    } else if (axis == 1) {
-                        const int both = std::min(hi.y, size.y - half);
-                        for (std::int64_t y = at + lo.y; y < at + both; ++y) {
-                            to[y] = from[y] | from[y + half];
-                        }
-                        for (std::int64_t y = at + std::max(lo.y, both); y < at + hi.y; ++y) {
-                            to[y] = from[y];
-                        }
-                    } else {
-                        const bool both = z + half < size.z;
-                        const std::int64_t up =
-                            both ? half * static_cast<std::int64_t>(columns_) * column_ : 0;
-                        for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
-                            to[y] = from[y] | from[y + up];
-                        }
-                    }
-                }
+            lo[axis] = std::max(0, lo[axis] - ceil_div(2 * half - 1, s));
+            for (int part = 0; part < part_count(s); ++part) {
+                const int along = part / stride % s;
+                const int other = part + ((along + half) % s - along) * stride;
+                dilate(table(part, axis, level), table(part, axis, level - 1), table(other, axis, level - 1), axis,
+                       (along + half) / s, lo, hi);
             }
         }
     }

@@ -5,7 +5,8 @@
 ///
 /// Invariant, for every layer of occupancy O (a gap class's objects, or the walls):
 ///   bit X of table (axis, k) = OR over 0 <= i < 2^k of O(X + i e_axis), O = 0 outside the grid,
-/// for X from -margin to extent + margin on each axis.
+/// for X from -margin to extent + margin on each axis. Fine layers have voxels of dx / s: there X and i count fine voxels,
+/// and each part p of them (voxel/split.hpp) has its own tables, bit x of which is fine voxel s x + p.
 ///
 /// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring
 /// words are a tile of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight
@@ -14,8 +15,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "search/cpu/voxel_box.hpp"
-#include "voxel/bit_grid.hpp"
+#include "voxel/split.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
@@ -26,16 +27,17 @@ class BitTables {
 
     BitTables() = default;
     /// Throws ResourceError when an offset would not fit 31 bits. All empty.
-    BitTables(const Extent& grid, int margin, int layers);
+    /// `fine_layers` in voxels of dx / detail come first, then `coarse_layers`; grid and margin are in voxels of dx.
+    BitTables(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers);
 
-    /// Makes the tables of `layer` right after `occupied` changed within `changed`; O(words that
-    /// can differ).
-    void refresh(int layer, const BitGrid& occupied, const VoxelBox& changed);
+    /// Makes the tables of `layer` right after its occupancy changed within the voxels of dx `changed`; O(words that can
+    /// differ). `parts`: of a fine layer all its parts, of a coarse layer one grid.
+    void refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed);
 
     bool operator==(const BitTables&) const = default;
 
     int margin() const { return margin_; }
-    int layers() const { return layers_; }
+    int layers() const { return fine_layers_ + coarse_layers_; }
     std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
 
     /// Words to the neighbouring tile along x.
@@ -50,20 +52,24 @@ class BitTables {
         int shift = 0;
     };
     /// Where the run piece of 2^level voxels along `axis` that starts at displacement d lies from a
-    /// tile; -margin <= d on each axis.
+    /// tile; d in the layer's own voxels, not before the margin on any axis.
     Place place(int layer, int axis, int level, const VoxelIndex& d) const;
 
   private:
     using Word = std::uint64_t;
 
-    Word* table(int layer, int axis, int level) {
+    int detail(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
+    std::int64_t table_offset(int layer, int part, int axis, int level) const {
         const int index = level == 0 ? 0 : 1 + axis * kLevels + level - 1;
-        return words_.data() + (static_cast<std::int64_t>(layer) * kTables + index) * table_;
+        const int group = layer < fine_layers_ ? layer * part_count(detail_) + part
+                                               : fine_layers_ * (part_count(detail_) - 1) + layer;
+        return (static_cast<std::int64_t>(group) * kTables + index) * table_;
     }
-    void refresh_plain(int layer, const BitGrid& occupied, const VoxelBox& changed);
+    void refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed);
+    void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo, const VoxelIndex& hi);
 
     Extent grid_;
-    int margin_ = 0, layers_ = 0;
+    int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;

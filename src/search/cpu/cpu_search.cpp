@@ -20,7 +20,8 @@ class CpuSearch final : public PlacementSearch {
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
-        tables_.follow(tray, overhang(shape), workers_);
+        const bool covers = covers_solid(shape);
+        tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
         SearchContext context{tables_, model, tray.reference_layers(), {}};
 
@@ -32,7 +33,9 @@ class CpuSearch final : public PlacementSearch {
             const auto k = static_cast<std::size_t>(i);
             if (entry.states[k].count().empty()) return;
             const OrientedShape& oriented = shape.orientations[k];
-            if (runs[k].of_class.empty()) runs[k] = make_runs(oriented);
+            if (runs[k].of_class.empty()) {
+                runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers);
+            }
             searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
                                           oriented.solid->extent().z));
         });
@@ -86,6 +89,11 @@ class CpuSearch final : public PlacementSearch {
             }
         });
         return result;
+    }
+
+    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                             const FreeQuery& query) override {
+        return std::make_unique<FreeRows>(tray.omega_move(query.without), *solid, query.padding);
     }
 
     const char* name() const override { return "cpu"; }

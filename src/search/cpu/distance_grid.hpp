@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "search/cpu/voxel_box.hpp"
+#include "voxel/voxel_box.hpp"
 #include "voxel/distance_field.hpp"
 
 namespace spectralpack {

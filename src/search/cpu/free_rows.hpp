@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "search/cpu/runs.hpp"
+#include "search/placement_search.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack {
 
-class FreeRows {
+class FreeRows final : public FreeRowReader {
   public:
     /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent of the returned rows; origin = -(a
     /// - 1) - padding per axis, extent = n + a - 1 + 2 padding. O(words of omega) to build.
     FreeRows(const BitGrid& omega, const BitGrid& solid, int padding);
 
-    const VoxelIndex& origin() const { return origin_; }
-    const Extent& extent() const { return extent_; }
+    const VoxelIndex& origin() const override { return origin_; }
+    const Extent& extent() const override { return extent_; }
 
-    /// Writes the row (y, z) of free positions, in whole words; bits beyond the extent are 0.
     /// O(runs x words).
-    void row(int y, int z, std::uint64_t* free) const;
+    void row(int y, int z, std::uint64_t* free) const override;
 
   private:
     Extent grid_;

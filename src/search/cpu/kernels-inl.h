@@ -45,8 +45,12 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
 #endif
 }
 
-HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t limit, float patience, const SumBatch& batch) {
-    return static_cast<std::uint32_t>(patience * batch.share * static_cast<float>(limit));
+/// A lane that has come to less than this part of its share of the way from `least` to the limit is
+/// not going to pass it.
+HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t least, std::uint32_t limit, float patience,
+                                       const SumBatch& batch) {
+    if (limit <= least) return 0;
+    return least + static_cast<std::uint32_t>(patience * batch.share * static_cast<float>(limit - least));
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -76,13 +80,13 @@ HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next,
     }
 }
 
-/// Adds to sums[i] the sum over loads of table[i + plus] - table[i + minus] (modulo 2^16 within a
-/// batch, exact over batches, at most kSumLimit), for i in [0, 32). Give 0 for the lanes that are
-/// wanted, kSumLimit for the others. Stops after a batch when no lane is worth going on for: those
-/// that are above `limit` are not, nor those that are not going to be, below patience x limit x the
-/// batch's share. Sums are then lower bounds.
+/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus] (modulo
+/// 2^16) is above the load's least, up to kSumLimit. Give what all loads come to at least for the
+/// lanes that are wanted, kSumLimit for the others. Stops after a batch when no lane is worth going
+/// on for: those that are above `limit` are not, nor those that are not going to be, `hopeless`
+/// below. Sums are then lower bounds.
 HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
-                         std::size_t batch_count, std::uint32_t limit, float patience,
+                         std::size_t batch_count, std::uint32_t least, std::uint32_t limit, float patience,
                          std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes] = {};
@@ -90,10 +94,11 @@ HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const
             const std::uint16_t* plus = table + loads[i].plus;
             const std::uint16_t* minus = table + loads[i].minus;
             for (int j = 0; j < kLanes; ++j) {
-                sum[j] = static_cast<std::uint16_t>(sum[j] + plus[j] - minus[j]);
+                const auto run = static_cast<std::uint16_t>(plus[j] - minus[j]);
+                sum[j] = static_cast<std::uint16_t>(sum[j] + std::max(run, loads[i].least) - loads[i].least);
             }
         }
-        const std::uint32_t hopeless = HopelessBelow(limit, patience, batches[b]);
+        const std::uint32_t hopeless = HopelessBelow(least, limit, patience, batches[b]);
         bool alive = false;
         for (int j = 0; j < kLanes; ++j) {
             sums[j] = std::min(kSumLimit, sums[j] + sum[j]);
@@ -137,7 +142,7 @@ HWY_INLINE void BlockTile(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t
 }
 
 HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
-                         const SumBatch* HWY_RESTRICT batches, std::size_t batch_count,
+                         const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t least,
                          std::uint32_t limit, float patience, std::uint32_t* HWY_RESTRICT sums) {
     const hn::CappedTag<std::uint16_t, kLanes> d16;
     constexpr std::size_t kStep = hn::MaxLanes(d16);
@@ -162,18 +167,17 @@ HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad*
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
             const std::uint16_t* plus = table + loads[i].plus;
             const std::uint16_t* minus = table + loads[i].minus;
+            const auto run_least = hn::Set(d16, loads[i].least);
             for (std::size_t v = 0; v < kVectors; ++v) {
-                sum[v] = hn::Add(sum[v], hn::LoadU(d16, plus + v * kStep));
-                sum[v] = hn::Sub(sum[v], hn::LoadU(d16, minus + v * kStep));
+                const auto run = hn::Sub(hn::LoadU(d16, plus + v * kStep), hn::LoadU(d16, minus + v * kStep));
+                sum[v] = hn::Add(sum[v], hn::SaturatedSub(run, run_least));
             }
         }
-        const auto hopeless = hn::Set(d32, HopelessBelow(limit, patience, batches[b]));
+        const auto hopeless = hn::Set(d32, HopelessBelow(least, limit, patience, batches[b]));
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
         for (std::size_t v = 0; v < kVectors; ++v) {
-            wide[2 * v] = hn::Min(
-                most, hn::Add(wide[2 * v], hn::PromoteTo(d32, hn::LowerHalf(half, sum[v]))));
-            wide[2 * v + 1] = hn::Min(
-                most, hn::Add(wide[2 * v + 1], hn::PromoteTo(d32, hn::UpperHalf(half, sum[v]))));
+            wide[2 * v] = hn::Min(most, hn::Add(wide[2 * v], hn::PromoteTo(d32, hn::LowerHalf(half, sum[v]))));
+            wide[2 * v + 1] = hn::Min(most, hn::Add(wide[2 * v + 1], hn::PromoteTo(d32, hn::UpperHalf(half, sum[v]))));
             for (std::size_t w = 2 * v; w < 2 * v + 2; ++w) {
                 done = hn::And(done, hn::Or(hn::Gt(wide[w], bound), hn::Lt(wide[w], hopeless)));
             }

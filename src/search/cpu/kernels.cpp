@@ -25,6 +25,13 @@ bool LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT
     return changed != 0;
 }
 
+void LowerBytes(std::uint8_t* HWY_RESTRICT row, const std::uint8_t* HWY_RESTRICT from, std::uint8_t by,
+                std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        row[i] = std::min(row[i], static_cast<std::uint8_t>(from[i] + by));
+    }
+}
+
 void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* HWY_RESTRICT b,
              std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,6 +43,13 @@ void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
              std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = std::min(a[i], b[i]);
+    }
+}
+
+void MinRowsAbove(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::uint16_t floor,
+                  std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = std::min(out[i], static_cast<std::uint16_t>(from[i] - floor));
     }
 }
 
@@ -55,12 +69,18 @@ HWY_AFTER_NAMESPACE();
 namespace spectralpack {
 
 HWY_EXPORT(LowerRow);
+HWY_EXPORT(LowerBytes);
 HWY_EXPORT(AddRows);
 HWY_EXPORT(MinRows);
+HWY_EXPORT(MinRowsAbove);
 HWY_EXPORT(MaxOfRow);
 
 bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(LowerRow)(row, from, count);
+}
+
+void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(LowerBytes)(row, from, by, count);
 }
 
 void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
@@ -71,6 +91,10 @@ void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
               std::size_t count) {
     HWY_DYNAMIC_DISPATCH(MinRows)(out, a, b, count);
+}
+
+void min_rows_above(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(MinRowsAbove)(out, from, floor, count);
 }
 
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count) {

@@ -19,7 +19,7 @@ constexpr int kBlock = TrayTables::kBlock;
 constexpr int kPair = kLanes / kBlocksX;
 // A coarse sum that has come to less than this part of its share of the limit is not going to rule
 // anything out.
-constexpr float kPatience = 0.8f;
+constexpr float kPatience = 0.6f;
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
@@ -89,7 +89,7 @@ class Pass {
         most_ = -1;
         for (int i = 0; i < kBrickZ; ++i) {
             const int z = kBrickZ * bz + i;
-            limits_[i] = z < state_.count().z
+            limits_[i] = z < state_.count().z && context_.model.allows(t_.index, z)
                              ? proximity_limit(context_.model, z, t_.layers,
                                                context_.reference_layers, best, t_.index)
                              : -1;
@@ -174,15 +174,16 @@ class Pass {
     /// Bounds the blocks of a row that have no bound yet.
     void BoundRow(int bx, int block_y, int bz, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
+        const std::uint32_t least = LaneLimit(t_.coarse.least);
         std::uint32_t unknown = 0;
         for (int i = 0; i < kLanes; ++i) {
-            sums[i] = bound[i] == 0 ? 0 : kSumLimit;
+            sums[i] = bound[i] == 0 ? least : kSumLimit;
             unknown |= static_cast<std::uint32_t>(bound[i] == 0);
         }
         if (unknown == 0) return;
         SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
                  t_.coarse.loads.data(), t_.coarse.batches.data(), t_.coarse.batches.size(),
-                 LaneLimit(most_), kPatience, sums);
+                 least, LaneLimit(most_), kPatience, sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = bound[i] == 0 ? sums[i] : bound[i];
         }
@@ -247,11 +248,12 @@ class Pass {
     /// bounds to it.
     void Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
+        const std::uint32_t least_sum = LaneLimit(t_.exact.least);
         for (std::uint32_t i = 0; i < kLanes; ++i) {
-            sums[i] = lanes >> i & 1 ? 0 : kSumLimit;
+            sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
         SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(),
-                 t_.exact.batches.data(), t_.exact.batches.size(), LaneLimit(limit), 0, sums);
+                 t_.exact.batches.data(), t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
         std::uint32_t least = kDead;
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? sums[i] : kDead;
@@ -305,13 +307,12 @@ HWY_EXPORT(SearchLayers);
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
                           int index, int layers) {
     const TrayTables& tables = context.tables;
-    const int most = tables.phi().most();
     return {context,
             state,
             runs.solid,
             plan_collision(runs, tables),
-            plan_sum(runs.solid, tables.sums(), most),
-            plan_sum(runs.solid, tables.coarse(), most),
+            plan_sum(runs, tables.sums(), tables.phi().most()),
+            plan_sum(runs, tables.coarse(), tables.most_pooled()),
             index,
             layers};
 }

@@ -5,6 +5,8 @@
 #include <bit>
 #include <span>
 
+#include "search/cpu/depths.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -93,11 +95,43 @@ void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
     plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size())});
 }
 
+OrientationRuns::Widened runs_of(const WidenedVoxels& wide, int detail) {
+    OrientationRuns::Widened result;
+    result.runs = fewest_runs(wide.voxels);
+    result.offset = wide.offset;
+    if (detail == 1) return result;
+    const CoarseVoxels core = filled_voxels(wide.voxels, wide.offset, detail);
+    result.core = fewest_runs(core.voxels);
+    result.core_offset = core.offset;
+    const auto in_core = [&](const Run& run) {
+        const int axis = result.runs.axis;
+        for (int done = 0; done < run.length; ++done) {
+            VoxelIndex at = run.start + wide.offset;
+            at[axis] += done;
+            for (int i = 0; i < 3; ++i) {
+                at[i] = floor_div(at[i], detail) - core.offset[i];
+            }
+            if (!core.voxels.get(at.x, at.y, at.z)) return false;
+        }
+        return true;
+    };
+    std::erase_if(result.runs.runs, in_core);
+    return result;
+}
+
 }  // namespace
 
-OrientationRuns make_runs(const OrientedShape& shape) {
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
+    if (!covers) {
+        result.least.assign(result.solid.runs.size(), 0);
+    } else if (detail == 1) {
+        result.least = depth_sums(*shape.solid, result.solid, result.solid);
+    } else {
+        const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
+        result.least = depth_sums(core, runs_along(core, result.solid.axis), result.solid);
+    }
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
@@ -107,19 +141,31 @@ OrientationRuns make_runs(const OrientedShape& shape) {
             continue;
         }
         result.of_class.push_back(static_cast<int>(result.widened.size()));
-        result.widened.push_back({fewest_runs(shape.widened[c]->voxels), shape.widened[c]->offset});
+        result.widened.push_back(runs_of(*shape.widened[c], detail));
     }
     return result;
 }
 
-int overhang(const Shape& shape) {
+bool covers_solid(const Shape& shape) {
+    for (const OrientedShape& oriented : shape.orientations) {
+        for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
+            if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
+            BitGrid bare = oriented.fine ? *oriented.fine : *oriented.solid;
+            subtract(bare, oriented.widened[c]->voxels, oriented.widened[c]->offset);
+            if (!bare.none()) return false;
+        }
+    }
+    return true;
+}
+
+int overhang(const Shape& shape, int detail) {
     int most = 0;
     for (const OrientedShape& oriented : shape.orientations) {
         for (const auto& widened : oriented.widened) {
             for (int axis = 0; axis < 3; ++axis) {
-                const int beyond = widened->voxels.extent()[axis] + widened->offset[axis] -
-                                   oriented.solid->extent()[axis];
-                most = std::max({most, -widened->offset[axis], beyond});
+                const int last = ceil_div(widened->voxels.extent()[axis] + widened->offset[axis], detail);
+                most = std::max({most, -floor_div(widened->offset[axis], detail),
+                                 last - oriented.solid->extent()[axis]});
             }
         }
     }
@@ -128,18 +174,19 @@ int overhang(const Shape& shape) {
 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables) {
     std::vector<Piece> pieces;
-    for (int layer = 0; layer < tables.layers(); ++layer) {
-        if (!tables.occupied(layer)) continue;
-        const bool walls = layer == static_cast<int>(runs.of_class.size());
-        const auto* widened = walls ? nullptr
-                                    : &runs.widened[static_cast<std::size_t>(
-                                          runs.of_class[static_cast<std::size_t>(layer)])];
-        const Runs& shape = walls ? runs.solid : widened->runs;
-        const VoxelIndex offset = walls ? VoxelIndex{} : widened->offset;
+    const auto cover_all = [&](const Runs& shape, const VoxelIndex& offset, int layer) {
         for (const Run& run : shape.runs) {
             cover(run, shape.axis, offset, layer, tables.bits(), pieces);
         }
+    };
+    for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
+        const int gap_class = static_cast<int>(c);
+        if (!tables.occupied(gap_class)) continue;
+        const auto& widened = runs.widened[static_cast<std::size_t>(runs.of_class[c])];
+        if (!widened.core.runs.empty()) cover_all(widened.core, widened.core_offset, tables.coarse_layer(gap_class));
+        cover_all(widened.runs, widened.offset, tables.fine_layer(gap_class));
     }
+    if (tables.walls()) cover_all(runs.solid, {}, tables.wall_layer());
     const std::vector<Piece> ordered = by_level(pieces, BitTables::kLevels + 1, kFirstBatch,
                                                 [](const Piece& piece) { return piece.level; });
     CollisionPlan plan;
@@ -153,17 +200,27 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     return plan;
 }
 
-SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
+SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most) {
+    struct Weighed {
+        Run run;
+        std::uint32_t least;
+    };
+    const Runs& runs = orientation.solid;
+    std::vector<Weighed> weighed;
+    weighed.reserve(runs.runs.size());
+    for (std::size_t i = 0; i < runs.runs.size(); ++i) {
+        weighed.push_back({runs.runs[i], orientation.least[i]});
+    }
     SumPlan plan;
     plan.loads.reserve(runs.runs.size());
     const int longest = static_cast<int>(kSumRange / std::max(1, most));
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
     std::int64_t summed = 0;
-    const auto halvings = [](const Run& run) {
-        return std::bit_width(static_cast<unsigned>(run.length));
+    const auto halvings = [](const Weighed& of) {
+        return std::bit_width(static_cast<unsigned>(of.run.length));
     };
-    for (const Run& run : by_level(runs.runs, 33, kLoadsPerBatch, halvings)) {
+    for (const auto& [run, least] : by_level(weighed, 33, kLoadsPerBatch, halvings)) {
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);
             if (length > room || count == kLoadsPerBatch) {
@@ -176,8 +233,13 @@ SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most) {
             from[runs.axis] += done;
             VoxelIndex to = from;
             to[runs.axis] += length;
-            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from)});
+            // Of a run that is split, no part is known to hold the deep voxels.
+            const std::uint32_t known =
+                length == run.length ? least : std::min(least, static_cast<std::uint32_t>(length));
+            const auto part = static_cast<std::uint16_t>(std::min<std::uint32_t>(known, kSumRange));
+            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
             plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
+            plan.least += part;
             summed += length;
             plan.batches.back().share =
                 static_cast<float>(summed) / static_cast<float>(runs.voxels);

@@ -15,18 +15,29 @@ namespace spectralpack {
 /// An orientation's voxels as runs.
 struct OrientationRuns {
     Runs solid;
+    /// For each of them, what phi sums up to at least where the solid is free; all 0 where that says nothing.
+    std::vector<std::uint32_t> least;
+    /// A+g. With s > 1 its voxels of dx / s are not all runs: what lies in voxels of dx that are filled altogether, the
+    /// core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
     struct Widened {
         Runs runs;
         VoxelIndex offset;
+        Runs core;
+        VoxelIndex core_offset;
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
 };
 
-OrientationRuns make_runs(const OrientedShape& shape);
+/// `covers`: covers_solid() of the whole shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers);
 
-/// Voxels by which the widened shapes reach beyond the solid on any side.
-int overhang(const Shape& shape);
+/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
+/// phi >= 1 on every voxel of the solid.
+bool covers_solid(const Shape& shape);
+
+/// Voxels of dx by which the widened shapes reach beyond the solid on any side.
+int overhang(const Shape& shape, int detail);
 
 /// Words of a tile: 64 positions along x (the bits) by 8 along y (the words).
 inline constexpr int kTileRows = 8;
@@ -48,6 +59,7 @@ struct SumBatch {
 };
 struct SumLoad {
     std::int32_t plus = 0, minus = 0;  ///< element offsets from the position
+    std::uint16_t least = 0;           ///< the difference at a free position, or less
 };
 
 /// The batches that every position goes through; the others are for what is left.
@@ -69,12 +81,13 @@ struct CollisionPlan {
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables);
 
 struct SumPlan {
+    std::int64_t least = 0;  ///< what all loads come to at least at a free position
     std::vector<SumLoad> loads;
     std::vector<SumBatch> batches;
 };
 
 /// Every solid voxel exactly once, long runs first, since they tell most for a load; runs are split
-/// so that no batch's sum can reach 65536 with phi <= most.
-SumPlan plan_sum(const Runs& runs, const SumTables& tables, int most);
+/// so that no batch's sum can reach 65536 with values <= most.
+SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most);
 
 }  // namespace spectralpack

@@ -11,9 +11,10 @@ constexpr int kOverrun = 256;  // lanes past the last position are read, never u
 
 }  // namespace
 
-SumTables::SumTables(const Extent& grid, int block)
+SumTables::SumTables(const Extent& grid, int block, bool apart)
     : grid_(grid),
       block_(block),
+      apart_(apart),
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
       table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
@@ -52,6 +53,9 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
     const int lo = box.lo.x;
     const int hi = std::min(n.x, box.hi.x + block_ - 1);
     const auto width = static_cast<std::size_t>(hi - lo);
+    // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
+    const std::uint16_t floor = apart_ ? 1 : 0;
+    const int most = apart_ ? kMostPooled : std::numeric_limits<std::uint16_t>::max();
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
         const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
         std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
@@ -63,9 +67,9 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
              ++z) {
             for (int y = box.lo.y; y < box.lo.y + rows; ++y) {
                 std::uint16_t* out = layer_row(y);
-                std::copy_n(phi.row(y, z) + lo, width, out);
-                for (int dz = 1; dz < block_ && z + dz < n.z; ++dz) {
-                    min_rows(out, out, phi.row(y, z + dz) + lo, width);
+                std::fill_n(out, width, std::numeric_limits<std::uint16_t>::max());
+                for (int dz = 0; dz < block_ && z + dz < n.z; ++dz) {
+                    min_rows_above(out, phi.row(y, z + dz) + lo, floor, width);
                 }
             }
             for (int y = box.lo.y; y < box.hi.y; ++y) {
@@ -81,7 +85,8 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
                 }
                 std::uint16_t* out = pooled_.data() + row(y, z);
                 for (int x = lo; x < box.hi.x; ++x) {
-                    out[within(x)] = least[static_cast<std::size_t>(x - lo)];
+                    const int value = least[static_cast<std::size_t>(x - lo)] + floor;
+                    out[within(x)] = static_cast<std::uint16_t>(std::min(value, most));
                 }
             }
         }

@@ -3,13 +3,15 @@
 /// voxels is the difference of two loads whatever its length.
 ///
 /// With block size P (1, 2, 4, 8), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
-/// the grid. Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
+/// the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
+/// only, and kMostPooled where there are none or all are farther. Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
 /// Differences are exact as long as the true sum is below 65536; plan.cpp splits what is not.
 ///
 /// phi_P bounds rho from below on a whole block of positions: for every candidate q + d with d in
 /// [0, P)^3,
 ///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_P(x + q),
-/// because x + q + d lies in the grid and is one of the voxels phi_P(x + q) is the least of.
+/// because x + q + d lies in the grid and is one of the voxels phi_P(x + q) is the least of (apart:
+/// a free q + d has phi > 0 there, so that voxel is among those that count).
 /// Positions are then only asked for at multiples of P, so that an element X lies at (X % P) *
 /// phase + X / P of its row: consecutive blocks are consecutive in memory.
 
@@ -26,7 +28,10 @@ class SumTables {
     SumTables() = default;
     /// Throws ResourceError when an offset would not fit 31 bits. Not right before the first
     /// update().
-    SumTables(const Extent& grid, int block);
+    SumTables(const Extent& grid, int block, bool apart);
+
+    /// No pooled value is above it where `apart`.
+    static constexpr int kMostPooled = 64;
 
     /// Makes the tables right after phi changed within `changed`.
     void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers);
@@ -59,6 +64,7 @@ class SumTables {
 
     Extent grid_;
     int block_ = 1;
+    bool apart_ = false;
     int phase_ = 0;   // elements of one phase of a row
     int stride_ = 0;  // elements of a row
     std::int64_t table_ = 0;

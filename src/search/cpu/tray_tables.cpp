@@ -13,14 +13,38 @@ VoxelBox box_of(const TrayObject& object) {
     return {object.position, object.position + VoxelIndex{s.x, s.y, s.z}};
 }
 
+/// Layers of bit tables: a fine one for each gap class; with s > 1 a coarse one for each as well; the walls, if any.
+BitTables tables_for(const Tray& tray, int margin) {
+    const int classes = tray.gap_classes();
+    const bool walls = !tray.blocked().extent().empty();
+    return {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)};
+}
+
+/// Brings the layers of a gap class up to date after a change within `changed`.
+void refresh_class(BitTables& bits, const Tray& tray, int gap_class, const VoxelBox& changed) {
+    std::vector<const BitGrid*> parts;
+    for (int part = 0; part < part_count(tray.detail()); ++part) {
+        parts.push_back(&tray.occupied_part(gap_class, part));
+    }
+    bits.refresh(gap_class, parts, changed);
+    if (tray.detail() > 1) bits.refresh(tray.gap_classes() + gap_class, {&tray.occupied(gap_class)}, changed);
+}
+
+void refresh_all(BitTables& bits, const Tray& tray) {
+    for (int c = 0; c < tray.gap_classes(); ++c) {
+        refresh_class(bits, tray, c, whole(tray.extent()));
+    }
+    if (!tray.blocked().extent().empty()) bits.refresh(bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()));
+}
+
 }  // namespace
 
 void TrayTables::note_occupied(const Tray& tray) {
-    layer_used_.assign(static_cast<std::size_t>(bits_.layers()), false);
+    class_used_.clear();
     for (int c = 0; c < tray.gap_classes(); ++c) {
-        layer_used_[static_cast<std::size_t>(c)] = !tray.occupied(c).none();
+        class_used_.push_back(!tray.occupied(c).none());
     }
-    if (!tray.blocked().extent().empty()) layer_used_.back() = !tray.blocked().none();
+    walls_ = !tray.blocked().none();
 }
 
 void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
@@ -34,32 +58,30 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     changes_.clear();
 }
 
-void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
+void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const Extent& n = tray.extent();
-    const bool walls = !tray.blocked().extent().empty();
-    bits_ = BitTables(n, margin, tray.gap_classes() + (walls ? 1 : 0));
-    sums_ = SumTables(n, 1);
-    coarse_ = SumTables(n, kBlock);
-    for (int c = 0; c < tray.gap_classes(); ++c) {
-        bits_.refresh(c, tray.occupied(c), whole(n));
-    }
-    if (walls) bits_.refresh(tray.gap_classes(), tray.blocked(), whole(n));
+    bits_ = tables_for(tray, margin);
+    apart_ = apart;
+    sums_ = SumTables(n, 1, false);
+    coarse_ = SumTables(n, kBlock, apart);
+    refresh_all(bits_, tray);
     rebuild_phi(tray, workers);
     instance_ = tray.instance();
 }
 
-void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
-    const bool afresh = tray.instance() != instance_ || margin > bits_.margin() ||
+void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
+    const bool afresh = tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
                         tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
     if (afresh) {
-        rebuild(tray, std::max(margin, bits_.margin()), workers);
+        const bool same_tray = tray.instance() == instance_;
+        rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);
     } else if (tray.version() > version_) {
         const std::uint64_t first = version_;
         bool removed = false;
         for (std::uint64_t v = first; v < tray.version(); ++v) {
             const TrayChange& change = tray.journal()[v];
             const TrayObject& object = tray.object(change.id);
-            bits_.refresh(object.gap_class, tray.occupied(object.gap_class), box_of(object));
+            refresh_class(bits_, tray, object.gap_class, box_of(object));
             removed = removed || !change.added;
         }
         if (removed) {
@@ -112,17 +134,13 @@ void TrayTables::check(const Tray& tray) const {
         }
     }
     require(most <= phi_.most(), "greatest distance");
-    SumTables sums(n, 1), coarse(n, kBlock);
+    SumTables sums(n, 1, false), coarse(n, kBlock, apart_);
     const Workers one(1);
     sums.update(phi_, whole(n), one);
     coarse.update(phi_, whole(n), one);
     require(sums == sums_ && coarse == coarse_, "prefix sums");
-    BitTables bits(n, bits_.margin(), bits_.layers());
-    for (int c = 0; c < tray.gap_classes(); ++c) {
-        bits.refresh(c, tray.occupied(c), whole(n));
-    }
-    if (bits.layers() > tray.gap_classes())
-        bits.refresh(tray.gap_classes(), tray.blocked(), whole(n));
+    BitTables bits = tables_for(tray, bits_.margin());
+    refresh_all(bits, tray);
     require(bits == bits_, "bit tables");
 }
 

@@ -20,17 +20,27 @@ class TrayTables {
     static constexpr int kBlock = 4;
 
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
-    /// A.
-    void follow(const Tray& tray, int margin, const Workers& workers);
+    /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
+    void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
     const DistanceGrid& phi() const { return phi_; }
     const SumTables& sums() const { return sums_; }
     const SumTables& coarse() const { return coarse_; }
 
-    /// True when layer `layer` holds anything: gap classes first, then the walls.
-    bool occupied(int layer) const { return layer_used_[static_cast<std::size_t>(layer)]; }
-    int layers() const { return bits_.layers(); }
+    /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
+    bool apart() const { return apart_; }
+    /// No value of coarse() is above it.
+    int most_pooled() const { return apart_ ? SumTables::kMostPooled : phi_.most(); }
+
+    /// True when objects of the class stand in the tray.
+    bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
+    /// True when the container mask or a keep-out holds anything.
+    bool walls() const { return walls_; }
+    /// Layers of bits(): the gap class's objects in voxels of dx / s; in voxels of dx (with s > 1); the walls.
+    int fine_layer(int gap_class) const { return gap_class; }
+    int coarse_layer(int gap_class) const { return static_cast<int>(class_used_.size()) + gap_class; }
+    int wall_layer() const { return bits_.layers() - 1; }
 
     /// Grows whenever what was derived before is void (a new tray, an object removed).
     std::uint64_t epoch() const { return epoch_; }
@@ -45,14 +55,16 @@ class TrayTables {
     void check(const Tray& tray) const;
 
   private:
-    void rebuild(const Tray& tray, int margin, const Workers& workers);
+    void rebuild(const Tray& tray, int margin, bool apart, const Workers& workers);
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void note_occupied(const Tray& tray);
 
     BitTables bits_;
     DistanceGrid phi_;
     SumTables sums_, coarse_;
-    std::vector<bool> layer_used_;
+    bool apart_ = true;
+    std::vector<bool> class_used_;
+    bool walls_ = false;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
     std::uint64_t epoch_start_ = 0;  // version at which the epoch began
     std::vector<VoxelBox> changes_;  // of phi, one for each version since then

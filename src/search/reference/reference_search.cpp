@@ -38,7 +38,7 @@ class ReferenceSearch final : public PlacementSearch {
     std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray,
                                                      const OrientedShape& shape, int index,
                                                      const CostModel& model) const;
-    void find_free(Lane& lane, const OrientedShape& shape, const Extent& candidates) const;
+    void find_free(Lane& lane, const OrientedShape& shape, int detail, const Extent& candidates) const;
     std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape,
                                         const VoxelIndex& q, const CostModel& model) const;
     void check_rounding(const Extent& grid, double norms, int terms) const;
@@ -54,15 +54,15 @@ class ReferenceSearch final : public PlacementSearch {
 /// How far A+g reaches beyond A on its worse side, over all orientations. Positions keep A inside
 /// the tray, so that is how far it can reach beyond the tray: with so many empty cells beyond the
 /// tray nothing wraps onto it.
-VoxelIndex overhang_of(const Shape& shape) {
+VoxelIndex overhang_of(const Shape& shape, int detail) {
     VoxelIndex most;
     for (const OrientedShape& oriented : shape.orientations) {
         const Extent& a = oriented.solid->extent();
         for (const auto& wide : oriented.widened) {
             for (int axis = 0; axis < 3; ++axis) {
                 const int before = -wide->offset[axis];
-                const int after = wide->voxels.extent()[axis] - a[axis] - before;
-                most[axis] = std::max({most[axis], before, after});
+                const int after = wide->voxels.extent()[axis] - detail * a[axis] - before;
+                most[axis] = std::max(most[axis], (std::max(before, after) + detail - 1) / detail);
             }
         }
     }
@@ -71,7 +71,7 @@ VoxelIndex overhang_of(const Shape& shape) {
 
 template <class Real>
 void ReferenceSearch<Real>::plan_for(const Tray& tray, const Shape& shape) {
-    Extent grid = transform_extent(tray.extent(), overhang_of(shape));
+    Extent grid = transform_extent(tray.extent(), overhang_of(shape, tray.detail()));
     if (plan_ && planned_tray_ == tray.extent()) {
         // Fixed grids and plans (appendix A.1): they only grow, when a wider gap turns up.
         for (int axis = 0; axis < 3; ++axis) {
@@ -137,7 +137,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
     // tray are discarded (appendix A.1).
     const Extent count = tray.candidates(shape.size);
     if (count.empty()) return std::nullopt;
-    find_free(lane, shape, count);
+    find_free(lane, shape, tray.detail(), count);
 
     // Equation (4): rho = IFFT(conj(FFT(s_A)) FFT(phi)).
     lane.sum.clear();
@@ -150,6 +150,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
     const double scale = 1 / static_cast<double>(grid.count());
     std::optional<BestPlacement> best;
     for (int z = 0; z < count.z; ++z) {
+        if (!model.allows(index, z)) continue;
         for (int y = 0; y < count.y; ++y) {
             const Real* row = lane.sum.row(y, z);
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
@@ -169,7 +170,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
 /// Sets lane.free where zeta = 0 among the candidates (equation 2) and leaves A's spectrum in
 /// lane.a.
 template <class Real>
-void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape,
+void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, int detail,
                                       const Extent& candidates) const {
     double norms = 0;
     int terms = 0;
@@ -180,20 +181,24 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape,
     };
     lane.sum.clear();
 
-    // Objects that ask for a gap are met by A+g, one transform for all that ask for the same.
+    // Objects that ask for a gap are met by A+g, one transform for each part of all that ask for the same.
     std::vector<std::size_t> unwidened;
     std::vector<const WidenedVoxels*> done;
     for (std::size_t c = 0; c < spectra_.classes(); ++c) {
         const WidenedVoxels* wide = shape.widened[c].get();
-        if (!spectra_.objects(c) || std::ranges::find(done, wide) != done.end()) continue;
-        if (wide->offset == VoxelIndex{} && wide->voxels == *shape.solid) {
-            unwidened.push_back(c);
+        if (std::ranges::find(done, wide) != done.end()) continue;
+        if (detail == 1 && wide->offset == VoxelIndex{} && wide->voxels == *shape.solid) {
+            if (spectra_.objects(c, 0)) unwidened.push_back(c);
             continue;
         }
-        put_spectrum(lane.a, *plan_, wide->voxels, wide->offset);
-        for (std::size_t same = c; same < spectra_.classes(); ++same) {
-            if (spectra_.objects(same) && shape.widened[same].get() == wide) {
-                collide(wide->voxels, *spectra_.objects(same));
+        const SplitVoxels fine = split(wide->voxels, wide->offset, detail);
+        for (std::size_t part = 0; part < spectra_.parts(); ++part) {
+            bool transformed = false;
+            for (std::size_t same = c; same < spectra_.classes(); ++same) {
+                if (!spectra_.objects(same, part) || shape.widened[same].get() != wide) continue;
+                if (!transformed) put_spectrum(lane.a, *plan_, fine.parts[part], fine.offset);
+                transformed = true;
+                collide(fine.parts[part], *spectra_.objects(same, part));
             }
         }
         done.push_back(wide);
@@ -202,7 +207,7 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape,
     put_spectrum(lane.a, *plan_, *shape.solid, {});
     if (spectra_.walls()) collide(*shape.solid, *spectra_.walls());
     for (const std::size_t c : unwidened) {
-        collide(*shape.solid, *spectra_.objects(c));
+        collide(*shape.solid, *spectra_.objects(c, 0));
     }
     plan_->inverse(lane.sum);
     const Extent& grid = plan_->grid();

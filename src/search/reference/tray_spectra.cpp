@@ -42,9 +42,14 @@ void TraySpectra<Real>::update(const Tray& tray, const FourierPlan<Real>& plan) 
     if (instance_ == tray.instance() && version_ == tray.version()) return;
     *this = {};  // frees first, so that the peak is one set of spectra
     if (!tray.blocked().none()) walls_ = spectrum_of(tray.blocked(), plan);
+    const int parts = part_count(tray.detail());
+    parts_ = static_cast<std::size_t>(parts);
     for (int c = 0; c < tray.gap_classes(); ++c) {
-        objects_.emplace_back();
-        if (!tray.occupied(c).none()) objects_.back() = spectrum_of(tray.occupied(c), plan);
+        for (int part = 0; part < parts; ++part) {
+            const BitGrid& occupied = tray.occupied_part(c, part);
+            objects_.emplace_back();
+            if (!occupied.none()) objects_.back() = spectrum_of(occupied, plan);
+        }
     }
     phi_ = manhattan_distance(tray.omega_place(), tray.setup().ceiling);  // Equation (3)
     phi_spectrum_ = spectrum_of(phi_, plan);

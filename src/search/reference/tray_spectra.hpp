@@ -18,7 +18,7 @@ struct TraySpectrum {
     double norm = 0;
 };
 
-/// Equation (2)'s s_Omega, apart by what it is tested with, and equation (3)'s phi.
+/// Equation (2)'s s_Omega, apart by what it is tested with (gap class and part of the fine voxels), and equation (3)'s phi.
 template <class Real>
 class TraySpectra {
   public:
@@ -26,10 +26,11 @@ class TraySpectra {
     /// object.
     void update(const Tray& tray, const FourierPlan<Real>& plan);
 
-    std::size_t classes() const { return objects_.size(); }
-    /// Objects of a gap class; null: there are none.
-    const TraySpectrum<Real>* objects(std::size_t gap_class) const {
-        const auto& spectrum = objects_[gap_class];
+    std::size_t classes() const { return objects_.size() / parts_; }
+    std::size_t parts() const { return parts_; }
+    /// A part of the objects of a gap class; null: there is nothing.
+    const TraySpectrum<Real>* objects(std::size_t gap_class, std::size_t part) const {
+        const auto& spectrum = objects_[gap_class * parts_ + part];
         return spectrum ? &*spectrum : nullptr;
     }
     /// Container mask and keep-out; null: all is free.
@@ -43,7 +44,8 @@ class TraySpectra {
     std::uint64_t instance_ = 0, version_ = 0;  ///< 0 is no tray's instance
     Grid<std::int32_t> phi_;
     std::optional<TraySpectrum<Real>> phi_spectrum_, walls_;
-    std::vector<std::optional<TraySpectrum<Real>>> objects_;
+    std::size_t parts_ = 1;
+    std::vector<std::optional<TraySpectrum<Real>>> objects_;  ///< by gap class and part
 };
 
 extern template class TraySpectra<float>;

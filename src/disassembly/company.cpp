@@ -1,0 +1,305 @@
+#include "disassembly/company.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "disassembly/blocking_graph.hpp"
+#include "disassembly/flood_fill.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+// A copy this near to the grid, in voxels, is on it: voxelize_at() sees it so.
+constexpr double kOnGrid = kSurfaceShrink;
+// Section 4.2: the nearest free positions that a copy off the grid is moved to; how far away they are looked for.
+constexpr int kSnaps = 10;
+constexpr int kSnapReach = 2;  // voxels
+
+Box moved(const Box& box, const Vec3& by) { return {box.min + by, box.max + by}; }
+
+Box swept(Box box, AxisDirection direction, double way) {
+    (direction.sign > 0 ? box.max : box.min)[direction.axis] += direction.sign * way;
+    return box;
+}
+
+bool meet(const Box& a, const Box& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
+    }
+    return true;
+}
+
+VoxelBox voxels_of(const TrayObject& object) {
+    const Extent& e = object.solid->extent();
+    return {object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
+}
+
+Vec3 along(AxisDirection direction, double way) {
+    Vec3 move;
+    move[direction.axis] = direction.sign * way;
+    return move;
+}
+
+/// Of an axis-parallel move.
+AxisDirection direction_of(const Vec3& move) {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i) {
+        if (std::abs(move[i]) > std::abs(move[axis])) axis = i;
+    }
+    return {axis, move[axis] < 0 ? -1 : 1};
+}
+
+/// Moves along one axis that follow each other become one; moves of no length go.
+Company::Path merged(const Company::Path& path) {
+    Company::Path result;
+    for (const Vec3& move : path) {
+        if (!(length(move) > 0)) continue;
+        if (!result.empty() && direction_of(result.back()).axis == direction_of(move).axis) {
+            result.back() = result.back() + move;
+            if (!(length(result.back()) > 0)) result.pop_back();
+        } else {
+            result.push_back(move);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts)
+    : setup_(setup), tray_(setup.grid) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        add(names[i], std::move(parts[i]));
+    }
+}
+
+std::size_t Company::add(int name, StandingPart part) {
+    names_.push_back(name);
+    boxes_.push_back(part.box());
+    present_.push_back(true);
+    objects_.push_back(tray_.add(part.object));
+    parts_.push_back(std::move(part));
+    return parts_.size() - 1;
+}
+
+void Company::remove(std::size_t i) {
+    present_[i] = false;
+    tray_.remove(objects_[i]);
+}
+
+Company::Members Company::movable() const {
+    Members members;
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (movable(i)) members.push_back(i);
+    }
+    return members;
+}
+
+Box Company::rest(const Members& members) const {
+    Box box;
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (present_[i] && !std::binary_search(members.begin(), members.end(), i)) box.add(boxes_[i]);
+    }
+    return box;
+}
+
+VoxelBox Company::rest_voxels(std::size_t i) const {
+    VoxelBox box;
+    for (std::size_t other = 0; other < size(); ++other) {
+        if (present_[other] && other != i) box = hull(box, voxels_of(parts_[other].object));
+    }
+    return box;
+}
+
+std::optional<Company::Meeting> Company::meeting(const Members& members, const Vec3& from, AxisDirection direction,
+                                                 double way) const {
+    struct Pair {
+        double apart;
+        Meeting who;
+    };
+    std::vector<Pair> pairs;
+    for (const std::size_t member : members) {
+        const Box box = moved(boxes_[member], from);
+        const Box passed = swept(box, direction, way);
+        for (std::size_t other = 0; other < size(); ++other) {
+            if (!present_[other] || !meet(passed, boxes_[other])) continue;
+            if (std::binary_search(members.begin(), members.end(), other)) continue;
+            const double apart = direction.sign > 0 ? boxes_[other].min[direction.axis] - box.max[direction.axis]
+                                                    : box.min[direction.axis] - boxes_[other].max[direction.axis];
+            pairs.push_back({apart, {member, other}});
+        }
+    }
+    // The nearest first: it is the likeliest to be in the way.
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
+    for (const Pair& pair : pairs) {
+        const StandingPart &moving = parts_[pair.who.member], &still = parts_[pair.who.other];
+        if (!slides_past(*moving.surface, moving.offset + from - still.offset, *still.surface, direction, kGraze, way)) {
+            return pair.who;
+        }
+    }
+    return std::nullopt;
+}
+
+Company::Straight Company::straight_way(const Members& members, const Vec3& from, AxisDirection direction) const {
+    const Box others = rest(members);
+    if (others.empty()) return {};
+    Box own;
+    for (const std::size_t member : members) {
+        own.add(moved(boxes_[member], from));
+    }
+    const int axis = direction.axis;
+    const double until = direction.sign > 0 ? others.max[axis] - own.min[axis] : own.max[axis] - others.min[axis];
+    const double way = std::max(until, 0.0) + kClearance;
+    const std::optional<Meeting> met = meeting(members, from, direction, way);
+    if (met) return {met->other, met->member, {}};
+    return {std::nullopt, 0, {along(direction, way)}};
+}
+
+Company::Straight Company::straight_way(const Members& members, AxisDirection direction) const {
+    return straight_way(members, Vec3{}, direction);
+}
+
+bool Company::free_move(std::size_t i, const Vec3& from, const Vec3& move) const {
+    const AxisDirection direction = direction_of(move);
+    return !meeting({i}, from, direction, std::abs(move[direction.axis]));
+}
+
+bool Company::free_path(std::size_t i, Vec3 from, const Path& path) const {
+    for (const Vec3& move : path) {
+        if (!free_move(i, from, move)) return false;
+        from = from + move;
+    }
+    return true;
+}
+
+std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) const {
+    constexpr int kOrders[6][3] = {{2, 0, 1}, {2, 1, 0}, {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}};
+    for (const auto& order : kOrders) {
+        Path path;
+        for (const int axis : order) {
+            Vec3 leg;
+            leg[axis] = move[axis];
+            path.push_back(leg);
+        }
+        path = merged(path);
+        if (free_path(i, {}, path)) return path;
+    }
+    return std::nullopt;
+}
+
+Company::Flooded Company::way_out(std::size_t i) const {
+    const StandingPart& part = parts_[i];
+    const VoxelBox others = rest_voxels(i);
+    if (others.empty()) return {Path{}, {}};
+    const double dx = tray_.voxel_size();
+    const Vec3 at = boxes_[i].min - setup_.corner;
+    VoxelIndex nearest;
+    bool on_grid = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double voxels = at[axis] / dx;
+        nearest[axis] = static_cast<int>(std::lround(voxels));
+        on_grid = on_grid && std::abs(voxels - nearest[axis]) <= kOnGrid;
+    }
+    const std::shared_ptr<const BitGrid> solid = on_grid ? part.object.solid : setup_.on_grid(names_[i]);
+    const std::unique_ptr<FreeRowReader> rows = setup_.search->free_rows(tray_, solid, {objects_[i], 1});
+    FloodFill flood(*rows, solid->extent(), others);
+
+    // Where to start: on the grid where it stands; off it, at free positions near by.
+    struct Start {
+        double away;
+        VoxelIndex position;
+    };
+    std::vector<Start> starts;
+    if (on_grid && flood.free(nearest)) {
+        starts.push_back({0, nearest});
+    } else {
+        for (int z = -kSnapReach; z <= kSnapReach; ++z) {
+            for (int y = -kSnapReach; y <= kSnapReach; ++y) {
+                for (int x = -kSnapReach; x <= kSnapReach; ++x) {
+                    const VoxelIndex position = nearest + VoxelIndex{x, y, z};
+                    if (!flood.free(position)) continue;
+                    const Vec3 there{position.x * dx, position.y * dx, position.z * dx};
+                    starts.push_back({length(there - at), position});
+                }
+            }
+        }
+        std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.away < b.away; });
+    }
+    int snaps = 0;
+    for (const Start& start : starts) {
+        if (flood.visited(start.position)) continue;
+        Path path;
+        if (start.away > 0) {
+            if (++snaps > kSnaps) break;
+            const Vec3 there{start.position.x * dx, start.position.y * dx, start.position.z * dx};
+            std::optional<Path> there_by = snap(i, there - at);
+            if (!there_by) continue;
+            path = std::move(*there_by);
+        }
+        const std::vector<VoxelIndex> way = flood.way_out(start.position);
+        if (way.empty()) continue;
+        for (std::size_t k = 1; k < way.size(); ++k) {
+            const VoxelIndex d = way[k] - way[k - 1];
+            path.push_back({d.x * dx, d.y * dx, d.z * dx});
+        }
+        path = simplified(i, merged(path));
+        if (free_path(i, {}, path)) return {std::move(path), {}};
+        break;  // voxels and meshes disagree, which only rounding can make them do
+    }
+    VoxelBox pocket = hull(flood.pocket(), {nearest, nearest + VoxelIndex{1, 1, 1}});
+    const Extent& e = solid->extent();
+    const int reach = kSnapReach + 1;
+    pocket.lo = pocket.lo - VoxelIndex{reach, reach, reach};
+    pocket.hi = pocket.hi + VoxelIndex{e.x + reach, e.y + reach, e.z + reach};
+    return {std::nullopt, pocket};
+}
+
+Company::Path Company::simplified(std::size_t i, Path path) const {
+    // Straight out from the first corner from which that is possible. The last move always is straight out, if it is
+    // made longer by the clearance.
+    Vec3 from;
+    bool out = false;
+    for (std::size_t k = 0; k < path.size() && !out; ++k) {
+        for (int d = 0; d < BlockingGraph::kDirections && !out; ++d) {
+            const Straight way = straight_way({i}, from, BlockingGraph::direction(d));
+            if (way.blocker) continue;
+            path.resize(k);
+            path.insert(path.end(), way.path.begin(), way.path.end());
+            out = true;
+        }
+        if (!out) from = from + path[k];
+    }
+    if (!out) {
+        const AxisDirection last = path.empty() ? AxisDirection{2, 1} : direction_of(path.back());
+        const Straight way = straight_way({i}, from, last);
+        path.insert(path.end(), way.path.begin(), way.path.end());
+    }
+    path = merged(path);
+
+    // Two moves along the same axis with one between them become one, before it or after it.
+    from = {};
+    for (std::size_t k = 0; k + 2 < path.size();) {
+        const Vec3 both = path[k] + path[k + 2], between = path[k + 1];
+        bool shorter = false;
+        if (direction_of(path[k]).axis == direction_of(path[k + 2]).axis) {
+            for (const Path& tried : {merged({both, between}), merged({between, both})}) {
+                if (!free_path(i, from, tried)) continue;
+                path.erase(path.begin() + static_cast<std::ptrdiff_t>(k), path.begin() + static_cast<std::ptrdiff_t>(k + 3));
+                path.insert(path.begin() + static_cast<std::ptrdiff_t>(k), tried.begin(), tried.end());
+                path = merged(path);
+                shorter = true;
+                break;
+            }
+        }
+        if (shorter) {
+            k = 0;
+            from = {};
+        } else {
+            from = from + path[k++];
+        }
+    }
+    return path;
+}
+
+}  // namespace spectralpack

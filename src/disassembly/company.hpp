@@ -1,0 +1,93 @@
+#pragma once
+/// Copies that stand together (model/disassembly.hpp), and the two questions asked of them: is a straight way free, by
+/// exact sweeps of the true meshes; and is there any way out, by flood fill through voxels, each move of it then
+/// confirmed by an exact sweep.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/stop.hpp"
+#include "disassembly/standing_part.hpp"
+#include "geometry/slide.hpp"
+#include "search/placement_search.hpp"
+#include "voxel/voxel_box.hpp"
+
+namespace spectralpack {
+
+// In millimetres.
+inline constexpr double kClearance = 1;   ///< by which a copy that has left is clear of the box of the others
+inline constexpr double kGraze = 8e-4;    ///< overlap sideways let pass: voxels are drawn in by 1e-4 dx, from both sides
+
+struct DisassemblySetup {
+    PlacementSearch* search = nullptr;
+    TraySetup grid;          ///< whose voxels the parts' objects are in
+    Vec3 corner;             ///< of that grid, mm
+    double ray_spacing = 1;  ///< mm
+    /// Voxels of part `name` with its box minimum on a voxel's corner, for parts that stand off the grid.
+    std::function<std::shared_ptr<const BitGrid>(int name)> on_grid;
+    Workers workers;
+    StopToken stop;
+};
+
+class Company {
+  public:
+    using Path = std::vector<Vec3>;
+    using Members = std::vector<std::size_t>;
+
+    Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
+
+    std::size_t size() const { return parts_.size(); }
+    const StandingPart& part(std::size_t i) const { return parts_[i]; }
+    int name(std::size_t i) const { return names_[i]; }
+    bool present(std::size_t i) const { return present_[i]; }
+    bool movable(std::size_t i) const { return present_[i] && !parts_[i].object.fixed; }
+    Members movable() const;
+
+    std::size_t add(int name, StandingPart part);
+    void remove(std::size_t i);
+
+    /// Of a straight way: how long it is until `members` (ascending) are clear of the box of the others, or whom they
+    /// would meet on it first or later.
+    struct Straight {
+        std::optional<std::size_t> blocker;
+        std::size_t member = 0;  ///< who would meet it
+        Path path;               ///< of one move; empty where no others are left
+    };
+    /// From where they stand. Time grows with the triangles near to the way.
+    Straight straight_way(const Members& members, AxisDirection direction) const;
+
+    struct Flooded {
+        std::optional<Path> path;
+        VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
+    };
+    /// Any way out for one copy (sections 4.1 and 4.2), in few moves.
+    Flooded way_out(std::size_t i) const;
+
+  private:
+    Box rest(const Members& members) const;
+    VoxelBox rest_voxels(std::size_t i) const;
+    /// What one of `members`, moved by `from`, would meet on `way` mm more.
+    struct Meeting {
+        std::size_t member, other;
+    };
+    std::optional<Meeting> meeting(const Members& members, const Vec3& from, AxisDirection direction, double way) const;
+    Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction) const;
+    bool free_move(std::size_t i, const Vec3& from, const Vec3& move) const;
+    bool free_path(std::size_t i, Vec3 from, const Path& path) const;
+    /// Moves along the axes, in some order, that are free and come to `move`.
+    std::optional<Path> snap(std::size_t i, const Vec3& move) const;
+    Path simplified(std::size_t i, Path path) const;
+
+    const DisassemblySetup& setup_;
+    std::vector<int> names_;
+    std::vector<StandingPart> parts_;
+    std::vector<Box> boxes_;
+    std::vector<bool> present_;
+    Tray tray_;
+    std::vector<ObjectId> objects_;
+};
+
+}  // namespace spectralpack

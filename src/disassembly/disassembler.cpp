@@ -1,0 +1,240 @@
+#include "disassembly/disassembler.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "core/error.hpp"
+#include "disassembly/blocking_graph.hpp"
+#include "disassembly/rays.hpp"
+
+namespace spectralpack {
+namespace {
+
+bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).empty(); }
+
+}  // namespace
+
+/// A company being taken apart.
+class Disassembler::Yard {
+  public:
+    Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
+        : owner_(owner),
+          company_(owner.setup_, std::move(names), std::move(parts)),
+          graph_(company_.size()),
+          pockets_(company_.size()) {
+        std::vector<const StandingPart*> standing;
+        for (std::size_t i = 0; i < company_.size(); ++i) {
+            standing.push_back(&company_.part(i));
+        }
+        cast_rays(standing, owner.setup_.ray_spacing, graph_, owner.setup_.workers);
+    }
+
+    const Company& company() const { return company_; }
+
+    void run() {
+        while (!owner_.setup_.stop.stopped()) {
+            if (leave_straight() || leave_by_flood() || leave_as_group()) continue;
+            return;
+        }
+    }
+
+    bool discard(int name) {
+        for (std::size_t i = 0; i < company_.size(); ++i) {
+            if (company_.name(i) != name || !company_.present(i)) continue;
+            remove(i);
+            return true;
+        }
+        return false;
+    }
+
+  private:
+    using Members = Company::Members;
+
+    void remove(std::size_t i) {
+        const TrayObject& object = company_.part(i).object;
+        const Extent& e = object.solid->extent();
+        const VoxelBox gone{object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
+        company_.remove(i);
+        graph_.remove(i);
+        pockets_[i].reset();
+        for (std::optional<VoxelBox>& pocket : pockets_) {
+            if (pocket && meet(*pocket, gone)) pocket.reset();
+        }
+    }
+
+    /// `members` leave by `path` as one.
+    void leave(const Members& members, Company::Path path) {
+        RemovalStep step{{}, std::move(path)};
+        for (const std::size_t i : members) {
+            step.placements.push_back(company_.name(i));
+            remove(i);
+        }
+        owner_.steps_.push_back(std::move(step));
+        if (members.size() == 1) {
+            --owner_.standing_;
+            owner_.left_(owner_.standing_);
+        }
+    }
+
+    /// Those not known to meet anyone in that direction, the highest first.
+    Members ready(AxisDirection direction) const {
+        Members members;
+        for (const std::size_t i : company_.movable()) {
+            if (graph_.blockers(i, direction) == 0) members.push_back(i);
+        }
+        std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+            return company_.part(a).box().max.z > company_.part(b).box().max.z;
+        });
+        return members;
+    }
+
+    /// Takes out all that leave by straight ways, upwards where they can. True when some did.
+    bool leave_straight() {
+        bool any = false;
+        for (int d = 0; d < BlockingGraph::kDirections && !owner_.setup_.stop.stopped();) {
+            // Upwards everything that can; sideways or down one at a time, since others may now go up.
+            const bool moved = leave_straight(BlockingGraph::direction(d), d == 0);
+            any = any || moved;
+            d = moved ? 0 : d + 1;
+        }
+        return any;
+    }
+
+    bool leave_straight(AxisDirection direction, bool all) {
+        const Members members = ready(direction);
+        const std::size_t batch = all ? members.size() : static_cast<std::size_t>(owner_.setup_.workers.threads());
+        bool moved = false;
+        for (std::size_t begin = 0; begin < members.size() && (all || !moved); begin += batch) {
+            const std::size_t count = std::min(batch, members.size() - begin);
+            std::vector<Company::Straight> ways(count);
+            owner_.setup_.workers.for_each(static_cast<std::int64_t>(count), [&](std::int64_t k) {
+                const auto i = static_cast<std::size_t>(k);
+                ways[i] = company_.straight_way({members[begin + i]}, direction);
+            });
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::size_t i = members[begin + k];
+                if (ways[k].blocker) {
+                    // It may have left just now: then the edge says nothing any more.
+                    if (company_.present(*ways[k].blocker)) graph_.add(i, direction, *ways[k].blocker);
+                } else if (all || !moved) {
+                    leave({i}, std::move(ways[k].path));
+                    ++owner_.counts_.straight;
+                    moved = true;
+                }
+            }
+        }
+        return moved;
+    }
+
+    /// Takes out one copy by a way with corners.
+    bool leave_by_flood() {
+        Members members = company_.movable();
+        std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+            return company_.part(a).box().max.z > company_.part(b).box().max.z;
+        });
+        for (const std::size_t i : members) {
+            if (pockets_[i]) continue;  // closed, and nothing that closed it has left since
+            if (owner_.setup_.stop.stopped()) return false;
+            ++owner_.counts_.fills;
+            Company::Flooded flooded = company_.way_out(i);
+            if (flooded.path) {
+                leave({i}, std::move(*flooded.path));
+                ++owner_.counts_.flooded;
+                return true;
+            }
+            pockets_[i] = flooded.pocket;
+        }
+        return false;
+    }
+
+    /// Takes out one group, as the blocking graphs suggest; it becomes a company of its own.
+    bool leave_as_group() {
+        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+            const AxisDirection direction = BlockingGraph::direction(d);
+            for (bool learned = true; learned;) {
+                learned = false;
+                for (const Members& group : graph_.groups(direction)) {
+                    if (owner_.setup_.stop.stopped()) return false;
+                    if (!std::all_of(group.begin(), group.end(), [&](std::size_t i) { return company_.movable(i); })) {
+                        continue;
+                    }
+                    Company::Straight way = company_.straight_way(group, direction);
+                    if (!way.blocker) {
+                        found_company(group, std::move(way.path));
+                        return true;
+                    }
+                    graph_.add(way.member, direction, *way.blocker);
+                    learned = true;
+                }
+            }
+        }
+        return false;
+    }
+
+    void found_company(const Members& group, Company::Path path) {
+        std::vector<int> names;
+        std::vector<StandingPart> parts;
+        for (const std::size_t i : group) {
+            names.push_back(company_.name(i));
+            parts.push_back(company_.part(i));
+        }
+        leave(group, std::move(path));
+        ++owner_.counts_.groups;
+        owner_.yards_.emplace_back(owner_, std::move(names), std::move(parts));
+        owner_.yards_.back().run();
+    }
+
+    Disassembler& owner_;
+    Company company_;
+    BlockingGraph graph_;
+    std::vector<std::optional<VoxelBox>> pockets_;  // of those without a way out: where that was found
+};
+
+Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left)
+    : setup_(setup), left_(std::move(left)) {
+    std::vector<int> names(parts.size());
+    std::iota(names.begin(), names.end(), 0);
+    yards_.emplace_back(*this, std::move(names), std::move(parts));
+    standing_ = static_cast<int>(yards_.front().company().movable().size());
+}
+
+Disassembler::~Disassembler() = default;
+
+void Disassembler::run() {
+    // Yards that are founded meanwhile run at once, where their founder's steps are at.
+    std::vector<Yard*> yards;
+    for (Yard& yard : yards_) {
+        yards.push_back(&yard);
+    }
+    for (Yard* yard : yards) {
+        yard->run();
+    }
+}
+
+std::vector<std::vector<int>> Disassembler::stuck() const {
+    std::vector<std::vector<int>> sets;
+    for (const Yard& yard : yards_) {
+        const Company& company = yard.company();
+        if (company.movable().empty()) continue;
+        std::vector<int> names;
+        for (std::size_t i = 0; i < company.size(); ++i) {
+            if (company.present(i)) names.push_back(company.name(i));
+        }
+        std::sort(names.begin(), names.end());
+        sets.push_back(std::move(names));
+    }
+    return sets;
+}
+
+void Disassembler::discard(int part) {
+    for (Yard& yard : yards_) {
+        if (yard.discard(part)) {
+            --standing_;
+            return;
+        }
+    }
+    throw InternalError("disassembly: a copy was discarded that does not stand");
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,52 @@
+#pragma once
+/// Takes a tray's copies apart (section 4): what leaves by a straight way, as rays suggest and exact sweeps confirm
+/// (4.4); what leaves by any way, found by flood fill (4.1, 4.2); what leaves only as a group that moves as one.
+
+#include <functional>
+#include <list>
+#include <vector>
+
+#include "disassembly/company.hpp"
+#include "model/disassembly.hpp"
+
+namespace spectralpack {
+
+class Disassembler {
+  public:
+    /// How copies left, for the record.
+    struct Counts {
+        int straight = 0, flooded = 0;
+        int groups = 0;      ///< steps of several
+        int fills = 0;       ///< flood fills, those that found no way included
+    };
+    using Left = std::function<void(int copies_left)>;  ///< told how many movable copies still stand
+
+    /// `parts` are named by their index. `setup` is referred to.
+    Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left);
+    ~Disassembler();
+
+    /// Takes out all that comes out, which does not depend on the order: what leaves is in nobody's way any more.
+    /// May be called again after discard(). Ends early when stopped.
+    void run();
+
+    const std::vector<RemovalStep>& steps() const { return steps_; }
+    /// Copies that hold each other, fixed ones among them: each a company of which no copy and no group of copies that
+    /// was looked at can leave; ascending. After a run that was not stopped these are all that stand, but for fixed
+    /// ones that nothing is left with.
+    std::vector<std::vector<int>> stuck() const;
+    /// The copy is not part of the tray any more, without a step.
+    void discard(int part);
+    const Counts& counts() const { return counts_; }
+
+  private:
+    class Yard;
+
+    const DisassemblySetup& setup_;
+    Left left_;
+    std::list<Yard> yards_;
+    std::vector<RemovalStep> steps_;
+    Counts counts_;
+    int standing_ = 0;
+};
+
+}  // namespace spectralpack

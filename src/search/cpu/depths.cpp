@@ -1,0 +1,81 @@
+#include "search/cpu/depths.hpp"
+
+#include <algorithm>
+
+#include "search/cpu/kernels.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// row[i] = min over j of row[j] + |i - j|, 0 beyond both ends; for values up to kDeepest. `spare` is for its use.
+void lower_along_x(std::uint8_t* row, std::size_t count, std::vector<std::uint8_t>& spare) {
+    constexpr std::size_t kMargin = kDeepest / 2 + 1;  // the farthest step
+    spare.assign(count + 2 * kMargin, 0);
+    std::uint8_t* middle = spare.data() + kMargin;
+    for (std::size_t by = 1; by <= std::min(kMargin, count); by *= 2) {
+        std::copy_n(row, count, middle);
+        lower_bytes(row, middle - by, static_cast<std::uint8_t>(by), count);
+        lower_bytes(row, middle + by, static_cast<std::uint8_t>(by), count);
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_runs, const Runs& runs) {
+    const Extent& n = solid.extent();
+    const auto width = static_cast<std::size_t>(n.x);
+    const std::size_t layer = width * static_cast<std::size_t>(n.y);
+    std::vector<std::uint8_t> depth(layer * static_cast<std::size_t>(n.z));
+    const auto row = [&](int y, int z) {
+        return depth.data() + layer * static_cast<std::size_t>(z) + width * static_cast<std::size_t>(y);
+    };
+
+    // Along the runs' own axis each voxel's distance to the nearer end; then the other two axes, both ways.
+    const std::ptrdiff_t step[3] = {1, n.x, static_cast<std::ptrdiff_t>(layer)};
+    for (const Run& run : solid_runs.runs) {
+        std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
+        for (int i = 0; i < run.length; ++i, voxel += step[solid_runs.axis]) {
+            *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
+        }
+    }
+    const std::vector<std::uint8_t> outside(width, 0);
+    const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row(y, z), from, 1, width); };
+    if (solid_runs.axis != 0) {
+        std::vector<std::uint8_t> spare;
+        for (std::size_t at = 0; at < depth.size(); at += width) {
+            lower_along_x(depth.data() + at, width, spare);
+        }
+    }
+    if (solid_runs.axis != 1) {
+        for (int z = 0; z < n.z; ++z) {
+            for (int y = 0; y < n.y; ++y)
+                lower(y, z, y > 0 ? row(y - 1, z) : outside.data());
+            for (int y = n.y - 1; y >= 0; --y)
+                lower(y, z, y + 1 < n.y ? row(y + 1, z) : outside.data());
+        }
+    }
+    if (solid_runs.axis != 2) {
+        for (int z = 0; z < n.z; ++z) {
+            for (int y = 0; y < n.y; ++y)
+                lower(y, z, z > 0 ? row(y, z - 1) : outside.data());
+        }
+        for (int z = n.z - 1; z >= 0; --z) {
+            for (int y = 0; y < n.y; ++y)
+                lower(y, z, z + 1 < n.z ? row(y, z + 1) : outside.data());
+        }
+    }
+
+    std::vector<std::uint32_t> sums;
+    sums.reserve(runs.runs.size());
+    for (const Run& run : runs.runs) {
+        const std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
+        std::uint32_t sum = 0;
+        for (int i = 0; i < run.length; ++i, voxel += step[runs.axis]) {
+            sum += *voxel;
+        }
+        sums.push_back(sum);
+    }
+    return sums;
+}
+
+}  // namespace spectralpack

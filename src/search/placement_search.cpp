@@ -1,0 +1,34 @@
+#include "search/placement_search.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace spectralpack {
+namespace {
+
+class WholeGrid final : public FreeRowReader {
+  public:
+    explicit WholeGrid(FreePositions positions) : positions_(std::move(positions)) {}
+
+    const VoxelIndex& origin() const override { return positions_.origin; }
+    const Extent& extent() const override { return positions_.free.extent(); }
+    void row(int y, int z, std::uint64_t* free) const override {
+        std::copy_n(positions_.free.row(y, z), positions_.free.words_per_row(), free);
+    }
+
+  private:
+    FreePositions positions_;
+};
+
+}  // namespace
+
+std::unique_ptr<FreeRowReader> PlacementSearch::free_rows(const Tray& tray,
+                                                          std::shared_ptr<const BitGrid> solid,
+                                                          const FreeQuery& query) {
+    Shape shape;
+    shape.orientations.resize(1);
+    shape.orientations.front().solid = std::move(solid);
+    return std::make_unique<WholeGrid>(free_positions(tray, shape, 0, query));
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,103 @@
+#include "voxel/split.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace spectralpack {
+namespace {
+
+using Word = BitGrid::Word;
+constexpr int kWordBits = BitGrid::kWordBits;
+
+/// How fine voxels lie in coarse ones.
+struct Layout {
+    VoxelIndex offset;  ///< coarse voxel of the grid's voxel (0,0,0)
+    VoxelIndex rest;    ///< fine voxels from its lower corner to there
+    Extent extent;      ///< coarse voxels that the grid touches
+};
+
+Layout layout_of(const Extent& fine, const VoxelIndex& at, int detail) {
+    Layout layout;
+    for (int axis = 0; axis < 3; ++axis) {
+        layout.offset[axis] = floor_div(at[axis], detail);
+        layout.rest[axis] = at[axis] - detail * layout.offset[axis];
+        layout.extent[axis] = ceil_div(layout.rest[axis] + fine[axis], detail);
+    }
+    return layout;
+}
+
+enum class Rule { some, every };
+
+/// 64 bits of a row from bit `first` on, 0 outside the row; first > -64.
+Word bits_at(const std::vector<Word>& row, int first) {
+    if (first < 0) return row[0] << -first;
+    const auto w = static_cast<std::size_t>(first / kWordBits);
+    const int shift = first % kWordBits;
+    Word bits = w < row.size() ? row[w] >> shift : 0;
+    if (shift > 0 && w + 1 < row.size()) bits |= row[w + 1] << (kWordBits - shift);
+    return bits;
+}
+
+/// The coarse voxels of which some or every fine voxel is set.
+CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule rule) {
+    const Layout layout = layout_of(fine.extent(), at, detail);
+    CoarseVoxels result{BitGrid(layout.extent), layout.offset};
+    const auto words = static_cast<std::size_t>(fine.words_per_row());
+    const std::vector<Word> outside(words, 0);
+    std::vector<Word> row(words);
+    const Word all = (Word{1} << detail) - 1;  // the bits of one coarse voxel
+    for (int z = 0; z < layout.extent.z; ++z) {
+        for (int y = 0; y < layout.extent.y; ++y) {
+            for (int i = 0; i < detail * detail; ++i) {
+                const int fy = detail * y + i % detail - layout.rest.y;
+                const int fz = detail * z + i / detail - layout.rest.z;
+                const bool inside = fy >= 0 && fy < fine.extent().y && fz >= 0 && fz < fine.extent().z;
+                const Word* from = inside ? fine.row(fy, fz) : outside.data();
+                for (std::size_t w = 0; w < words; ++w) {
+                    row[w] = i == 0 ? from[w] : rule == Rule::some ? row[w] | from[w] : row[w] & from[w];
+                }
+            }
+            Word* to = result.voxels.row(y, z);
+            for (int x = 0; x < layout.extent.x; ++x) {
+                const Word group = bits_at(row, detail * x - layout.rest.x) & all;
+                to[x / kWordBits] |= Word{rule == Rule::some ? group != 0 : group == all} << (x % kWordBits);
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+SplitVoxels split(const BitGrid& fine, const VoxelIndex& at, int detail) {
+    if (detail == 1) return {{fine}, at};
+    const Layout layout = layout_of(fine.extent(), at, detail);
+    SplitVoxels result{{static_cast<std::size_t>(part_count(detail)), BitGrid(layout.extent)}, layout.offset};
+    for (int z = 0; z < fine.extent().z; ++z) {
+        for (int y = 0; y < fine.extent().y; ++y) {
+            const int fy = y + layout.rest.y, fz = z + layout.rest.z;
+            const int first = (fz % detail * detail + fy % detail) * detail;
+            const Word* row = fine.row(y, z);
+            for (int w = 0; w < fine.words_per_row(); ++w) {
+                for (Word bits = row[w]; bits != 0; bits &= bits - 1) {
+                    const int fx = kWordBits * w + std::countr_zero(bits) + layout.rest.x;
+                    result.parts[static_cast<std::size_t>(first + fx % detail)].set(fx / detail, fy / detail,
+                                                                                   fz / detail);
+                }
+            }
+        }
+    }
+    return result;
+}
+
+CoarseVoxels reached_voxels(const BitGrid& fine, const VoxelIndex& at, int detail) {
+    if (detail == 1) return {fine, at};
+    return pooled(fine, at, detail, Rule::some);
+}
+
+CoarseVoxels filled_voxels(const BitGrid& fine, const VoxelIndex& at, int detail) {
+    if (detail == 1) return {fine, at};
+    return pooled(fine, at, detail, Rule::every);
+}
+
+}  // namespace spectralpack

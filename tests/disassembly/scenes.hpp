@@ -1,0 +1,162 @@
+#pragma once
+/// Scenes of copies made in code, and a plan's replay on their meshes: small steps and plain crossing tests.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "disassembly/disassembler.hpp"
+#include "geometry/mesh_distance.hpp"
+#include "search/cpu/cpu_search.hpp"
+#include "support/shapes.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack::test {
+
+inline Mesh placed(const Mesh& mesh, const Vec3& offset) { return transformed(mesh, {Mat3{}, offset}); }
+
+/// Axes exchanged: z becomes `axis`.
+inline Mesh lying(const Mesh& mesh, int axis) {
+    Mat3 turn;
+    if (axis == 0) turn.rows = {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+    if (axis == 1) turn.rows = {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}};
+    return transformed(mesh, {turn, {}});
+}
+
+/// An axis-parallel ring of square section around z: outer box from the origin to (size, size, height).
+inline Mesh frame_mesh(double size, double width, double height) {
+    Mesh mesh = box_mesh({0, 0, 0}, {size, width, height});
+    mesh = merged(mesh, box_mesh({0, size - width, 0}, {size, size, height}));
+    mesh = merged(mesh, box_mesh({0, 0, 0}, {width, size, height}));
+    return merged(mesh, box_mesh({size - width, 0, 0}, {size, size, height}));
+}
+
+/// A closed box with walls, its lid included unless `open`.
+inline Mesh chest_mesh(double size, double wall, bool open) {
+    Mesh mesh = frame_mesh(size, wall, size);
+    mesh = merged(mesh, box_mesh({0, 0, 0}, {size, size, wall}));
+    return open ? mesh : merged(mesh, box_mesh({0, 0, size - wall}, {size, size, size}));
+}
+
+class AssemblyScene {
+  public:
+    explicit AssemblyScene(const Vec3& size, double voxel = 1) {
+        setup_.grid.size = size;
+        setup_.grid.voxel_size = voxel;
+        setup_.ray_spacing = voxel / 2;
+        search_ = make_cpu_search({}, setup_.workers);
+        setup_.search = search_.get();
+        setup_.on_grid = [this](int i) {
+            return std::make_shared<const BitGrid>(
+                voxelize(meshes_[static_cast<std::size_t>(i)], setup_.grid.voxel_size, setup_.workers));
+        };
+    }
+
+    /// `mesh` where it stands. Returns its index.
+    int add(Mesh mesh, bool fixed = false) {
+        const Box box = bounding_box(mesh);
+        StandingVoxels voxels = voxelize_at(mesh, box.min, setup_.grid.voxel_size, setup_.workers);
+        parts_.push_back({std::make_shared<const Bvh>(mesh), {},
+                          {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0, fixed}});
+        meshes_.push_back(std::move(mesh));
+        return static_cast<int>(parts_.size()) - 1;
+    }
+
+    const DisassemblySetup& setup() const { return setup_; }
+    DisassemblySetup& setup() { return setup_; }
+    const std::vector<StandingPart>& parts() const { return parts_; }
+
+    struct Answer {
+        std::vector<RemovalStep> steps;
+        std::vector<std::vector<int>> stuck;
+        Disassembler::Counts counts;
+
+        bool complete() const { return stuck.empty(); }
+    };
+    Answer disassemble() const {
+        Disassembler disassembler(setup_, parts_, [](int) {});
+        disassembler.run();
+        return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
+    }
+
+    /// Replays the steps in moves of at most `step` mm; fails where a surface comes to cross another's, where a path
+    /// does not end outside, or where a copy has not one step of its own.
+    void replay(const Answer& answer, double step = 0.1) const {
+        std::vector<int> company(parts_.size(), 0), single(parts_.size(), 0);
+        int companies = 1;
+        for (const RemovalStep& removal : answer.steps) {
+            ASSERT_FALSE(removal.placements.empty());
+            const int own = company[static_cast<std::size_t>(removal.placements.front())];
+            std::vector<std::size_t> others;
+            Box rest;
+            for (std::size_t i = 0; i < parts_.size(); ++i) {
+                const bool moves = std::ranges::find(removal.placements, static_cast<int>(i)) != removal.placements.end();
+                if (moves) {
+                    ASSERT_EQ(company[i], own);
+                }
+                if (moves || company[i] != own) continue;
+                others.push_back(i);
+                rest.add(parts_[i].box());
+            }
+            Vec3 at;
+            Box box;
+            for (const int i : removal.placements) {
+                const StandingPart& part = parts_[static_cast<std::size_t>(i)];
+                ASSERT_FALSE(part.object.fixed);
+                box.add(part.box());
+                Vec3 from;
+                for (const Vec3& move : removal.path) {
+                    const int count = static_cast<int>(std::ceil(length(move) / step));
+                    for (int k = 1; k <= count; ++k) {
+                        const Vec3 here = from + static_cast<double>(k) / count * move;
+                        for (const std::size_t other : others) {
+                            if (least_distance(*part.surface, here, *parts_[other].surface, {}, 1e-4).distance > 0) {
+                                continue;
+                            }
+                            // Meeting: touching is allowed, so a hair's breadth aside it must not.
+                            bool touching = false;
+                            for (int axis = 0; axis < 3 && !touching; ++axis) {
+                                for (const double aside : {-1e-3, 1e-3}) {
+                                    Vec3 there = here;
+                                    there[axis] += aside;
+                                    touching = touching || least_distance(*part.surface, there, *parts_[other].surface,
+                                                                          {}, 1e-4).distance > 0;
+                                }
+                            }
+                            ASSERT_TRUE(touching) << "copy " << i << " meets " << other;
+                        }
+                    }
+                    from = from + move;
+                }
+                at = from;
+            }
+            if (!rest.empty()) {
+                box = {box.min + at, box.max + at};
+                EXPECT_GT(distance(box, rest), 0);
+            }
+            const int next = removal.placements.size() > 1 ? companies++ : -1;
+            for (const int i : removal.placements) {
+                company[static_cast<std::size_t>(i)] = next;
+                single[static_cast<std::size_t>(i)] += removal.placements.size() == 1;
+            }
+        }
+        std::vector<bool> stuck(parts_.size(), false);
+        for (const auto& set : answer.stuck) {
+            for (const int i : set) {
+                stuck[static_cast<std::size_t>(i)] = true;
+            }
+        }
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            EXPECT_EQ(single[i], parts_[i].object.fixed || stuck[i] ? 0 : 1) << "copy " << i;
+        }
+    }
+
+  private:
+    DisassemblySetup setup_;
+    std::unique_ptr<PlacementSearch> search_;
+    std::vector<StandingPart> parts_;
+    std::vector<Mesh> meshes_;
+};
+
+}  // namespace spectralpack::test

@@ -1,0 +1,85 @@
+#include "packing/caps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "packing/greedy.hpp"
+#include "packing/measure.hpp"
+#include "search/cpu/cpu_search.hpp"
+#include "support/shapes.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// Packs cubes of 5 mm into 20 x 20 x 22 mm at 1 mm voxels.
+class CappedTray : public testing::Test {
+  protected:
+    GreedyResult pack(const CapSetup& setup, int count) {
+        TraySetup tray_setup;
+        tray_setup.size = {20, 20, 22};
+        tray_setup.voxel_size = 1;
+        Tray tray(tray_setup);
+        Caps caps(setup, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
+        std::vector<PackItem> items;
+        for (int copy = 0; copy < count; ++copy) {
+            items.push_back({0, copy});
+        }
+        const Workers workers(2);
+        ShapeStore shapes(
+            [&](int) { return std::make_shared<const Shape>(make_shape(1, cube_, {Mat3{}}, 1, 1, 0, {0}, workers)); },
+            workers, [](double) {});
+        shapes.start_tray(items);
+        const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
+            return stand_on_grid(shape, best, 1, 1, 0);
+        };
+        const auto engine = make_cpu_search({}, workers);
+        GreedyResult result;
+        GreedyLimits limits;
+        limits.caps = &caps;
+        pack_greedily(tray, *engine, {1e8, HeightAt::bottom}, items, shapes, settle, [](std::size_t) {}, {}, result,
+                      limits);
+        return result;
+    }
+
+    std::vector<double> areas(const GreedyResult& result) const {
+        std::vector<double> area(22, 0);
+        for (const PlacedItem& placed : result.placed) {
+            add_section_areas(transformed(cube_, {Mat3{}, placed.offset}), 1, area);
+        }
+        return area;
+    }
+
+    const Mesh cube_ = test::cube_mesh(5);
+    const Vec3 size_{20, 20, 22};
+};
+
+TEST_F(CappedTray, OfADensityTakesTheCopiesThatKeepIt) {
+    const GreedyResult result = pack({0.25, std::nullopt, size_, 0, 1}, 30);
+    EXPECT_EQ(result.placed.size(), 17u);  // 17 x 125 of 8800 mm^3 are 24.1 %
+    EXPECT_EQ(result.left_over.size(), 13u);
+    EXPECT_EQ(result.searches, 17);
+    EXPECT_NE(result.why.at(0).find("cap of 25 %"), std::string::npos) << result.why.at(0);
+}
+
+TEST_F(CappedTray, OfLayersGoesOnAboveThem) {
+    // A cube's section is 1/16 of the base: 5 in a layer are 31.25 %. Four layers of cubes of 5 mm fit into 22 mm.
+    const GreedyResult result = pack({std::nullopt, 0.32, size_, 0, 1}, 30);
+    EXPECT_EQ(result.placed.size(), 20u);
+    for (const double area : areas(result)) {
+        EXPECT_LE(area, 0.32 * 400 + 1e-9);
+    }
+    EXPECT_NE(result.why.at(0).find("cap of 32 %"), std::string::npos) << result.why.at(0);
+    EXPECT_EQ(pack({std::nullopt, 1.0, size_, 0, 1}, 100).placed.size(), 64u);
+    EXPECT_EQ(pack({std::nullopt, 0.06, size_, 0, 1}, 100).placed.size(), 0u);
+}
+
+TEST_F(CappedTray, CountsWhatStandsOffTheGrid) {
+    Caps caps({std::nullopt, 0.1, size_, 0, 1}, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
+    EXPECT_TRUE(caps.may_stand(0, 0, {0, 0, 0.3}));
+    caps.add(0, 0, {0, 0, 0.3});
+    EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 0}));
+    EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 4.6}));
+    EXPECT_TRUE(caps.may_stand(0, 0, {10, 10, 5.6}));
+}
+
+}  // namespace
+}  // namespace spectralpack
