@@ -155,13 +155,13 @@ void run(const Arguments& arguments) {
         items.resize(static_cast<std::size_t>(arguments.most));
     }
     ShapeStore shapes(
-        items,
         [&](int part) {
             return std::make_shared<const Shape>(make_shape(
                 static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)],
                 rotations, arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
         },
         workers, [](double) {});
+    shapes.start_tray(items);
 
     const auto engine = make_cpu_search({arguments.cache}, workers);
     std::unique_ptr<PlacementSearch> plain;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -22,14 +23,16 @@ namespace {
 struct PackArguments {
     std::vector<std::string> parts;
     std::string mesh_dir;
-    std::optional<std::string> unit, tray, trays, rotations, interlock, height_penalty, height_at, order, engine,
-        memory, verify_with, progress, report;
+    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, height_penalty,
+        height_at, order, engine, memory, verify_with, progress, report;
     std::optional<std::string> minimise;
     std::optional<double> max_density, max_layer_fill;
     bool open_height = false, fill = false;
     std::optional<double> gap, wall_gap, voxel, time_limit, material_density;
     std::optional<std::uint64_t> seed;
-    std::optional<int> threads, detail;
+    std::optional<int> threads, try_per_tray, detail;
+    std::vector<std::string> keep_out;
+    bool physical = false;
     std::vector<std::string> outputs;
     bool refine = false, no_refine = false;
     bool dry_run = false, json = false, skip_unusable = false, require_all = false;
@@ -88,6 +91,81 @@ double parse_height_penalty(const std::string& text) {
     return penalty;
 }
 
+const Printer& known_printer(const std::string& name) {
+    const Printer* printer = find_printer(name);
+    if (!printer) {
+        throw UsageError(fmt::format("--printer {}: not known; --printer list names those that are", name));
+    }
+    return *printer;
+}
+
+int parse_trays(const std::string& text) {
+    if (text == "all") return 0;
+    int trays = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), trays);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || trays < 1) {
+        throw UsageError(fmt::format("--trays takes a number of containers or all, not '{}'", text));
+    }
+    return trays;
+}
+
+/// x0,y0,z0,x1,y1,z1, or a mesh file.
+KeepOutSource parse_keep_out(const std::string& text) {
+    Vec3 corner[2];
+    const char* at = text.data();
+    const char* end = at + text.size();
+    bool box = true;
+    for (int i = 0; i < 6 && box; ++i) {
+        const auto parsed = std::from_chars(at, end, corner[i / 3][i % 3]);
+        box = parsed.ec == std::errc{} && (i == 5 ? parsed.ptr == end : parsed.ptr != end && *parsed.ptr == ',');
+        at = parsed.ptr + 1;
+    }
+    if (!box) return {{}, MeshSource{text, "--keep-out"}};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(corner[0][axis] < corner[1][axis]) || !std::isfinite(corner[1][axis] - corner[0][axis])) {
+            throw UsageError(fmt::format("--keep-out {}: the second corner must lie beyond the first on every axis",
+                                         text));
+        }
+    }
+    return {{corner[0], corner[1]}};
+}
+
+/// The container: what the command line says, else the job file, else that of the build to be topped up.
+void settle_container(const PackArguments& a, const JobSettings& file, Job& job) {
+    job.container = file.container;
+    if (a.container) {
+        job.container.mesh = MeshSource{*a.container, "--container"};
+    } else if (a.tray || a.printer) {
+        job.container.mesh.reset();
+    }
+    const auto onto = a.onto ? a.onto : file.onto;
+    if (onto) {
+        job.onto = load_scene(*onto);
+        if (!a.container && !a.tray && !a.printer && !file.sized) {
+            job.options.tray = job.onto->packing.container.size;
+            ContainerSource same = container_source(job.onto->packing);
+            same.keep_out.insert(same.keep_out.end(), job.container.keep_out.begin(), job.container.keep_out.end());
+            same.physical = same.physical || job.container.physical;
+            job.container = std::move(same);
+        }
+    }
+    for (const std::string& keep_out : a.keep_out) {
+        job.container.keep_out.push_back(parse_keep_out(keep_out));
+    }
+    job.container.physical = job.container.physical || a.physical;
+}
+
+void print_printers() {
+    for (const Printer& printer : printers()) {
+        const Vec3& s = printer.size;
+        fmt::print("{:<16} {:<32} {:g}x{:g}x{:g} mm, gap {:g}, walls {:g}, floor {:g} mm\n{:<16} size{}: {}\n",
+                   printer.name, printer.title, s.x, s.y, s.z, printer.gap, printer.wall, printer.floor, "",
+                   printer.verified ? "" : " (UNVERIFIED)", printer.source);
+    }
+    fmt::print("Gaps and clearances are customary starting values, not the makers' word (UNVERIFIED): yours depend on\n"
+               "material and machine. --tray, --gap and --wall-gap override them.\n");
+}
+
 /// Two sides are a base, for packings without a ceiling.
 Vec3 parse_tray(const std::string& text) {
     const bool base = std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X'; }) == 1;
@@ -103,10 +181,10 @@ Vec3 parse_tray(const std::string& text) {
 
 /// `options` with what the command line says over it.
 PackOptions override_options(PackOptions options, const PackArguments& a) {
+    if (a.printer) apply(known_printer(*a.printer), options);
     if (a.tray) options.tray = parse_tray(*a.tray);
-    if (a.trays && *a.trays != "1") {
-        throw UsageError("--trays: several containers are not built yet: only 1");
-    }
+    if (a.trays) options.trays = parse_trays(*a.trays);
+    assign(options.try_per_tray, a.try_per_tray);
     assign(options.gap, a.gap);
     assign(options.wall_gap, a.wall_gap);
     assign(options.voxel, a.voxel);
@@ -211,10 +289,9 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings.outputs.size() + (settings.report ? 1 : 0));
     const int threads = settings.job.options.threads;
-    const auto write = [&](const std::string& file, const auto& action) {
+    const auto write = [&](const auto& action) {
         try {
             action();
-            written.push_back(file);
         } catch (const Error& error) {
             display.on_error(error.what());
             status = kOutOfResources;
@@ -223,11 +300,17 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
         display.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
     };
     for (const std::string& output : settings.outputs) {
-        write(output, [&] { write_output(scene, output, threads); });
+        write([&] {
+            for (const auto& file : write_output(scene, output, threads)) {
+                written.push_back(file.string());
+            }
+        });
     }
     if (settings.report) {
-        write(*settings.report,
-              [&] { write_report(scene, *settings.report, settings.material_density, threads); });
+        write([&] {
+            write_report(scene, *settings.report, settings.material_density, threads);
+            written.push_back(*settings.report);
+        });
     }
     return written;
 }
@@ -251,7 +334,8 @@ int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
         display.on_error(result.failure->what());
-        status = result.failure->kind() == ErrorKind::resource ? kOutOfResources : kCheckFailed;
+        const ErrorKind kind = result.failure->kind();
+        status = kind == ErrorKind::resource ? kOutOfResources : kind == ErrorKind::input ? kUnusableInput : kCheckFailed;
     }
     const Scene scene{result.packing, result.meshes};
     const auto written = write_outputs(scene, settings, display, status);
@@ -267,6 +351,11 @@ int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts
 }
 
 int run_pack(const PackArguments& arguments) {
+    if (arguments.printer == "list") {
+        print_printers();
+        return kDone;
+    }
+    if (arguments.parts.empty()) throw UsageError("PART is required: name what to pack");
     settle(arguments, {});  // so that wrong usage is told before files are looked at
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.mesh_dir);
     Settings settings = settle(arguments, inputs.job.value_or(JobSettings{}));
@@ -275,6 +364,8 @@ int run_pack(const PackArguments& arguments) {
     report_unusable(inputs.unusable, display);
     if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
     settings.job.parts = inputs.parts;
+    settle_container(arguments, inputs.job.value_or(JobSettings{}), settings.job);
+    settings.job.fixed = inputs.job ? inputs.job->fixed : std::vector<FixedSource>{};
 
     bool unusable = !inputs.unusable.empty();
     const int status = settings.dry_run ? run_estimate(settings, display, interrupts, unusable)
@@ -300,7 +391,7 @@ Command add_pack_command(CLI::App& app) {
         "so far written.");
     auto arguments = std::make_shared<PackArguments>();
     PackArguments& a = *arguments;
-    sub->add_option("PART", a.parts, "what to pack")->required();
+    sub->add_option("PART", a.parts, "what to pack");
     sub->add_option("-o,--output", a.outputs, "file to write, repeatable: .json .3mf .stl .csv .png")
         ->take_all()
         ->expected(1)
@@ -318,7 +409,21 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--max-density", a.max_density, "cap on the density, a share like 0.3")->group(container);
     sub->add_option("--max-layer-fill", a.max_layer_fill, "cap on the share of each layer's area, like 0.4")
         ->group(container);
-    sub->add_option("--trays", a.trays, "containers to fill [1]")->group(container);
+    sub->add_option("--printer", a.printer, "build volume and customary gaps of a printer; list prints them")
+        ->group(container);
+    sub->add_option("--container", a.container, "closed mesh to fill instead of a box")->group(container);
+    sub->add_option("--keep-out", a.keep_out, "room that stays empty, repeatable: a box x0,y0,z0,x1,y1,z1 in mm, or a mesh file")
+        ->take_all()
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group(container);
+    sub->add_flag("--physical", a.physical, "walls and keep-outs are really there: nothing leaves through them")
+        ->group(container);
+    sub->add_option("--onto", a.onto, "packing file to top up: its copies stay where they are")->group(container);
+    sub->add_option("--trays", a.trays, "containers to fill, a number or all [1]")->group(container);
+    sub->add_option("--try-per-tray", a.try_per_tray,
+                    "of several trays, how many of the first copies left each one tries; 0 for all [1000]")
+        ->group(container);
     sub->add_option("--gap", a.gap, "least distance between two copies, mm [0.2]")->group(container);
     sub->add_option("--wall-gap", a.wall_gap, "least distance to the walls, mm [0]")->group(container);
     const std::string input = "Input";

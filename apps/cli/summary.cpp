@@ -64,8 +64,12 @@ void print_shares(const Packing& packing) {
 
 void print_caps(const Packing& packing) {
     const Vec3& size = packing.container.size;
-    const std::vector<double>& area = packing.trays.front().layers.area;
-    const double fullest = area.empty() ? 0 : *std::max_element(area.begin(), area.end()) / (size.x * size.y);
+    double fullest = 0;
+    for (const TrayPacking& tray : packing.trays) {
+        for (const double area : tray.layers.area) {
+            fullest = std::max(fullest, area / (size.x * size.y));
+        }
+    }
     if (packing.options.max_density) {
         fmt::print("  cap        density up to {}\n", percent_text(*packing.options.max_density));
     }
@@ -75,20 +79,54 @@ void print_caps(const Packing& packing) {
     }
 }
 
+/// One tray has its own figures; of several each has a line.
+void print_trays(const Packing& packing) {
+    if (packing.trays.size() == 1) {
+        const TrayPacking& tray = packing.trays.front();
+        fmt::print("  density    {} of the container, {} of the packing's own box\n", percent_text(tray.density),
+                   percent_text(tray.density_bounding_box));
+        fmt::print("  height     {} mm{}\n", length_text(tray.height),
+                   packing.container.open_height ? ", without a ceiling" : "");
+        return;
+    }
+    fmt::print("  density    {} of {} containers\n", percent_text(packing.metrics.density), packing.trays.size());
+    for (std::size_t i = 0; i < packing.trays.size(); ++i) {
+        const TrayPacking& tray = packing.trays[i];
+        fmt::print("    tray {:<3} {:>5} copies, {:>6}, height {} mm\n", i + 1, tray.placements.size(),
+                   percent_text(tray.density), length_text(tray.height));
+    }
+}
+
+std::string container_text(const Container& container) {
+    std::string text = size_text(container.size);
+    if (container.mesh) text += fmt::format(" ({})", printable(container.mesh->file));
+    if (!container.keep_out.empty()) {
+        text += fmt::format(", {} keep-out{}", container.keep_out.size(), container.keep_out.size() == 1 ? "" : "s");
+    }
+    return text;
+}
+
+std::int64_t fixed_copies(const Packing& packing) {
+    std::int64_t count = 0;
+    for (const TrayPacking& tray : packing.trays) {
+        for (const Placement& placement : tray.placements) {
+            count += placement.fixed ? 1 : 0;
+        }
+    }
+    return count;
+}
+
 }  // namespace
 
 void print_summary(const PackResult& result, const std::vector<std::string>& written) {
     const Packing& packing = result.packing;
     const Metrics& metrics = packing.metrics;
-    const TrayPacking& tray = packing.trays.front();
     const PhaseSeconds& seconds = metrics.seconds;
     if (result.stopped == StopReason::cancelled) fmt::print("Interrupted: this is the packing so far.\n");
     if (result.stopped == StopReason::time_limit) fmt::print("Time limit: this is the packing so far.\n");
-    fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, size_text(packing.container.size));
-    fmt::print("  density    {} of the container, {} of the packing's own box\n", percent_text(tray.density),
-               percent_text(tray.density_bounding_box));
-    fmt::print("  height     {} mm{}\n", length_text(tray.height),
-               packing.container.open_height ? ", without a ceiling" : "");
+    fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, container_text(packing.container));
+    if (const std::int64_t fixed = fixed_copies(packing)) fmt::print("  fixed      {} of them stood there\n", fixed);
+    print_trays(packing);
     if (packing.options.fill) print_shares(packing);
     if (packing.options.max_density || packing.options.max_layer_fill) print_caps(packing);
     fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
@@ -117,7 +155,7 @@ void print_estimate(const Estimate& estimate, const PackOptions& options, const 
     fmt::print("{} copies of {} parts {}\n", estimate.copies, estimate.parts,
                open ? fmt::format("onto {} x {} mm, without a ceiling", length_text(options.tray.x),
                                   length_text(options.tray.y))
-                    : "into " + size_text(options.tray));
+                    : "into " + size_text(estimate.container));
     fmt::print("  grid       {} x {} x {} voxels of {} mm{}\n", estimate.grid.x, estimate.grid.y, estimate.grid.z,
                length_text(options.voxel), open ? " to begin with" : "");
     fmt::print("  searches   at most {}, each over {} orientation{}\n", estimate.searches, estimate.orientations,

@@ -21,6 +21,8 @@ struct PartSource {
     std::optional<std::string> name = {};  ///< for people; none: as the file says
     std::optional<double> gap = {};        ///< mm; none: the job's
     PartOrientations orientations = {};
+    double priority = 0;                   ///< higher goes first
+    std::string due = {};                  ///< "2026-12-01": earlier goes first; empty: last
 };
 
 struct ExpandedInputs {

@@ -2,7 +2,6 @@
 /// Packing: from mesh files to a Packing.
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,10 +9,11 @@
 #include "core/error.hpp"
 #include "core/listener.hpp"
 #include "core/stop.hpp"
-#include "geometry/mesh.hpp"
 #include "model/options.hpp"
 #include "model/packing.hpp"
+#include "model/printer.hpp"
 #include "spectralpack/inputs.hpp"
+#include "spectralpack/scene.hpp"
 #include "voxel/grid.hpp"
 
 namespace spectralpack {
@@ -22,10 +22,10 @@ struct Job {
     std::vector<PartSource> parts;
     double unit = 1;  ///< millimetres per unit for files that do not say
     PackOptions options;
+    ContainerSource container;       ///< where it is a mesh, its size takes the place of options.tray
+    std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
+    std::optional<Scene> onto;       ///< its copies stand where they are; those placed come on top, tray by tray
 };
-
-/// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.
-using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
 
 struct PackResult {
     Packing packing;
@@ -37,6 +37,7 @@ struct PackResult {
 
 /// What a run would take, known before it starts.
 struct Estimate {
+    Vec3 container;                  ///< size, mm
     Extent grid;                     ///< voxels of the tray
     int orientations = 0;
     int parts = 0;
@@ -54,7 +55,8 @@ struct Estimate {
 /// Loads, voxelises and packs. The same job gives the same placements on any machine and number of threads.
 /// Inputs that cannot be used are reported and the rest is packed. Throws UsageError for options that make no
 /// sense or are not built, ResourceError when the memory plan does not fit (with the bytes needed and the voxel
-/// size that would fit), InputError when nothing at all is usable.
+/// size that would fit), InputError when nothing at all is usable, for a container or keep-out mesh that cannot be one
+/// and for fixed copies that overlap or stick out.
 PackResult pack(const Job& job, Listener& listener, const StopToken& stop);
 
 /// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.

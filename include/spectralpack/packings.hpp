@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/listener.hpp"
 #include "core/stop.hpp"
@@ -14,14 +15,11 @@
 
 namespace spectralpack {
 
-/// A packing with the meshes it places.
-struct Scene {
-    Packing packing;
-    PartMeshes meshes;  ///< by part; null for parts without placements
-};
-
 /// Reads a packing file and the meshes it names. Throws InputError naming what is missing or wrong.
 Scene load_scene(const std::filesystem::path& packing_file);
+
+/// The container of a packing, to pack into again.
+ContainerSource container_source(const Packing& packing);
 
 /// Judges a packing from its meshes alone. `threads` <= 0: all the machine has.
 CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop);
@@ -39,8 +37,10 @@ std::string json_string(const std::string& text);
 bool is_output_file(const std::filesystem::path& path);
 const char* output_endings();
 
-/// Writes the packing as its ending says: .json .3mf .stl .csv .png. Whole or not at all.
-void write_output(const Scene& scene, const std::filesystem::path& path, int threads);
+/// Writes the packing as its ending says: .json .3mf .stl .csv .png. Each file whole or not at all. Of several trays,
+/// a .json holds all; the others are one file for each tray ("build-1.3mf" for "build.3mf", counted from 1) and the one
+/// named, which shows all side by side. Returns what was written.
+std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads);
 
 /// Endings that write_report() knows: .html .csv.
 bool is_report_file(const std::filesystem::path& path);

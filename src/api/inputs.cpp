@@ -113,7 +113,8 @@ class Expander {
             const int count = product(part.count, wanted.count, file, part.key + ".count");
             inputs_.parts.push_back({std::move(part.mesh), count, part.scale * wanted.scale,
                                      file + " " + part.key,
-                                     std::move(part.name), part.gap, std::move(part.orientations)});
+                                     std::move(part.name), part.gap, std::move(part.orientations), part.priority,
+                                     std::move(part.due)});
         }
         inputs_.job = std::move(job.settings);
     }

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "api/fixed_copies.hpp"
 #include "formats/mesh_reader.hpp"
 
 namespace spectralpack {
@@ -54,6 +55,17 @@ class Hash {
         XXH3_128bits_update(state_, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vec3));
         add(mesh.triangles.size());
         XXH3_128bits_update(state_, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
+    }
+    void add(const Vec3& v) {
+        add(v.x);
+        add(v.y);
+        add(v.z);
+    }
+    void add(const Transform& transform) {
+        for (const Vec3& row : transform.linear.rows) {
+            add(row);
+        }
+        add(transform.translation);
     }
     void add(const PartOrientations& orientations) {
         add(orientations.kind);
@@ -108,6 +120,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
     }
 
     LoadedJob result;
+    load_fixed(job, result);
     for (std::size_t f = 0; f < files.size(); ++f) {
         if (contents[f].error) result.unusable.push_back(*contents[f].error);
         for (const LoadedMesh& loaded : contents[f].meshes) {
@@ -119,8 +132,10 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             if (!loaded.warnings.empty()) listener.on_warning(name + ": " + joined(loaded.warnings));
         }
     }
-    const auto add = [&](Part part, std::shared_ptr<const Mesh> mesh, double box_volume,
+    const auto add = [&](const PartSource& source, Part part, std::shared_ptr<const Mesh> mesh, double box_volume,
                          std::string problem) {
+        result.priority.push_back(source.priority);
+        result.due.push_back(source.due);
         part.id = static_cast<int>(result.parts.size());
         result.parts.push_back(std::move(part));
         result.meshes.push_back(std::move(mesh));
@@ -139,7 +154,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         if (content.error) {
             part.name = source.name.value_or(std::filesystem::path(source.mesh).stem().string());
             const std::string& place = content.error->place();
-            add(part, nullptr, 0, place.empty() ? content.error->cause()
+            add(source, part, nullptr, 0, place.empty() ? content.error->cause()
                                                 : place + ": " + content.error->cause());
             continue;
         }
@@ -159,7 +174,8 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             part.repairs = loaded.repairs;
             const double mm = part.to_mm();
             part.volume = signed_volume(*content.shared[i]) * mm * mm * mm;
-            add(part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
+            add(source, part, content.shared[i],
+                bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
         }
     }
     if (result.unusable.size() == files.size() && !files.empty()) {
@@ -172,7 +188,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
     return result;
 }
 
-std::string input_hash(const LoadedJob& loaded, const PackOptions& options) {
+std::string input_hash(const LoadedJob& loaded, const Container& container, const PackOptions& options) {
     Hash hash;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const Part& part = loaded.parts[i];
@@ -181,13 +197,30 @@ std::string input_hash(const LoadedJob& loaded, const PackOptions& options) {
         hash.add(part.count);
         hash.add(part.to_mm());
         hash.add(part.gap);
+        hash.add(loaded.priority[i]);
+        hash.add(loaded.due[i]);
         hash.add(part.orientations);
     }
-    for (const double value : {options.tray.x, options.tray.y, options.tray.z, options.voxel,
-                               options.wall_gap, options.height_penalty.value_or(-1),
+    for (const FixedPlacement& fixed : loaded.fixed) {
+        hash.add(fixed.tray);
+        hash.add(fixed.placement.part);
+        hash.add(fixed.placement.transform);
+    }
+    hash.add(container.mesh.has_value());
+    if (container.mesh) hash.add(*container.mesh->surface);
+    for (const KeepOut& keep_out : container.keep_out) {
+        hash.add(keep_out.box.min);
+        hash.add(keep_out.box.max);
+        if (keep_out.mesh) hash.add(*keep_out.mesh->surface);
+    }
+    hash.add(container.physical);
+    hash.add(options.tray);
+    for (const double value : {options.voxel, options.wall_gap, options.height_penalty.value_or(-1),
                                options.max_density.value_or(-1), options.max_layer_fill.value_or(-1)}) {
         hash.add(value);
     }
+    hash.add(options.trays);
+    hash.add(options.trays == 1 ? 0 : options.try_per_tray);
     hash.add(options.rotations);
     hash.add(options.detail);
     hash.add(options.refine);

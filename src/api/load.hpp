@@ -9,8 +9,19 @@
 
 namespace spectralpack {
 
+/// A copy that stands in its tray from the start.
+struct FixedPlacement {
+    int tray = 0;
+    Placement placement;
+};
+
 struct LoadedJob {
-    std::vector<Part> parts;      ///< in input order; an unusable file keeps its place as a part without mesh
+    /// Those of fixed copies first, then in input order; an unusable file keeps its place as a part without mesh.
+    std::vector<Part> parts;
+    std::size_t fixed_parts = 0;           ///< so many of them have fixed copies only
+    std::vector<FixedPlacement> fixed;
+    std::vector<double> priority;          ///< by part, as is `due`
+    std::vector<std::string> due;
     PartMeshes meshes;            ///< by part, file's own coordinates; null where unusable
     std::vector<double> box_volume;    ///< by part: of the scaled mesh's box in file orientation, mm^3
     std::vector<std::string> problem;  ///< by part: why it cannot be used; empty where it can
@@ -20,7 +31,12 @@ struct LoadedJob {
 /// Tells repairs and warnings through the listener, once per file.
 LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener);
 
-/// Hash of all that placements depend on: meshes, counts, scales and options. 32 hexadecimal digits.
-std::string input_hash(const LoadedJob& loaded, const PackOptions& options);
+/// How many copies of the part are to be packed: none of those that stand fixed.
+inline int copies_to_pack(const LoadedJob& loaded, std::size_t part) {
+    return part < loaded.fixed_parts ? 0 : loaded.parts[part].count;
+}
+
+/// Hash of all that placements depend on: meshes, counts, scales, container and options. 32 hexadecimal digits.
+std::string input_hash(const LoadedJob& loaded, const Container& container, const PackOptions& options);
 
 }  // namespace spectralpack

@@ -1,6 +1,8 @@
 #include "spectralpack/pack.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,12 +13,15 @@
 #include <utility>
 
 #include "api/engine_factory.hpp"
+#include "api/fixed_copies.hpp"
 #include "api/load.hpp"
+#include "api/load_container.hpp"
 #include "api/machine.hpp"
 #include "api/plan.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/measure.hpp"
+#include "packing/walls.hpp"
 #include "search/verifying_search.hpp"
 
 namespace spectralpack {
@@ -41,19 +46,40 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) 
     return by_part;
 }
 
+/// What the options, each right by itself, cannot do together yet.
+void check_together(const Job& job) {
+    const PackOptions& options = job.options;
+    const bool walls = job.container.mesh || !job.container.keep_out.empty();
+    const bool fixed = job.onto || !job.fixed.empty();
+    const auto refuse = [](const std::string& what, const std::string& with) {
+        throw UsageError(what + " does not go with " + with + " yet");
+    };
+    if (is_open(options)) {
+        const std::string open = options.minimise == Minimise::box ? "--minimise box" : "--open-height";
+        if (walls) refuse(open, "container meshes and keep-outs");
+        if (fixed) refuse(open, "fixed copies and --onto");
+        if (options.trays != 1) refuse(open, "several trays");
+    }
+    if (options.fill && options.trays != 1) refuse("--fill", "several trays");
+    if (options.max_density || options.max_layer_fill) {
+        const std::string cap = options.max_density ? "--max-density" : "--max-layer-fill";
+        if (job.container.mesh) refuse(cap, "container meshes");
+        if (fixed) refuse(cap, "fixed copies and --onto");
+    }
+}
+
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
 class Run {
   public:
     Run(const Job& job, Listener& listener, const StopToken& stop)
-        : job_(job), listener_(listener), stop_(stop), workers_(job.options.threads) {}
+        : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
 
     PackResult run() {
         const auto start = Clock::now();
-        check_options(job_.options);
-        loaded_ = load_parts(job_, workers_, listener_);
-        plan_ = make_plan(loaded_, job_.options, workers_);
+        load();
+        plan_ = make_plan(loaded_, container_, options_, workers_);
         kept_.resize(loaded_.parts.size());
-        require_memory(plan_, loaded_, job_.options, workers_);
+        require_memory(plan_, loaded_, options_, workers_);
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
             if (!plan_.too_large[i].empty()) {
                 listener_.on_warning(loaded_.parts[i].name + " " + plan_.too_large[i]);
@@ -70,6 +96,7 @@ class Run {
         } catch (const Error& error) {
             result.failure = error;
         }
+        if (trays.stuck) result.failure = stuck(trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         result.stopped = stop_.reason();
         result.packing = packing_of(trays);
@@ -80,17 +107,30 @@ class Run {
     }
 
   private:
+    void load() {
+        check_options(options_);
+        check_together(job_);
+        container_ = load_container(job_.container, options_.tray, job_.unit);
+        options_.tray = container_.size;
+        loaded_ = load_parts(job_, workers_, listener_);
+        require_sound(loaded_, container_, options_, workers_, listener_, stop_);
+    }
+
     /// `base`: of the grid, in voxels.
     FillSetup fill_setup(const BaseSize& base) const {
-        const PackOptions& options = job_.options;
+        const PackOptions& options = options_;
         const double wall = 2 * options.wall_gap;
         FillSetup setup;
-        setup.container = tray_size(options);
+        setup.container = container_;
+        setup.container.size = tray_size(options);
         if (options.minimise == Minimise::box) {
-            setup.container.x = base.x * options.voxel + wall;
-            setup.container.y = base.y * options.voxel + wall;
+            setup.container.size.x = base.x * options.voxel + wall;
+            setup.container.size.y = base.y * options.voxel + wall;
         }
-        setup.tray.size = setup.container - Vec3{wall, wall, wall};
+        setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
+        setup.tray.blocked = blocked_voxels(container_, plan_.grid, options.voxel, options.wall_gap, workers_);
+        setup.tray.blocked_is_physical = container_.physical;
+        require_free(setup.tray.blocked);
         setup.tray.voxel_size = options.voxel;
         setup.tray.detail = options.detail;
         setup.tray.gap_classes = plan_.gap_classes;
@@ -105,14 +145,33 @@ class Run {
             setup.tray.reference_layers =
                 std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / options.voxel - 1e-9)));
             setup.tray.size.z = plan_.grid.z * options.voxel;
-            setup.container.z = Box::kInfinity;
+            setup.container.size.z = Box::kInfinity;
             setup.most_layers = plan_.most_layers;
+        }
+        for (const FixedPlacement& fixed : loaded_.fixed) {
+            const auto part = static_cast<std::size_t>(fixed.placement.part);
+            setup.fixed.push_back(
+                {fixed.tray, loaded_.meshes[part], fixed.placement.transform, loaded_.parts[part].gap});
         }
         return setup;
     }
 
+    void require_free(const BitGrid& blocked) const {
+        if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
+        std::string what = "no voxel of " + number_text(options_.voxel) + " mm is wholly free";
+        if (options_.wall_gap > 0) what += " and " + number_text(options_.wall_gap) + " mm from the walls";
+        if (container_.mesh) throw InputError(container_.mesh->file, "", "as a container, " + what);
+        throw UsageError("between the keep-outs " + what);
+    }
+
+    static std::string number_text(double value) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%g", value);
+        return text;
+    }
+
     void search(TraysResult& trays) {
-        const PackOptions& options = job_.options;
+        const PackOptions& options = options_;
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         VerifyingSearch* verifying = nullptr;
         if (options.verify_with) {
@@ -143,7 +202,7 @@ class Run {
 
     /// Packs into trays of one size.
     void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
-        const PackOptions& options = job_.options;
+        const PackOptions& options = options_;
         const FillSetup setup = fill_setup(base);
         TrayFiller filler(
             setup, engine,
@@ -154,36 +213,38 @@ class Run {
             },
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
-        const MakeShapeStore make_shapes = [&](const std::vector<PackItem>& items) {
-            return ShapeStore(
-                items,
-                [&](int part) {
-                    const auto i = static_cast<std::size_t>(part);
-                    std::shared_ptr<const Shape> shape = kept_[i];
-                    if (!shape) {
-                        shape = std::make_shared<const Shape>(
-                            make_shape(ids[i], scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
-                                       loaded_.parts[i].gap, plan_.gap_classes, workers_));
-                        if (keep_shapes_) kept_[i] = shape;
-                    }
-                    return shape;
-                },
-                workers_, [&](double seconds) { seconds_.voxelize += seconds; });
-        };
-        const Vec3 size = tray_size(options);
-        const double container = size.x * size.y * size.z;
+        ShapeStore shapes(
+            [&](int part) {
+                const auto i = static_cast<std::size_t>(part);
+                std::shared_ptr<const Shape> shape = kept_[i];
+                if (!shape) {
+                    shape = std::make_shared<const Shape>(
+                        make_shape(ids[i], scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
+                                   loaded_.parts[i].gap, plan_.gap_classes, workers_));
+                    if (keep_shapes_) kept_[i] = shape;
+                }
+                return shape;
+            },
+            workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep);
+        TraysLimit limit{options.trays, options.try_per_tray};
+        if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
+        const double container = volume_of(container_);
         double volume = 0;
-        std::size_t placed = 0;
+        std::size_t placed = 0;    // in the tray being filled
+        std::int64_t settled = 0;  // in all trays
+        std::size_t number = 0;    // of the tray being filled, from 1
         const TrayItemDone item_done = [&](const GreedyResult& tray, std::size_t done) {
-            for (; placed < tray.placed.size(); ++placed) {
+            if (std::exchange(number, trays.trays.size()) != trays.trays.size()) placed = 0;
+            for (; placed < tray.placed.size(); ++placed, ++settled) {
                 volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
             }
-            const double density = volume / container;
+            const double density = volume / (container * static_cast<double>(trays.trays.size()));
+            // What one tray leaves over the next one tries again.
+            const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
             // How many copies will fill the tray is not known before.
-            const std::size_t total = options.fill ? done : plan_.items.size();
-            const double work = options.fill ? density : static_cast<double>(done) / static_cast<double>(total);
-            listener_.on_progress({Phase::search, static_cast<std::int64_t>(done),
-                                   static_cast<std::int64_t>(total), density, std::min(work, 1.0)});
+            const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(plan_.items.size());
+            const double work = options.fill ? density : static_cast<double>(sure) / static_cast<double>(total);
+            listener_.on_progress({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
         listener_.on_progress({Phase::search, 0, static_cast<std::int64_t>(plan_.items.size()), 0, 0});
         const auto refined = [&] {
@@ -193,11 +254,10 @@ class Run {
         try {
             if (options.fill) {
                 GreedyResult& tray = trays.trays.emplace_back();
-                ShapeStore shapes = make_shapes(one_of_each_part());
                 filler.fill_in_shares(
                     shares(), shapes, [&](std::size_t done) { item_done(tray, done); }, stop_, tray);
             } else {
-                fill_trays(plan_.items, 1, filler, make_shapes, item_done, stop_, trays);
+                fill_trays(plan_.items, limit, filler, shapes, item_done, stop_, trays);
             }
         } catch (...) {
             refined();
@@ -242,7 +302,7 @@ class Run {
         for (const PackItem& item : plan_.items) {
             boxes += loaded_.box_volume[static_cast<std::size_t>(item.part)];
         }
-        const int side = std::max(1, static_cast<int>(std::cbrt(boxes) / job_.options.voxel));
+        const int side = std::max(1, static_cast<int>(std::cbrt(boxes) / options_.voxel));
         try {
             search_bases(side, {1, 1}, {plan_.grid.x, plan_.grid.y}, pack_on);
         } catch (...) {
@@ -250,15 +310,6 @@ class Run {
             throw;
         }
         count();
-    }
-
-    /// For a store that holds every part's shape for as long as it is asked for.
-    std::vector<PackItem> one_of_each_part() const {
-        std::vector<PackItem> items;
-        for (const PartShare& share : shares()) {
-            items.push_back({share.part, 0});
-        }
-        return items;
     }
 
     /// In the order in which the parts come first.
@@ -284,39 +335,56 @@ class Run {
         return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
+    void add_placed(const GreedyResult& greedy, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
+        for (const PlacedItem& placed : greedy.placed) {
+            settled.emplace(placed.item.part, placed.item.copy);
+            tray.placements.push_back(
+                {placed.item.part, placed.item.copy, placed.orientation, false, transform_of(placed)});
+        }
+    }
+
+    /// Several trays were allowed, and one stayed empty of what is left.
+    Error stuck(const TraysResult& trays) const {
+        const Part& first = loaded_.parts[static_cast<std::size_t>(trays.left_over.front().part)];
+        return Error(ErrorKind::input,
+                     "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
+                         std::to_string(trays.left_over.size()) +
+                         (trays.left_over.size() == 1 ? " copy" : " copies") +
+                         " tried none finds a place in it, the first being " + first.name +
+                         (trays.trays.empty() ? "" : "; the trays before are kept"));
+    }
+
     Packing packing_of(const TraysResult& trays) {
         Packing packing;
         packing.program = "spectralpack " SPECTRALPACK_VERSION;
-        packing.input_hash = input_hash(loaded_, job_.options);
-        packing.container.size = tray_size(job_.options);
-        packing.container.open_height = is_open(job_.options);
+        packing.input_hash = input_hash(loaded_, container_, options_);
+        packing.container = container_;
+        packing.container.size = tray_size(options_);
+        packing.container.open_height = is_open(options_);
         if (base_) {
-            packing.container.size.x = base_->x * job_.options.voxel + 2 * job_.options.wall_gap;
-            packing.container.size.y = base_->y * job_.options.voxel + 2 * job_.options.wall_gap;
+            packing.container.size.x = base_->x * options_.voxel + 2 * options_.wall_gap;
+            packing.container.size.y = base_->y * options_.voxel + 2 * options_.wall_gap;
         }
-        packing.options = job_.options;
-        packing.options.tray = tray_size(job_.options);
-        packing.options.height_at = height_reference(job_.options);
+        packing.options = options_;
+        packing.options.tray = tray_size(options_);
+        packing.options.height_at = height_reference(options_);
         packing.options.height_penalty = plan_.height_penalty;
         packing.options.engine = plan_.engine;
         packing.parts = loaded_.parts;
 
-        if (job_.options.fill) count_what_came_of_shares(trays, packing.parts);
+        if (options_.fill) count_what_came_of_shares(trays, packing.parts);
 
         std::set<std::pair<int, int>> settled;  // part and copy
-        for (const GreedyResult& greedy : trays.trays) {
-            TrayPacking tray;
-            for (const PlacedItem& placed : greedy.placed) {
-                settled.emplace(placed.item.part, placed.item.copy);
-                tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
-                                           transform_of(placed)});
-            }
+        packing.trays = fixed_trays(loaded_);
+        packing.trays.resize(std::max(packing.trays.size(), trays.trays.size()));
+        for (std::size_t t = 0; t < packing.trays.size(); ++t) {
+            TrayPacking& tray = packing.trays[t];
+            if (t < trays.trays.size()) add_placed(trays.trays[t], tray, settled);
             if (packing.container.open_height && !tray.placements.empty()) {
                 packing.container.size.z = reached_height(tray, loaded_.meshes);
             }
-            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
-            packing.metrics.density += tray.density / static_cast<double>(trays.trays.size());
-            packing.trays.push_back(std::move(tray));
+            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, options_.voxel, workers_);
+            packing.metrics.density += tray.density / static_cast<double>(packing.trays.size());
         }
 
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
@@ -337,7 +405,7 @@ class Run {
             settled.emplace(item.part, item.copy);
         }
         for (const PackItem& item : plan_.items) {
-            if (job_.options.fill || settled.contains({item.part, item.copy})) continue;
+            if (options_.fill || settled.contains({item.part, item.copy})) continue;
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
         }
 
@@ -345,7 +413,7 @@ class Run {
         for (const Part& part : packing.parts) {
             metrics.copies += part.count;
         }
-        metrics.placed = trays.placed();
+        metrics.placed = trays.placed() + static_cast<std::int64_t>(loaded_.fixed.size());
         metrics.seconds = seconds_;
         metrics.min_gap = trays.least_gap;
         metrics.searches = trays.searches();
@@ -359,7 +427,7 @@ class Run {
     /// A packing in shares has as many copies as were placed of each part.
     void count_what_came_of_shares(const TraysResult& trays, std::vector<Part>& parts) const {
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (!loaded_.meshes[i] || !plan_.too_large[i].empty()) continue;
+            if (i < loaded_.fixed_parts || !loaded_.meshes[i] || !plan_.too_large[i].empty()) continue;
             parts[i].share = std::exchange(parts[i].count, 0);
         }
         for (const GreedyResult& tray : trays.trays) {
@@ -370,6 +438,8 @@ class Run {
     }
 
     const Job& job_;
+    PackOptions options_;  // as used: with the size of a container mesh
+    Container container_;
     Listener& listener_;
     StopToken stop_;
     Workers workers_;
@@ -389,12 +459,18 @@ PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
 }
 
 Estimate estimate(const Job& job, Listener& listener) {
-    check_options(job.options);
-    const Workers workers(job.options.threads);
+    PackOptions options = job.options;
+    check_options(options);
+    check_together(job);
+    const Workers workers(options.threads);
+    const Container container = load_container(job.container, options.tray, job.unit);
+    options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);
-    const Plan plan = make_plan(loaded, job.options, workers);
+    require_sound(loaded, container, options, workers, listener, {});
+    const Plan plan = make_plan(loaded, container, options, workers);
     Estimate estimate;
     estimate.grid = plan.grid;
+    estimate.container = tray_size(options);
     estimate.orientations = static_cast<int>(plan.most_orientations);
     estimate.parts = static_cast<int>(loaded.parts.size());
     for (const Part& part : loaded.parts) {

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "api/load_container.hpp"
 #include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
@@ -50,7 +51,23 @@ Scene load_scene(const std::filesystem::path& packing_file) {
         if (!mesh) mesh = std::make_shared<const Mesh>(std::move(object->mesh));
         scene.meshes[i] = mesh;
     }
+    load_surfaces(scene.packing.container);
     return scene;
+}
+
+ContainerSource container_source(const Packing& packing) {
+    const auto source_of = [](const StandingMesh& mesh) {
+        return MeshSource{mesh.file, "", mesh.transform};
+    };
+    ContainerSource source;
+    const Container& container = packing.container;
+    if (container.mesh) source.mesh = source_of(*container.mesh);
+    for (const KeepOut& keep_out : container.keep_out) {
+        source.keep_out.push_back({keep_out.box});
+        if (keep_out.mesh) source.keep_out.back().mesh = source_of(*keep_out.mesh);
+    }
+    source.physical = container.physical;
+    return source;
 }
 
 CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop) {
@@ -65,7 +82,9 @@ bool is_output_file(const std::filesystem::path& path) {
            ending == ".png";
 }
 
-void write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
+namespace {
+
+void write_one(const Scene& scene, const std::filesystem::path& path, const RenderOptions& picture, int threads) {
     const std::string ending = path.extension().string();
     if (ending == ".json") {
         write_packing(scene.packing, path);
@@ -76,11 +95,33 @@ void write_output(const Scene& scene, const std::filesystem::path& path, int thr
     } else if (ending == ".csv") {
         write_transforms_csv(scene.packing, path);
     } else if (ending == ".png") {
-        write_picture(scene, path, {}, threads);
+        write_picture(scene, path, picture, threads);
     } else {
         throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " +
                          output_endings());
     }
+}
+
+/// build-2.3mf for the second tray of build.3mf.
+std::filesystem::path tray_file(std::filesystem::path path, std::size_t tray) {
+    const std::string name = path.stem().string() + "-" + std::to_string(tray + 1) + path.extension().string();
+    return path.replace_filename(name);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
+    write_one(scene, path, {}, threads);
+    std::vector<std::filesystem::path> written{path};
+    const std::size_t trays = scene.packing.trays.size();
+    if (trays < 2 || path.extension() == ".json") return written;
+    Scene single = scene;
+    for (std::size_t tray = 0; tray < trays; ++tray) {
+        single.packing.trays = {scene.packing.trays[tray]};
+        written.push_back(tray_file(path, tray));
+        write_one(single, written.back(), {}, threads);
+    }
+    return written;
 }
 
 bool is_report_file(const std::filesystem::path& path) {

@@ -117,7 +117,7 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
         const Mesh& mesh = *loaded.meshes[i];
         bytes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
                                            mesh.triangles.size() * sizeof(Triangle));
-        if (!plan.too_large[i].empty()) continue;
+        if (!plan.too_large[i].empty() || copies_to_pack(loaded, i) == 0) continue;
         shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx, detail,
                                       plan.orientations[i]->size(), plan.gap_classes));
     }
@@ -235,6 +235,8 @@ void check_options(const PackOptions& options) {
         }
     }
     positive(options.voxel, "--voxel");
+    if (options.trays < 0) throw UsageError("--trays takes a number or all");
+    if (options.try_per_tray < 0) throw UsageError("--try-per-tray takes a number of copies, 0 for all");
     if (options.detail < 1 || options.detail > kMostDetail) {
         throw UsageError("--detail must be 1 to " + std::to_string(kMostDetail));
     }
@@ -271,37 +273,40 @@ void check_options(const PackOptions& options) {
     }
 }
 
-Plan make_plan(const LoadedJob& loaded, const PackOptions& options, const Workers& workers) {
+Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
+               const Workers& workers) {
     check_options(options);
     Plan plan;
     plan_orientations(loaded, options, workers, plan);
     plan.engine = resolve_engine(options.engine);
     plan.gap_classes = {};
-    const Vec3 tray = tray_size(options);
-    const double container = tray.x * tray.y * tray.z;
+    const double container_volume = volume_of(container);
 
     std::vector<PartSize> sizes;
     plan.too_large.resize(loaded.parts.size());
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
-        if (!loaded.meshes[i]) return;
+        if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
         plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i],
                                           room(options));
     });
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const Part& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;
-        plan.box_ratio += part.count * loaded.box_volume[i] / container;
-        plan.volume_ratio += part.count * part.volume / container;
+        const int copies = copies_to_pack(loaded, i);
+        plan.box_ratio += copies * loaded.box_volume[i] / container_volume;
+        plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
-        if (plan.too_large[i].empty()) sizes.push_back({part.id, part.count, loaded.box_volume[i]});
+        if (plan.too_large[i].empty() && copies > 0) {
+            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i]});
+        }
     }
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()),
                            plan.gap_classes.end());
     plan.items = order_items(sizes, options.order, options.seed);
     plan.height_penalty = options.height_penalty.value_or(
-        automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container));
+        automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
     for (int axis = 0; axis < 2; ++axis) {
         plan.grid[axis] = voxels_in(room(options)[axis], options.voxel);
     }
@@ -327,6 +332,9 @@ Plan make_plan(const LoadedJob& loaded, const PackOptions& options, const Worker
         const double wanted = kCacheUnasked * static_cast<double>(plan.grid.count()) *
                               static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
+    }
+    if (options.trays != 1) {
+        plan.keep = std::max<std::int64_t>(0, plan.memory_limit - plan.memory - kCacheShare * plan.cache) / 2;
     }
     return plan;
 }

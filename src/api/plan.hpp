@@ -23,6 +23,7 @@ struct Plan {
     std::int64_t memory = 0;           ///< bytes the run needs without caches, meshes included
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;            ///< bytes left for caches
+    std::int64_t keep = 0;             ///< bytes of voxels that may be held from one tray to the next
     double box_ratio = 0, volume_ratio = 0;
 };
 
@@ -38,8 +39,9 @@ Vec3 tray_size(const PackOptions& options);
 /// Throws UsageError for options that make no sense or are not built.
 void check_options(const PackOptions& options);
 
-/// Throws as check_options and orientation_set do.
-Plan make_plan(const LoadedJob& loaded, const PackOptions& options, const Workers& workers);
+/// `options.tray` is the container's size. Throws as check_options and orientation_set do.
+Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
+               const Workers& workers);
 
 /// Throws ResourceError, with the bytes needed and the finest voxel size that would fit, when plan.memory is
 /// beyond plan.memory_limit.

@@ -1,11 +1,13 @@
 #include "formats/job_file.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/part_orientations.hpp"
+#include "model/printer.hpp"
 
 namespace spectralpack {
 namespace {
@@ -31,12 +33,18 @@ class JobReader {
         root_.expect_keys({"format", "version", "unit", "container", "open_height", "trays",
                            "keep_out", "wall_gap", "gap", "parts", "fixed", "options"});
         job_.settings.file = file_;
-        refuse_what_is_not_built();
         if (const auto options = root_.find("options")) read_job_options(*options);
         PackOptions& o = job_.settings.options;
         if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of(kUnits);
+        if (const auto v = said_once("trays", "trays")) o.trays = trays_of(*v);
         if (const auto v = said_once("open_height", "open-height")) o.open_height = v->boolean();
         if (const auto v = root_.find("container")) read_container(*v);
+        if (const auto v = root_.find("keep_out")) {
+            v->for_each([&](const Node& node) { read_keep_out(node); });
+        }
+        if (const auto v = root_.find("fixed")) {
+            v->for_each([&](const Node& node) { read_fixed(node); });
+        }
         if (const auto v = said_once("gap", "gap")) o.gap = v->number_from(0);
         if (const auto v = said_once("wall_gap", "wall-gap")) o.wall_gap = v->number_from(0);
         root_.at("parts").for_each([&](const Node& node) { read_part(node); });
@@ -44,40 +52,51 @@ class JobReader {
     }
 
   private:
-    [[noreturn]] static void not_built(const Node& node, const std::string& what) {
-        throw UsageError(node.file() + ": " + node.path() + ": " + what + " not built yet");
-    }
-
-    /// What says that there is nothing of the kind is fine.
-    void refuse_what_is_not_built() const {
-        if (const auto v = root_.find("trays")) refuse_trays(*v);
-        if (const auto v = root_.find("keep_out"); v && v->size() > 0) {
-            not_built(*v, "keep-out zones are");
-        }
-        if (const auto v = root_.find("fixed"); v && v->size() > 0)
-            not_built(*v, "fixed parts are");
-    }
-
-    static void refuse_trays(const Node& node) {
-        const bool one = node.is_text() ? node.text() == "1" : node.integer<int>(1) == 1;
-        if (node.is_text() && !one && node.text() != "all")
-            node.fail("must be a number or \"all\"");
-        if (!one) not_built(node, "several containers are");
-    }
-
     void read_container(const Node& node) {
-        node.expect_keys({"size", "mesh", "transform", "physical"});
-        for (const char* key : {"mesh", "transform"}) {
-            if (const auto v = node.find(key)) not_built(*v, "a mesh as container is");
+        node.expect_keys({"size", "mesh", "transform", "unit", "physical"});
+        ContainerSource& container = job_.settings.container;
+        if (const auto v = node.find("physical")) container.physical = v->boolean();
+        const auto size = node.find("size"), mesh = node.find("mesh");
+        if (const auto v = node.find("transform"); v && !mesh) v->fail("needs a mesh");
+        if (mesh && size) size->fail("is that of the mesh: leave one of them out");
+        if (!mesh && !size) node.at("size");
+        const auto options = root_.find("options");
+        if (options && options->find("tray")) (size ? *size : *mesh).fail("is said twice: also as options.tray");
+        job_.settings.sized = true;
+        if (mesh) {
+            container.mesh = mesh_source(node);
+        } else {
+            job_.settings.options.tray = size_of(*size);
         }
-        if (const auto v = node.find("physical"); v && v->boolean()) {
-            not_built(*v, "a physical container is");
+    }
+
+    /// "mesh", and where it stands: "transform", "unit".
+    MeshSource mesh_source(const Node& node) const {
+        MeshSource source{path_of(node.at("mesh")), file_ + " " + node.path()};
+        if (const auto v = node.find("transform")) source.transform = transform_of(*v);
+        if (const auto v = node.find("unit")) source.unit = v->one_of(kUnits);
+        return source;
+    }
+
+    void read_keep_out(const Node& node) {
+        node.expect_keys({"box", "mesh", "transform", "unit"});
+        const auto box = node.find("box");
+        if (box && node.find("mesh")) box->fail("is one keep-out, the mesh another");
+        KeepOutSource source;
+        if (box) {
+            source.box = box_of(*box);
+        } else {
+            source.mesh = mesh_source(node);
         }
-        const Node size = node.at("size");
-        if (const auto options = root_.find("options"); options && options->find("tray")) {
-            size.fail("is said twice: also as options.tray");
-        }
-        job_.settings.options.tray = size_of(size);
+        job_.settings.container.keep_out.push_back(std::move(source));
+    }
+
+    void read_fixed(const Node& node) {
+        node.expect_keys({"name", "mesh", "transform", "unit", "gap"});
+        FixedSource source{mesh_source(node)};
+        if (const auto v = node.find("name")) source.name = v->text();
+        if (const auto v = node.find("gap")) source.gap = v->number_from(0);
+        job_.settings.fixed.push_back(std::move(source));
     }
 
     /// Two sides are a base, for packings without a ceiling.
@@ -99,6 +118,7 @@ class JobReader {
 
     void read_job_options(const Node& node) {
         node.expect_keys({"tray",           "trays",           "gap",
+                          "try-per-tray",   "printer",         "onto",
                           "wall-gap",       "voxel",           "rotations",
                           "refine",         "interlock",       "order",
                           "height-penalty", "height-at",       "seed",
@@ -110,9 +130,13 @@ class JobReader {
                           "minimise",       "fill",            "max-density",
                           "max-layer-fill"});
         JobSettings& s = job_.settings;
+        if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);
-        if (const auto v = node.find("tray")) s.options.tray = size_of(*v);
-        if (const auto v = node.find("trays")) refuse_trays(*v);
+        if (const auto v = node.find("tray")) {
+            s.options.tray = size_of(*v);
+            s.sized = true;
+        }
+        if (const auto v = node.find("onto")) s.onto = path_of(*v);
         if (const auto v = node.find("unit")) {
             if (root_.find("unit")) v->fail("is said twice: also as unit");
             s.unit = v->one_of(kUnits);
@@ -137,12 +161,17 @@ class JobReader {
         }
     }
 
+    /// What the job says itself is read later and overrides the printer's values.
+    void use_printer(const Node& node) {
+        const Printer* printer = find_printer(node.text());
+        if (!printer) node.fail("is no printer that is known: see 'spectralpack pack --printer list'");
+        apply(*printer, job_.settings.options);
+        job_.settings.sized = true;
+    }
+
     void read_part(const Node& node) {
         node.expect_keys(
             {"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
-        if (const auto v = node.find("priority"); v && v->number() != 0)
-            not_built(*v, "priorities are");
-        if (const auto v = node.find("due")) not_built(*v, "due dates are");
         JobPart part;
         part.key = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -150,8 +179,29 @@ class JobReader {
         if (const auto v = node.find("count")) part.count = v->integer<int>(1, kMostCopies);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
+        if (const auto v = node.find("priority")) part.priority = v->number();
+        if (const auto v = node.find("due")) part.due = date_of(*v);
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));
+    }
+
+    /// A calendar date, which then sorts as text.
+    static std::string date_of(const Node& node) {
+        const std::string text = node.text();
+        bool digits = text.size() == 10;
+        for (std::size_t i = 0; i < text.size() && digits; ++i) {
+            digits = i == 4 || i == 7 ? text[i] == '-' : text[i] >= '0' && text[i] <= '9';
+        }
+        const auto number = [&](std::size_t at, std::size_t size) {
+            return static_cast<unsigned>(std::stoul(text.substr(at, size)));
+        };
+        if (!digits || !std::chrono::year_month_day(std::chrono::year(static_cast<int>(number(0, 4))),
+                                                    std::chrono::month(number(5, 2)),
+                                                    std::chrono::day(number(8, 2)))
+                            .ok()) {
+            node.fail("must be a date like \"2026-12-01\"");
+        }
+        return text;
     }
 
     std::string path_of(const Node& node) const {

@@ -18,7 +18,9 @@ struct JobPart {
     int count = 1;
     double scale = 1;
     std::optional<double> gap;  ///< mm; none: the job's
-    PartOrientations orientations;
+    PartOrientations orientations = {};
+    double priority = 0;        ///< higher goes first
+    std::string due = {};       ///< "2026-12-01"; empty: none
     std::string key;            ///< where it stands in the file: "parts[3]"
 };
 

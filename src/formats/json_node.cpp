@@ -28,6 +28,39 @@ Vec3 vector_of(const Node& node) {
     return {node.element(0).number(), node.element(1).number(), node.element(2).number()};
 }
 
+Box box_of(const Node& node) {
+    node.expect_size(2);
+    const Box box{vector_of(node.element(0)), vector_of(node.element(1))};
+    const Vec3 size = box.max - box.min;
+    if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+        node.fail("must be two corners, the second beyond the first on every axis");
+    }
+    return box;
+}
+
+Transform transform_of(const Node& node) {
+    node.expect_size(4);
+    Transform transform;
+    for (std::size_t row = 0; row < 4; ++row) {
+        const Node numbers = node.element(row);
+        numbers.expect_size(4);
+        for (std::size_t column = 0; column < 4; ++column) {
+            const double value = numbers.element(column).number();
+            const int r = static_cast<int>(row), c = static_cast<int>(column);
+            if (row == 3) {
+                if (value != (column == 3 ? 1 : 0)) numbers.fail("the last row must be 0, 0, 0, 1");
+            } else if (column == 3) {
+                transform.translation[r] = value;
+            } else {
+                transform.linear.rows[row][c] = value;
+            }
+        }
+    }
+    const double volume = determinant(transform.linear);
+    if (volume == 0 || !std::isfinite(volume)) node.fail("must be invertible");
+    return transform;
+}
+
 nlohmann::json parse_json(const std::string& file, std::string_view text) {
     try {
         return nlohmann::json::parse(text.begin(), text.end());

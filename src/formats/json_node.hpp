@@ -13,7 +13,8 @@
 
 #include "core/error.hpp"
 #include "formats/packing_names.hpp"
-#include "geometry/vec3.hpp"
+#include "geometry/box.hpp"
+#include "geometry/transform.hpp"
 
 namespace spectralpack {
 
@@ -139,6 +140,12 @@ class Node {
 
 /// Three numbers.
 Vec3 vector_of(const Node& node);
+
+/// Two corners, the lower one first and no side flat.
+Box box_of(const Node& node);
+
+/// 4 x 4, row-major, the last row 0 0 0 1, invertible.
+Transform transform_of(const Node& node);
 
 /// The document in `text`. Throws InputError naming `file` where it is not JSON.
 nlohmann::json parse_json(const std::string& file, std::string_view text);

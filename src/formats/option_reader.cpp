@@ -27,8 +27,21 @@ VerifyWith verify_with_of(const Node& node) {
 
 }  // namespace
 
+int trays_of(const Node& node) {
+    if (!node.is_text()) return node.integer<int>(1);
+    if (node.text() == "all") return 0;
+    const auto number = parse_integer(node.text());
+    if (!number || *number < 1 || *number > std::numeric_limits<int>::max()) {
+        node.fail("must be a number or \"all\"");
+    }
+    return static_cast<int>(*number);
+}
+
 void read_options(const Node& node, PackOptions& o) {
     if (const auto v = node.find("tray")) o.tray = vector_of(*v);
+    if (const auto v = node.find("trays")) o.trays = trays_of(*v);
+    if (const auto v = node.find("try-per-tray")) o.try_per_tray = v->integer<int>(0);
+    if (const auto v = node.find("printer")) o.printer = v->text();
     if (const auto v = node.find("voxel")) o.voxel = v->positive();
     if (const auto v = node.find("detail")) o.detail = v->integer<int>(1);
     if (const auto v = node.find("rotations")) {

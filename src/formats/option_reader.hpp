@@ -10,4 +10,7 @@ namespace spectralpack {
 /// Keys it does not know are the caller's.
 void read_options(const Node& node, PackOptions& o);
 
+/// A number of trays, or "all": 0.
+int trays_of(const Node& node);
+
 }  // namespace spectralpack

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.hpp"
 #include "formats/file_bytes.hpp"
@@ -13,29 +12,6 @@ namespace spectralpack {
 namespace {
 
 namespace fs = std::filesystem;
-
-Transform transform_of(const Node& node) {
-    node.expect_size(4);
-    Transform transform;
-    for (std::size_t row = 0; row < 4; ++row) {
-        const Node numbers = node.element(row);
-        numbers.expect_size(4);
-        for (std::size_t column = 0; column < 4; ++column) {
-            const double value = numbers.element(column).number();
-            const int r = static_cast<int>(row), c = static_cast<int>(column);
-            if (row == 3) {
-                if (value != (column == 3 ? 1 : 0)) numbers.fail("the last row must be 0, 0, 0, 1");
-            } else if (column == 3) {
-                transform.translation[r] = value;
-            } else {
-                transform.linear.rows[row][c] = value;
-            }
-        }
-    }
-    const double volume = determinant(transform.linear);
-    if (volume == 0 || !std::isfinite(volume)) node.fail("must be invertible");
-    return transform;
-}
 
 /// Reads a tray's disassembly plan and keeps track of who still stands with whom.
 class PlanReader {
@@ -137,8 +113,6 @@ class PackingReader {
     }
 
   private:
-    /// What this version cannot represent must not be dropped in silence: a check would judge
-    /// another packing.
     void read_container(const Node& node) {
         const Node size = node.at("size");
         size.expect_size(3);
@@ -146,13 +120,22 @@ class PackingReader {
             packing_.container.size[axis] = size.element(static_cast<std::size_t>(axis)).positive();
         }
         if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
-        if (const auto mesh = node.find("mesh")) mesh->fail("a mesh as container is not supported");
-        if (const auto keep_out = node.find("keep_out"); keep_out && keep_out->size() > 0) {
-            keep_out->fail("keep-out zones are not supported");
+        Container& container = packing_.container;
+        if (const auto mesh = node.find("mesh")) container.mesh = standing_mesh(*mesh, node);
+        if (const auto keep_out = node.find("keep_out")) {
+            keep_out->for_each([&](const Node& zone) {
+                if (const auto mesh = zone.find("mesh")) {
+                    container.keep_out.push_back({{}, standing_mesh(*mesh, zone)});
+                } else {
+                    container.keep_out.push_back({box_of(zone.at("box"))});
+                }
+            });
         }
-        if (const auto physical = node.find("physical"); physical && physical->boolean()) {
-            physical->fail("a physical container is not supported");
-        }
+        if (const auto physical = node.find("physical")) container.physical = physical->boolean();
+    }
+
+    StandingMesh standing_mesh(const Node& mesh, const Node& owner) const {
+        return {mesh_path(mesh), transform_of(owner.at("transform"))};
     }
 
     void read_part(const Node& node) {

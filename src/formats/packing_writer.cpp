@@ -64,6 +64,9 @@ Json options_json(const PackOptions& o) {
                  (o.verify_with->sample > 0 ? ":" + std::to_string(o.verify_with->sample) : "");
     }
     return {{"tray", vector_json(o.tray)},
+            {"trays", o.trays > 0 ? Json(o.trays) : Json("all")},
+            {"try-per-tray", o.try_per_tray},
+            {"printer", or_null(o.printer)},
             {"voxel", o.voxel},
             {"detail", o.detail},
             {"rotations", o.rotations},
@@ -106,6 +109,10 @@ class PackingWriter {
             mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
             check_utf8(mesh_paths_.back());
         }
+        if (packing.container.mesh) container_path_ = path_of(*packing.container.mesh, folder);
+        for (const KeepOut& keep_out : packing.container.keep_out) {
+            keep_out_paths_.push_back(keep_out.mesh ? path_of(*keep_out.mesh, folder) : "");
+        }
     }
 
     Json json() const {
@@ -114,12 +121,7 @@ class PackingWriter {
                      {"units", "mm"},
                      {"program", packing_.program},
                      {"input_hash", packing_.input_hash},
-                     {"container",
-                      {{"size", vector_json(packing_.container.size)},
-                       {"open_height", packing_.container.open_height},
-                       {"mesh", nullptr},
-                       {"keep_out", Json::array()},
-                       {"physical", false}}},
+                     {"container", container_json()},
                      {"options", options_json(packing_.options)},
                      {"parts", Json::array()},
                      {"trays", Json::array()},
@@ -141,6 +143,33 @@ class PackingWriter {
     }
 
   private:
+    static std::string path_of(const StandingMesh& mesh, const fs::path& folder) {
+        std::string path = relative_mesh_path(mesh.file, folder);
+        check_utf8(path);
+        return path;
+    }
+
+    Json container_json() const {
+        const Container& container = packing_.container;
+        Json json = {{"size", vector_json(container.size)},
+                     {"open_height", container.open_height},
+                     {"mesh", container.mesh ? Json(container_path_) : Json(nullptr)},
+                     {"transform", container.mesh ? transform_json(container.mesh->transform) : Json(nullptr)},
+                     {"keep_out", Json::array()},
+                     {"physical", container.physical}};
+        for (std::size_t i = 0; i < container.keep_out.size(); ++i) {
+            const KeepOut& keep_out = container.keep_out[i];
+            if (keep_out.mesh) {
+                json["keep_out"].push_back(
+                    {{"mesh", keep_out_paths_[i]}, {"transform", transform_json(keep_out.mesh->transform)}});
+            } else {
+                json["keep_out"].push_back(
+                    {{"box", {vector_json(keep_out.box.min), vector_json(keep_out.box.max)}}});
+            }
+        }
+        return json;
+    }
+
     Json part_json(std::size_t index) const {
         const Part& part = packing_.parts[index];
         return {{"id", index},
@@ -207,7 +236,8 @@ class PackingWriter {
     }
 
     const Packing& packing_;
-    std::vector<std::string> mesh_paths_;
+    std::vector<std::string> mesh_paths_, keep_out_paths_;
+    std::string container_path_;
 };
 
 bool is_list_of_objects(const Json& value) {

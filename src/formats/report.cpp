@@ -166,6 +166,7 @@ class HtmlReport {
             packing_.metrics.copies, size.x, size.y, size.z);
         add("<p class=\"warn\">Interlocking was not checked: some parts may not come apart after "
             "printing.</p>\n");
+        if (packing_.trays.size() > 1) all_trays();
         for (std::size_t i = 0; i < packing_.trays.size(); ++i) {
             tray(i);
         }
@@ -190,10 +191,22 @@ class HtmlReport {
         add("<tr><td>{}</td><td class=\"n\">{}</td></tr>\n", what, value);
     }
 
+    void all_trays() {
+        add("<h2>Trays</h2>\n<table><thead><tr><th>Tray</th><th class=\"n\">Copies</th>"
+            "<th class=\"n\">Density by volume</th><th class=\"n\">Height, mm</th></tr></thead><tbody>\n");
+        for (std::size_t i = 0; i < packing_.trays.size(); ++i) {
+            const TrayPacking& tray = packing_.trays[i];
+            add("<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.1f} %</td><td class=\"n\">{:g}</td></tr>\n",
+                i + 1, tray.placements.size(), 100 * tray.density, tray.height);
+        }
+        add("</tbody><tfoot><tr><td>All</td><td class=\"n\">{}</td><td class=\"n\">{:.1f} %</td><td></td></tr>"
+            "</tfoot></table>\n",
+            packing_.metrics.placed, 100 * packing_.metrics.density);
+    }
+
     void tray(std::size_t index) {
         const TrayPacking& tray = packing_.trays[index];
-        const Vec3& size = packing_.container.size;
-        const double container = size.x * size.y * size.z;
+        const double container = volume_of(packing_.container);
         if (packing_.trays.size() > 1) add("<h2>Tray {}</h2>\n", index + 1);
         if (index < extras_.pictures.size() && !extras_.pictures[index].empty()) {
             add("<img alt=\"The packed tray\" src=\"data:image/png;base64,{}\">\n",

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/container_source.hpp"
 #include "model/options.hpp"
 
 namespace spectralpack {
@@ -14,6 +15,10 @@ struct JobSettings {
     std::string file;            ///< the job file, for messages
     std::optional<double> unit;  ///< mm per unit for mesh files that do not say theirs
     PackOptions options;
+    bool sized = false;          ///< the file says how large the tray is, or by which printer
+    ContainerSource container;
+    std::vector<FixedSource> fixed;
+    std::optional<std::string> onto;  ///< a packing file, usable from the working directory
 
     std::vector<std::string> outputs;        ///< usable from the working directory
     std::optional<std::string> report;       ///< the same

@@ -3,11 +3,13 @@
 /// the container's lower corner is the origin.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/box.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/transform.hpp"
 #include "model/disassembly.hpp"
 #include "model/options.hpp"
@@ -15,10 +17,33 @@
 
 namespace spectralpack {
 
+/// A mesh that is not packed: a container or a keep-out.
+struct StandingMesh {
+    std::string file;     ///< usable from the working directory; relative to the packing file once that is written
+    Transform transform;  ///< from the file's own coordinates to the container's; holds the unit
+    std::shared_ptr<const Mesh> surface = nullptr;  ///< in the container's coordinates; null where not loaded
+};
+
+/// Room that stays empty: a box, or a mesh and its box.
+struct KeepOut {
+    Box box;
+    std::optional<StandingMesh> mesh = {};
+};
+
+/// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
 struct Container {
     Vec3 size;                 ///< with open height, z is the height reached
+    std::optional<StandingMesh> mesh = {};
+    std::vector<KeepOut> keep_out = {};
+    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
     bool open_height = false;  ///< no wall above
 };
+
+/// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.
+inline double volume_of(const Container& container) {
+    if (container.mesh && container.mesh->surface) return signed_volume(*container.mesh->surface);
+    return container.size.x * container.size.y * container.size.z;
+}
 
 struct Placement {
     int part = 0;         ///< index into Packing::parts

@@ -94,6 +94,7 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
     std::unordered_set<int> hopeless;  // parts that found no place
     for (std::size_t i = 0; i < items.size(); ++i) {
         const PackItem& item = items[i];
+        bool placed = false;
         if (hopeless.contains(item.part)) {
             result.left_over.push_back(item);
         } else {
@@ -102,12 +103,13 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                 result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
                 return;
             }
-            if (outcome == Placer::Outcome::no_place) {
+            placed = outcome == Placer::Outcome::placed;
+            if (!placed) {
                 hopeless.insert(item.part);
                 result.left_over.push_back(item);
             }
         }
-        shapes.release(i);
+        shapes.release(i, placed);
         item_done(i + 1);
     }
 }
@@ -145,7 +147,7 @@ void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
         if (outcome == Placer::Outcome::placed) {
             ++next->placed;
         } else {
-            shapes.release(next->index);
+            shapes.release(next->index, true);
             open.erase(next);
         }
         item_done(result.placed.size());

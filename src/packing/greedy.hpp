@@ -42,9 +42,10 @@ struct GreedyLimits {
     int most_layers = 0;   ///< without a ceiling: how high the grid may grow; 0: as it needs
 };
 
-/// Packs `items` into `tray` on top of what stands there. A copy whose part has already found no place is left
-/// over without a search: the tray only fills up. `settle` decides where a copy stands once its place is found. `result` is filled as it goes, so that it holds what was done
-/// when an exception (out of memory, two engines that disagree) leaves this function.
+/// Packs `items` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
+/// part has already found no place is left over without a search: the tray only fills up. `settle` decides where a
+/// copy stands once its place is found. `result` is filled as it goes, so that it holds what was done when an
+/// exception (out of memory, two engines that disagree) leaves this function.
 /// Under an open ceiling `tray` is replaced by a higher one whenever a place above its grid could be the best
 /// (packing/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is left
 /// over; throws ResourceError where that takes more than most_layers.

@@ -1,6 +1,25 @@
 #include "packing/many_trays.hpp"
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 namespace spectralpack {
+namespace {
+
+std::vector<PackItem> without_placed(const std::vector<PackItem>& items, const GreedyResult& tray) {
+    std::set<std::pair<int, int>> placed;
+    for (const PlacedItem& copy : tray.placed) {
+        placed.emplace(copy.item.part, copy.item.copy);
+    }
+    std::vector<PackItem> rest;
+    for (const PackItem& item : items) {
+        if (!placed.contains({item.part, item.copy})) rest.push_back(item);
+    }
+    return rest;
+}
+
+}  // namespace
 
 std::int64_t TraysResult::searches() const {
     std::int64_t sum = 0;
@@ -18,24 +37,37 @@ std::int64_t TraysResult::placed() const {
     return static_cast<std::int64_t>(sum);
 }
 
-void fill_trays(const std::vector<PackItem>& items, int most, TrayFiller& filler,
-                const MakeShapeStore& make_shapes, const TrayItemDone& item_done, const StopToken& stop,
-                TraysResult& result) {
+void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
+                const TrayItemDone& item_done, const StopToken& stop, TraysResult& result) {
+    const bool several = limit.trays != 1;
     std::vector<PackItem> remaining = items;
     bool stopped = false;
     do {
+        std::vector<PackItem> tried = remaining;
+        if (several && limit.try_per_tray > 0) {
+            tried.resize(std::min(tried.size(), static_cast<std::size_t>(limit.try_per_tray)));
+        }
+        const auto index = result.trays.size();
         GreedyResult& tray = result.trays.emplace_back();
-        ShapeStore shapes = make_shapes(remaining);
         try {
             filler.fill(
-                remaining, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
+                static_cast<int>(index), tried, shapes, [&](std::size_t done) { item_done(tray, done); }, stop,
+                tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;
         }
-        result.left_over = remaining = tray.left_over;
+        remaining = without_placed(remaining, tray);
+        result.left_over = tray.left_over;
         stopped = !tray.untried.empty();
-    } while (!remaining.empty() && !stopped && static_cast<int>(result.trays.size()) < most);
+        const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());
+        if (several && empty && !remaining.empty() && !stopped) {
+            result.trays.pop_back();
+            result.stuck = true;
+        }
+    } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
+             !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));
+    if (!stopped && !result.stuck) result.left_over = remaining;
 }
 
 }  // namespace spectralpack

@@ -9,25 +9,31 @@
 
 namespace spectralpack {
 
+struct TraysLimit {
+    int trays = 1;         ///< at most; 0: as many as it takes
+    int try_per_tray = 0;  ///< how many of the first copies left each tray tries (n of Algorithm 5); 0: all
+};
+
 struct TraysResult {
     std::vector<GreedyResult> trays;
     std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
+    /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
+    /// `trays`.
+    bool stuck = false;
     std::optional<double> least_gap;  ///< measured by refinement, mm
 
     std::int64_t searches() const;
     std::int64_t placed() const;
 };
 
-/// Called after each item with the tray it was tried in and how many of that tray's items are done.
+/// Called after each item with its tray and how many of that tray's items are done.
 using TrayItemDone = std::function<void(const GreedyResult& tray, std::size_t items_done)>;
 
-/// The voxels of `items`, asked for in this order.
-using MakeShapeStore = std::function<ShapeStore(const std::vector<PackItem>& items)>;
-
-/// Fills at most `most` trays with `items`, which come in the order to try; what found no place in one tray is tried
-/// in the next. `result` is filled as it goes, so that it holds what was done when an exception leaves this function.
-void fill_trays(const std::vector<PackItem>& items, int most, TrayFiller& filler,
-                const MakeShapeStore& make_shapes, const TrayItemDone& item_done, const StopToken& stop,
-                TraysResult& result);
+/// Fills one tray after the other with `items`, which come in the order to try; what found no place in one tray is
+/// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray
+/// without fixed copies stays empty. `result` is filled as it goes, so that it holds what was done when an exception
+/// leaves this function.
+void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
+                const TrayItemDone& item_done, const StopToken& stop, TraysResult& result);
 
 }  // namespace spectralpack

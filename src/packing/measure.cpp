@@ -76,8 +76,7 @@ void measure_tray(TrayPacking& tray, const Container& container, const std::vect
         volume += parts[static_cast<std::size_t>(tray.placements[i].part)].volume;
         tray.bounding_box.add(boxes[i]);
     }
-    const Vec3& size = container.size;
-    tray.density = volume / (size.x * size.y * size.z);
+    tray.density = volume / volume_of(container);
     const double box_volume = tray.bounding_box.volume();
     tray.density_bounding_box = box_volume > 0 ? volume / box_volume : 0;
     tray.height = count > 0 ? tray.bounding_box.max.z : 0;

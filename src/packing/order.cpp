@@ -1,6 +1,7 @@
 #include "packing/order.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "core/random.hpp"
 
@@ -10,6 +11,13 @@ namespace {
 constexpr double kFullRatio = 1.2;         // appendix A.2
 constexpr double kPenaltyWhenFull = 4;     // appendix A.2
 constexpr double kPenaltyWhenRoomy = 1e8;  // appendix A.2
+
+/// Whatever their sizes.
+bool goes_before(const PartSize& a, const PartSize& b) {
+    if (a.priority != b.priority) return a.priority > b.priority;
+    if (a.due.empty() || b.due.empty()) return !a.due.empty() && b.due.empty();
+    return a.due < b.due;
+}
 
 }  // namespace
 
@@ -30,6 +38,13 @@ std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order orde
         RandomStream random(seed);
         shuffle(items, random);
     }
+    std::map<int, const PartSize*> by_part;
+    for (const PartSize& part : parts) {
+        by_part[part.part] = &part;
+    }
+    std::stable_sort(items.begin(), items.end(), [&](const PackItem& a, const PackItem& b) {
+        return goes_before(*by_part.at(a.part), *by_part.at(b.part));
+    });
     return items;
 }
 

@@ -2,6 +2,7 @@
 /// In which order copies are tried (section 3.3).
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "model/options.hpp"
@@ -21,12 +22,15 @@ struct PartSize {
     int part = 0;
     int count = 0;
     double box_volume = 0;  ///< of the scaled mesh's box in file orientation, mm^3
+    double priority = 0;    ///< higher goes first
+    std::string due = {};   ///< "2026-12-01": of equal priority, earlier goes first; empty: last
 };
 
 /// Every copy of every part, in the order to try them. `parts` in input order.
 ///  size:   box volume, largest first; ties by input position, then copy (paper's first-fit decreasing)
 ///  input:  as given
 ///  random: a permutation of the input order that only `seed` decides
+/// Before that, in every order: higher priority first, then earlier due date.
 std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
 
 /// Appendix A.2: 4 where the boxes of all copies come to more than 1.2 times the container (it will be full),

@@ -54,7 +54,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
 std::optional<double> Refinement::least_gap() const {
     double least = Box::kInfinity;
     for (Refiner::CopyId id = 0; const StandingCopy* copy = refiner_.find(id); ++id) {
-        least = refiner_.clearance(*copy, least, id);
+        if (!copy->wall) least = refiner_.clearance(*copy, least, id);
     }
     return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/parallel.hpp"
 #include "packing/standing.hpp"
@@ -31,6 +32,9 @@ class Refinement {
     /// it may not stand refined.
     Refinement(const RefineSetup& setup, double voxel_size, int detail, PartOf part_of, MayStand may_stand,
                const Workers& workers);
+
+    /// What already stands in the tray: a fixed copy, a wall.
+    void stand(StandingCopy obstacle) { refiner_.add(std::move(obstacle)); }
 
     Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
 

@@ -5,18 +5,40 @@
 #include <utility>
 
 namespace spectralpack {
+namespace {
 
-ShapeStore::ShapeStore(const std::vector<PackItem>& items, Make make, const Workers& workers,
-                       Timed timed)
-    : items_(items), make_(std::move(make)), workers_(workers), timed_(std::move(timed)) {
-    int parts = 0;
-    for (const PackItem& item : items_) {
-        parts = std::max(parts, item.part + 1);
+std::int64_t bytes_of(const Shape& shape) {
+    std::int64_t bytes = 0;
+    for (const OrientedShape& oriented : shape.orientations) {
+        bytes += oriented.solid->bytes();
+        for (const auto& widened : oriented.widened) {
+            bytes += widened->voxels.bytes();
+        }
     }
-    shapes_.resize(static_cast<std::size_t>(parts));
-    remaining_.resize(static_cast<std::size_t>(parts), 0);
+    return bytes;
+}
+
+}  // namespace
+
+
+ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep)
+    : make_(std::move(make)), workers_(workers), timed_(std::move(timed)), keep_(keep) {}
+
+void ShapeStore::start_tray(const std::vector<PackItem>& items) {
+    items_ = items;
+    std::size_t parts = shapes_.size();
+    for (const PackItem& item : items_) {
+        parts = std::max(parts, static_cast<std::size_t>(item.part) + 1);
+    }
+    shapes_.resize(parts);
+    remaining_.assign(parts, 0);
+    left_over_.assign(parts, false);
     for (const PackItem& item : items_) {
         ++remaining_[static_cast<std::size_t>(item.part)];
+    }
+    kept_.resize(parts, 0);
+    for (std::size_t part = 0; part < parts; ++part) {
+        if (remaining_[part] == 0) drop(part);
     }
 }
 
@@ -42,9 +64,24 @@ const Shape& ShapeStore::at(std::size_t i) {
     return *wanted;
 }
 
-void ShapeStore::release(std::size_t i) {
+void ShapeStore::release(std::size_t i, bool placed) {
     const auto part = static_cast<std::size_t>(items_[i].part);
-    if (--remaining_[part] == 0) shapes_[part].reset();
+    if (!placed) left_over_[part] = true;
+    if (--remaining_[part] > 0) return;
+    if (!left_over_[part]) {
+        drop(part);
+    } else if (shapes_[part] && kept_[part] == 0) {
+        const std::int64_t bytes = bytes_of(*shapes_[part]);
+        if (bytes > keep_) return drop(part);
+        keep_ -= bytes;
+        kept_[part] = bytes;
+    }
+}
+
+void ShapeStore::drop(std::size_t part) {
+    shapes_[part].reset();
+    keep_ += kept_[part];
+    kept_[part] = 0;
 }
 
 }  // namespace spectralpack

@@ -1,6 +1,7 @@
 #pragma once
 /// Voxelised parts, made shortly before they are needed and dropped after their last copy, so that thousands of
-/// distinct parts do not have to be held at once.
+/// distinct parts do not have to be held at once. What a tray leaves over is kept for the next one as far as the
+/// memory goes.
 
 #include <functional>
 #include <memory>
@@ -20,26 +21,34 @@ class ShapeStore {
     /// Told how long each batch of shapes took to make, for the record.
     using Timed = std::function<void(double seconds)>;
 
-    /// `items`: the order in which shapes will be asked for; fixes what is made ahead and when a shape is dropped.
-    ShapeStore(const std::vector<PackItem>& items, Make make, const Workers& workers, Timed timed);
+    /// `keep`: bytes of shapes that may be held from one tray to the next.
+    ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep = 0);
+
+    /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
+    void start_tray(const std::vector<PackItem>& items);
 
     /// The shape of items[i].part. Calls come with i ascending. On a miss, the next kAhead distinct parts are made
     /// together, in parallel. Throws what `make` throws.
     const Shape& at(std::size_t i);
 
-    /// items[i] is done with; the shape goes with the part's last copy.
-    void release(std::size_t i);
+    /// items[i] is done with, `placed` or left over; the shape goes with the part's last copy.
+    void release(std::size_t i, bool placed);
 
     /// Parts made at a time: enough to keep the threads busy, few enough to hold.
     static constexpr int kAhead = 32;
 
   private:
+    void drop(std::size_t part);
+
     std::vector<PackItem> items_;
     Make make_;
     Workers workers_;
     Timed timed_;
-    std::vector<std::shared_ptr<const Shape>> shapes_;  // by part
-    std::vector<int> remaining_;                        // copies to come, by part
+    std::int64_t keep_;                                 // bytes that may still be held for later trays
+    std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next three
+    std::vector<std::int64_t> kept_;                    // bytes taken from keep_
+    std::vector<int> remaining_;                        // copies to come in this tray
+    std::vector<bool> left_over_;                       // some copy found no place in this tray
 };
 
 }  // namespace spectralpack

@@ -2,20 +2,31 @@
 /// One tray from empty to done: what stands in it from the start, the greedy packing on top of that, and where each
 /// copy comes to stand.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "model/packing.hpp"
 #include "packing/greedy.hpp"
 #include "packing/refinement.hpp"
 
 namespace spectralpack {
 
-/// What all trays of a job have in common.
+/// A copy that stands in a tray from the start and never moves.
+struct FixedCopy {
+    int tray = 0;
+    std::shared_ptr<const Mesh> mesh;  ///< in the mesh file's own coordinates
+    Transform transform;               ///< to the container's
+    double gap = 0;                    ///< mm; one of the tray's gap classes
+};
+
+/// What all trays of a job have in common, and the fixed copies of each.
 struct FillSetup {
-    TraySetup tray;                  ///< the container's grid; every tray starts from it
-    Vec3 container;       ///< size, mm; with open height z is infinite
-    double wall_gap = 0;  ///< mm
+    TraySetup tray;          ///< the container's grid, walls and keep-outs; every tray starts from it
+    Container container;     ///< with open height its size.z is infinite
+    double wall_gap = 0;     ///< mm
+    std::vector<FixedCopy> fixed;
     CostModel model;
     std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
     int most_layers = 0;                                ///< open height: the grid may grow to so many
@@ -27,9 +38,9 @@ class TrayFiller {
     /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that refinement moves.
     TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::PartOf part_of, const Workers& workers);
 
-    /// Fills one new tray with what finds a place of `items`, tried in this order; `shapes` holds their voxels.
-    /// `result` as in pack_greedily().
-    void fill(const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
+    /// Fills a new tray, the one with this number, with what finds a place of `items`, tried in this order; `shapes`
+    /// makes their voxels. `result` as in pack_greedily().
+    void fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
               const StopToken& stop, GreedyResult& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(). `shapes`: one item a part, in
@@ -37,19 +48,24 @@ class TrayFiller {
     void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
                         const StopToken& stop, GreedyResult& result);
 
+    int trays_with_fixed() const { return trays_with_fixed_; }  ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
     /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
     std::optional<double> least_gap() const { return least_gap_; }
 
   private:
-    /// Calls `pack` with an empty tray and the rules that copies are placed by.
+    /// Calls `pack` with a tray in which only fixed copies stand, and the rules that copies are placed by.
     template <class Pack>
-    void fill_one(const Pack& pack);
+    void fill_one(int number, const Pack& pack);
+
+    void stand_fixed(int number, Tray& tray, Refinement* refinement) const;
 
     FillSetup setup_;
     PlacementSearch& search_;
     Refinement::PartOf part_of_;
     Workers workers_;
+    std::vector<StandingCopy> walls_;  // for refinement
+    int trays_with_fixed_ = 0;
     double refine_seconds_ = 0;
     std::optional<double> least_gap_;
 };

@@ -212,7 +212,7 @@ Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& dire
     for (const CopyId id : index_.near(around)) {
         const StandingCopy* other = find(id);
         if (distance(around, other->box()) > 0) continue;
-        neighbours.push_back({other, std::max(copy.gap, other->gap), 0});
+        neighbours.push_back({other, other->wall ? other->gap : std::max(copy.gap, other->gap), 0});
     }
     return Walk(setup_, copy, std::move(neighbours)).run(direction);
 }
@@ -231,7 +231,7 @@ double Refiner::clearance(const StandingCopy& copy, double upper_bound,
     double least = upper_bound;
     for (const CopyId id : ids) {
         const StandingCopy* other = find(id);
-        if (!other || id == except) continue;
+        if (!other || other->wall || id == except) continue;
         least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least)
                     .distance;
     }

@@ -16,7 +16,7 @@
 namespace spectralpack {
 
 struct RefineSetup {
-    Vec3 container;           ///< size of the box, z infinite where there is no ceiling; mesh containers are not built
+    Vec3 container;           ///< size of the box, z infinite where there is no ceiling; what else bounds it is added as walls
     double wall_gap = 0;      ///< least distance of a mesh's box to the container's sides
     double longest_move = 4;  ///< along one axis in one round: 2 dx in the paper
     int rounds = 3;           ///< of x, y, z each
@@ -27,6 +27,7 @@ struct StandingCopy {
     std::shared_ptr<const Bvh> surface;
     Vec3 offset;
     double gap = 0;  ///< two copies keep the larger of their gaps
+    bool wall = false;  ///< a wall or keep-out: who comes near keeps this gap, not its own
 
     Box box() const { return {surface->box().min + offset, surface->box().max + offset}; }
 };
@@ -69,7 +70,7 @@ class Refiner {
     /// near to the copy, not with the tray.
     Refined refine(const StandingCopy& copy, const std::array<int, 3>& direction) const;
 
-    /// Least distance of the surface of `copy` to those of the others (without `except`), if it is
+    /// Least distance of the surface of `copy` to those of the others (walls and `except` left out), if it is
     /// below `upper_bound`; else upper_bound.
     double clearance(const StandingCopy& copy, double upper_bound,
                      std::optional<CopyId> except = std::nullopt) const;

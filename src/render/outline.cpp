@@ -15,7 +15,10 @@ constexpr double kTouching = 2e-3;  // stage units: a surface this near the edge
 
 Outline::Outline(const Stage& stage)
     : pixel_(std::max(0.8, std::min(stage.camera.width, stage.camera.height) / 1200.0)) {
-    for (const Box& box : stage.containers) {
+    for (const auto& [from, to] : stage.edges) {
+        edges_.push_back({stage.camera.project(from), stage.camera.project(to), kNear});
+    }
+    for (const Box& box : stage.outlined) {
         const auto corner = [&](int i) {
             return stage.camera.project({i & 1 ? box.max.x : box.min.x,
                                          i & 2 ? box.max.y : box.min.y,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "render/feature_edges.hpp"
 #include "render/palette.hpp"
 #include "render/taking_apart.hpp"
 
@@ -235,6 +236,7 @@ class StageBuilder {
             Transform place = to_stage_;
             place.translation = to_stage_ * tray_origin(tray);
             stage_.containers.push_back({place * Vec3{}, place * packing_.container.size});
+            outline_walls(place);
             for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
                 if (!is_drawn(tray, i)) continue;
                 const auto& mesh = mesh_of(trays_[tray]->placements[i]);
@@ -244,6 +246,24 @@ class StageBuilder {
                 stage_.copies.push_back({index->second, place * pose_of(tray, i), colour_of(tray, i)});
             }
         }
+    }
+
+    void outline_walls(const Transform& place) {
+        const Container& container = packing_.container;
+        outline(container.mesh, {{}, container.size}, place);
+        for (const KeepOut& keep_out : container.keep_out) {
+            outline(keep_out.mesh, keep_out.box, place);
+        }
+    }
+
+    /// A mesh without sharp edges, and one that has not been loaded, are shown by their boxes.
+    void outline(const std::optional<StandingMesh>& mesh, const Box& box, const Transform& place) {
+        std::vector<std::pair<Vec3, Vec3>> edges;
+        if (mesh && mesh->surface) edges = feature_edges(*mesh->surface);
+        for (const auto& [from, to] : edges) {
+            stage_.edges.emplace_back(place * from, place * to);
+        }
+        if (edges.empty()) stage_.outlined.push_back({place * box.min, place * box.max});
     }
 
     const Packing& packing_;

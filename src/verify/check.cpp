@@ -8,6 +8,7 @@
 #include "verify/counts.hpp"
 #include "verify/figures.hpp"
 #include "verify/replay.hpp"
+#include "verify/walls.hpp"
 #include "verify/words.hpp"
 
 namespace spectralpack {
@@ -150,7 +151,17 @@ CheckReport check_packing(const Packing& packing,
     report.stopped = !copies;
     std::vector<TrayMeasure> measures;
     const auto trays = copies ? static_cast<int>(packing.trays.size()) : 0;
-    if (copies) append(report.findings, copies->findings);
+    std::optional<Walls> walls;
+    if (copies) {
+        append(report.findings, copies->findings);
+        Box all;
+        for (const std::vector<Copy>& tray : copies->by_tray) {
+            for (const Copy& copy : tray) {
+                all.add(copy.box);
+            }
+        }
+        walls.emplace(packing, all);
+    }
     for (int tray = 0; tray < trays && !report.stopped; ++tray) {
         const std::vector<Copy>& here = copies->by_tray[static_cast<std::size_t>(tray)];
         const bool has_plan = packing.trays[static_cast<std::size_t>(tray)].disassembly.has_value();
@@ -165,6 +176,7 @@ CheckReport check_packing(const Packing& packing,
         report.stopped = !pairs.run(
             stop, [&](std::size_t done, std::size_t total) { tell(done, total, 0, comparing); });
         append(report.findings, pairs.findings());
+        append(report.findings, walls->judge(tray, here, workers, stop));
         report.plans.emplace_back();
         if (has_plan && !report.stopped) {
             const Replay replay =

@@ -20,7 +20,7 @@ inline constexpr double kCheckTolerance = 1e-3;  ///< mm; also as penetration: t
 inline constexpr int kWholePacking = -1;         ///< tray of findings that are about no single one
 
 enum class FindingKind {
-    outside,    ///< a copy sticks out of the container less the wall gap
+    outside,    ///< a copy sticks out of the container less the wall gap, or reaches into a keep-out
     overlap,    ///< two copies' materials share space deeper than the tolerance
     nested,     ///< a copy lies wholly inside another's material
     gap,        ///< two copies are nearer than their gap

@@ -14,6 +14,8 @@ bool differs(double stated, double measured, double tolerance) {
 
 /// Of a tray's container; with open height it ends where the tray's copies do.
 double container_volume(const Packing& packing, const Box& copies) {
+    const auto& mesh = packing.container.mesh;
+    if (mesh && mesh->surface) return signed_volume(*mesh->surface);
     const Vec3& size = packing.container.size;
     const bool reached = packing.container.open_height && !copies.empty();
     return size.x * size.y * (reached ? copies.max.z : size.z);

@@ -121,14 +121,6 @@ TEST_F(JobFile, UnknownKeysAndWrongTypesAreNamedAndNothingIsPacked) {
     EXPECT_FALSE(fs::exists(folder_ / "build.json"));
 }
 
-TEST_F(JobFile, WhatIsNotBuiltExitsWithTwo) {
-    job_["parts"][0]["due"] = "2026-12-01";
-    const Ran ran = pack();
-    EXPECT_EQ(ran.status, 2);
-    EXPECT_TRUE(contains(ran.err, "parts[0].due")) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "not built yet")) << ran.err;
-}
-
 TEST_F(JobFile, FilesThatItNamesAreCheckedBeforeWork) {
     job_["options"]["report"] = "no/such/folder/r.html";
     EXPECT_EQ(pack().status, 2);

@@ -106,6 +106,21 @@ TEST(PackingFile, LittleIsNeededAndTheRestHasDefaults) {
     EXPECT_EQ(packing.trays[0].placements[0].transform, Transform{});
 }
 
+TEST(PackingFile, HoldsContainersAndKeepOuts) {
+    Packing packing;
+    packing.container.size = {10, 20, 30};
+    packing.container.mesh = StandingMesh{"/jobs/cup.stl", {2 * Mat3{}, {1, 2, 3}}};
+    packing.container.keep_out = {{Box{{0, 0, 0}, {1, 2, 3}}}, {{}, StandingMesh{"/jobs/pin.stl", {}}}};
+    packing.container.physical = true;
+    const Packing read = parse_packing("/jobs/a/b.json", packing_to_json(packing, "/jobs/a"));
+    EXPECT_EQ(read.container.mesh->file, "/jobs/cup.stl");
+    EXPECT_EQ(read.container.mesh->transform, packing.container.mesh->transform);
+    ASSERT_EQ(read.container.keep_out.size(), 2u);
+    EXPECT_EQ(read.container.keep_out[0].box, packing.container.keep_out[0].box);
+    EXPECT_EQ(read.container.keep_out[1].mesh->file, "/jobs/pin.stl");
+    EXPECT_TRUE(read.container.physical);
+}
+
 TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
     struct Case {
         const char *old_text, *new_text, *place;
@@ -119,9 +134,10 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         {"\"units\": \"mm\"", "\"units\": \"inch\"", "units"},
         {"[100.0,80.0,60.5]", "[100.0,80.0]", "container.size"},
         {"[100.0,80.0,60.5]", "[100.0,-80.0,60.5]", "container.size[1]"},
-        {"\"physical\":false", "\"physical\":true", "container.physical"},
-        {"\"keep_out\":[]", "\"keep_out\":[{}]", "container.keep_out"},
-        {"\"mesh\":null,\"keep", "\"mesh\":\"cup.stl\",\"keep", "container.mesh"},
+        {"\"physical\":false", "\"physical\":1", "container.physical"},
+        {"\"keep_out\":[]", "\"keep_out\":[{}]", "container.keep_out[0].box"},
+        {"\"keep_out\":[]", "\"keep_out\":[{\"box\":[[0,0,0],[1,1,0]]}]", "container.keep_out[0].box"},
+        {"\"mesh\":null,\"tr", "\"mesh\":\"cup.stl\",\"tr", "container.transform"},
         {"\"voxel\":1.5", "\"voxel\":0", "options.voxel"},
         {"\"interlock\":\"place\"", "\"interlock\":\"maybe\"", "options.interlock"},
         {"\"seed\":18446744073709551615", "\"seed\":-1", "options.seed"},

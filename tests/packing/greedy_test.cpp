@@ -4,60 +4,23 @@
 
 #include <stdexcept>
 
+#include "packing/first_fit.hpp"
+
 namespace spectralpack {
 namespace {
 
-std::shared_ptr<const Shape> box_shape(std::uint64_t id, int side) {
-    auto solid = std::make_shared<BitGrid>(Extent{side, side, side});
-    solid->fill(true);
-    OrientedShape oriented;
-    const double mm = side;
-    oriented.size = {mm, mm, mm};
-    oriented.solid = solid;
-    oriented.widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}})};
-    auto shape = std::make_shared<Shape>();
-    shape->id = id;
-    shape->orientations = {oriented};
-    return shape;
-}
-
-/// Takes the first free candidate in (z, y, x) order, and counts how often it is asked.
-class FirstFit : public PlacementSearch {
-  public:
-    SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel&,
-                                const StopToken& stop) override {
-        ++asked;
-        if (stop.stopped()) return {{}, true};
-        if (asked == fail_at) throw std::runtime_error("engine failed");
-        const OrientedShape& oriented = shape.orientations.front();
-        const Extent count = tray.candidates(oriented.size);
-        for (int z = 0; z < count.z; ++z)
-            for (int y = 0; y < count.y; ++y)
-                for (int x = 0; x < count.x; ++x)
-                    if (!intersects(tray.occupied(0), *oriented.solid, {x, y, z})) {
-                        BestPlacement best;
-                        best.position = {x, y, z};
-                        return {best, false};
-                    }
-        return {};
-    }
-    FreePositions free_positions(const Tray&, const Shape&, int, const FreeQuery&) override { return {}; }
-    const char* name() const override { return "first fit"; }
-    std::int64_t memory() const override { return 0; }
-
-    int asked = 0;
-    int fail_at = -1;
-};
+using test::box_shape;
+using test::FirstFit;
 
 class Greedy : public testing::Test {
   protected:
-    Greedy() : tray_(TraySetup{{4, 4, 2}, 1, {0}, Ceiling::closed, 0, {}, false}) {}
+    Greedy() : tray_(TraySetup{{4, 4, 2}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {}
 
     void pack(const std::vector<PackItem>& items) {
         ShapeStore shapes(
-            items,
             [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
             Workers(2), [](double) {});
+        shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);
         };
@@ -86,14 +49,15 @@ TEST_F(Greedy, PlacesInOrderAndSkipsCopiesOfAPartThatFoundNoPlace) {
 }
 
 TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
-    tray_ = Tray(TraySetup{{6, 6, 6}, 1, {0}, Ceiling::closed, 0, {}, false});
+    tray_ = Tray(TraySetup{{6, 6, 6}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     const std::vector<PartShare> shares{{1, 1}, {0, 2}};  // cubes of 3 and of 2, 1 : 2
     const std::vector<PackItem> items{{1, 0}, {0, 0}};
     ShapeStore shapes(
-        items, [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); }, Workers(2),
+        [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); }, Workers(2),
         [](double) {});
+    shapes.start_tray(items);
     const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-        return stand_on_grid(shape, best, 1, 0);
+        return stand_on_grid(shape, best, 1, 1, 0);
     };
     pack_in_shares(tray_, search_, {}, shares, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
     // 0 lacks more at first (2 of 3), then both lack as much and 1 comes first.

@@ -46,14 +46,14 @@ class OpenHeight : public testing::Test {
         const std::vector<PackItem> items = copies(5, 4);
         const Workers workers(2);
         ShapeStore shapes(
-            items,
             [&](int part) {
                 return std::make_shared<const Shape>(
-                    make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, gap, {gap}, workers));
+                    make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, gap, {gap}, workers));
             },
             workers, [](double) {});
+        shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 0);
+            return stand_on_grid(shape, best, 1, 1, 0);
         };
         const auto engine = make_cpu_search({}, workers);
         GreedyResult result;

@@ -27,6 +27,18 @@ TEST(Order, RandomIsAPermutationThatOnlyTheSeedDecides) {
     EXPECT_TRUE(std::is_permutation(first.begin(), first.end(), input.begin(), input.end()));
 }
 
+TEST(Order, PriorityThenDueDateComeBeforeSize) {
+    std::vector<PartSize> parts{{0, 1, 10}, {1, 1, 30}, {2, 1, 20, 0, "2026-12-01"}, {3, 1, 5, 0, "2026-11-30"},
+                                {4, 1, 1, 2}, {5, 1, 50, -1, "2020-01-01"}};
+    const std::vector<PackItem> expected{{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}, {5, 0}};
+    EXPECT_EQ(order_items(parts, Order::size, 0), expected);
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+        const auto items = order_items(parts, Order::random, seed);
+        EXPECT_TRUE(std::equal(items.begin(), items.begin() + 3, expected.begin()));
+        EXPECT_EQ(items.back(), expected.back());
+    }
+}
+
 TEST(HeightPenalty, IsSmallOnlyWhereTheBoxesOverfillTheContainer) {
     // Boxes: 2 x 10 + 30 + 3 x 10 + 20 = 100; the paper's threshold is 1.2.
     EXPECT_EQ(automatic_height_penalty(kParts, 100.0 / 1.2 + 0.1), 1e8);

@@ -1,0 +1,112 @@
+#include "api/load_container.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "core/error.hpp"
+#include "formats/mesh_reader.hpp"
+#include "geometry/mesh_inspect.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// Below the origin by more than this a container is not where it should be.
+constexpr double kRounding = 1e-6;  ///< mm
+
+std::string point_text(const Vec3& p) {
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+    return text;
+}
+
+LoadedMesh only_mesh(const std::string& file, const std::string& place, double unit) {
+    std::vector<LoadedMesh> meshes = read_meshes(file, unit);
+    if (meshes.size() != 1) {
+        throw InputError(file, place, "holds " + std::to_string(meshes.size()) + " objects; one is needed here");
+    }
+    return std::move(meshes.front());
+}
+
+/// `in_file`: the mesh in the file's own coordinates, where people will look for the hole.
+void require_closed(const Mesh& in_file, const StandingMesh& standing, const std::string& what) {
+    const MeshFigures figures = inspect_mesh(in_file);
+    if (figures.watertight() && signed_volume(*standing.surface) > 0) return;
+    std::string cause = "cannot be " + what + ": the mesh is not closed";
+    if (!figures.holes.empty()) {
+        const BorderLoop& hole = figures.holes.front();
+        cause += "; it is open at " + point_text(hole.place) + ", where " + std::to_string(hole.edges) +
+                 " edges border a hole";
+        if (figures.border_loops > 1) cause += ", and in " + std::to_string(figures.border_loops - 1) + " more places";
+    } else if (figures.misdirected_place) {
+        cause += "; neighbouring facets face opposite ways at " + point_text(*figures.misdirected_place);
+    } else if (figures.watertight()) {
+        cause = "cannot be " + what + ": the mesh encloses no volume";
+    }
+    throw InputError(standing.file, "", cause);
+}
+
+KeepOut load_keep_out(const KeepOutSource& source, double default_unit) {
+    if (!source.mesh) return {source.box};
+    KeepOut keep_out;
+    keep_out.mesh = load_standing_mesh(*source.mesh, default_unit);
+    keep_out.box = bounding_box(*keep_out.mesh->surface);
+    if (!is_closed(*keep_out.mesh->surface)) {
+        const LoadedMesh loaded = only_mesh(source.mesh->file, source.mesh->place, default_unit);
+        require_closed(loaded.mesh, *keep_out.mesh, "a keep-out");
+    }
+    return keep_out;
+}
+
+}  // namespace
+
+StandingMesh load_standing_mesh(const MeshSource& source, double default_unit) {
+    const double unit = source.unit.value_or(default_unit);
+    const LoadedMesh loaded = only_mesh(source.file, source.place, unit);
+    StandingMesh standing{source.file,
+                          source.transform.value_or(Transform{loaded.unit.value_or(unit) * Mat3{}, {}})};
+    standing.surface = std::make_shared<const Mesh>(transformed(loaded.mesh, standing.transform));
+    return standing;
+}
+
+Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit) {
+    Container container{tray};
+    container.physical = source.physical;
+    if (source.mesh) {
+        StandingMesh mesh = load_standing_mesh(*source.mesh, default_unit);
+        require_closed(*mesh.surface, mesh, "a container");
+        Box box = bounding_box(*mesh.surface);
+        if (!source.mesh->transform) {
+            mesh.transform.translation = mesh.transform.translation - box.min;
+            mesh.surface = std::make_shared<const Mesh>(transformed(*mesh.surface, {Mat3{}, -box.min}));
+            box = bounding_box(*mesh.surface);
+        }
+        if (std::min({box.min.x, box.min.y, box.min.z}) < -kRounding) {
+            throw InputError(source.mesh->file, source.mesh->place,
+                             "reaches to " + point_text(box.min) +
+                                 " as its transform places it; the container's lower corner is the origin (without a "
+                                 "transform it is moved there)");
+        }
+        container.size = box.max;
+        container.mesh = std::move(mesh);
+    }
+    for (const KeepOutSource& keep_out : source.keep_out) {
+        container.keep_out.push_back(load_keep_out(keep_out, default_unit));
+    }
+    return container;
+}
+
+void load_surfaces(Container& container) {
+    const auto load = [](StandingMesh& standing) {
+        standing = load_standing_mesh({standing.file, "", standing.transform}, 1);
+    };
+    if (container.mesh) load(*container.mesh);
+    for (KeepOut& keep_out : container.keep_out) {
+        if (!keep_out.mesh) continue;
+        load(*keep_out.mesh);
+        keep_out.box = bounding_box(*keep_out.mesh->surface);
+    }
+}
+
+}  // namespace spectralpack

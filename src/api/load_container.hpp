@@ -1,0 +1,23 @@
+#pragma once
+/// Containers and keep-outs from mesh files.
+
+#include <optional>
+
+#include "model/container_source.hpp"
+#include "model/packing.hpp"
+
+namespace spectralpack {
+
+/// The one mesh in the file; `default_unit`: mm per unit where neither file nor source says. Throws InputError, with the
+/// place that the source was named at, where the file is unusable or holds several objects.
+StandingMesh load_standing_mesh(const MeshSource& source, double default_unit);
+
+/// With meshes in place. `tray`: the size of a box. A container mesh without a transform is moved to the origin.
+/// Throws InputError for a mesh that is not closed, saying where it is open, or that reaches below the origin; and for
+/// keep-outs that are not closed.
+Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit);
+
+/// As load_container, for a container that a packing file describes.
+void load_surfaces(Container& container);
+
+}  // namespace spectralpack

@@ -1,0 +1,35 @@
+#pragma once
+/// Containers that are meshes, and keep-outs: do the copies stay clear of what is not free?
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "core/stop.hpp"
+#include "verify/check.hpp"
+#include "verify/copies.hpp"
+
+namespace spectralpack {
+
+class Walls {
+  public:
+    /// `all`: the box of every copy of every tray. Throws InternalError where a mesh has not been loaded.
+    Walls(const Packing& packing, const Box& all);
+
+    /// Findings of kind outside: copies of a tray that leave the mesh container or reach into a keep-out by more than
+    /// the tolerance, or come nearer to them than the wall gap. Nothing where `stop` came first.
+    std::vector<Finding> judge(int tray, const std::vector<Copy>& copies, const Workers& workers,
+                               const StopToken& stop) const;
+
+  private:
+    struct Wall {
+        std::string name;  ///< what a copy reaches into
+        std::unique_ptr<const Solid> solid;
+    };
+
+    const Packing& packing_;
+    std::vector<Wall> walls_;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,126 @@
+#include "packing/many_trays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "packing/first_fit.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// Cubes of side part + 1 in trays of 4 x 4 x 2.
+class ManyTrays : public testing::Test {
+  protected:
+    ManyTrays()
+        : shapes_([this](int part) { return test::box_shape(static_cast<std::uint64_t>(part), part + 1, &made_); },
+                  Workers(1), [](double) {}, 1 << 20) {
+        setup_.tray.size = {4, 4, 2};
+        setup_.tray.voxel_size = 1;
+        setup_.container.size = {4, 4, 2};
+    }
+
+    void pack(const std::vector<PackItem>& items, const TraysLimit& limit) {
+        TrayFiller filler(setup_, search_, {}, Workers(1));
+        fill_trays(
+            items, limit, filler, shapes_, [](const GreedyResult&, std::size_t) {}, stop_.token(), result_);
+    }
+
+    static std::vector<PackItem> copies(int part, int count) {
+        std::vector<PackItem> items;
+        for (int copy = 0; copy < count; ++copy) {
+            items.push_back({part, copy});
+        }
+        return items;
+    }
+
+    FillSetup setup_;
+    test::FirstFit search_;
+    std::atomic<int> made_{0};
+    ShapeStore shapes_;
+    StopSource stop_;
+    TraysResult result_;
+};
+
+TEST_F(ManyTrays, AsManyAsItTakes) {
+    pack(copies(1, 10), {0, 0});  // four to a tray
+    ASSERT_EQ(result_.trays.size(), 3u);
+    EXPECT_EQ(result_.trays[0].placed.size(), 4u);
+    EXPECT_EQ(result_.trays[1].placed.size(), 4u);
+    EXPECT_EQ(result_.trays[2].placed.size(), 2u);
+    EXPECT_EQ(result_.trays[1].placed[0].item, (PackItem{1, 4}));
+    EXPECT_TRUE(result_.left_over.empty());
+    EXPECT_FALSE(result_.stuck);
+    EXPECT_EQ(result_.placed(), 10);
+    EXPECT_EQ(made_, 1) << "the shape was not kept from tray to tray";
+}
+
+TEST_F(ManyTrays, NoMoreThanAllowed) {
+    pack(copies(1, 10), {2, 0});
+    EXPECT_EQ(result_.trays.size(), 2u);
+    EXPECT_EQ(result_.left_over, (std::vector<PackItem>{{1, 8}, {1, 9}}));
+}
+
+TEST_F(ManyTrays, EachTriesTheFirstThatAreLeft) {
+    std::vector<PackItem> items = copies(1, 6);
+    items.push_back({0, 0});
+    pack(items, {0, 3});
+    ASSERT_EQ(result_.trays.size(), 3u);
+    EXPECT_EQ(result_.trays[0].placed.size(), 3u);  // though a fourth would fit
+    EXPECT_EQ(result_.trays[1].placed.size(), 3u);
+    EXPECT_EQ(result_.trays[2].placed[0].item, (PackItem{0, 0}));
+    // One tray alone tries all.
+    result_ = {};
+    pack(items, {1, 3});
+    EXPECT_EQ(result_.trays[0].placed.size(), 4u);
+}
+
+TEST_F(ManyTrays, ATrayThatStaysEmptyEndsIt) {
+    std::vector<PackItem> items = copies(2, 2);  // too high for any tray
+    items.push_back({1, 0});
+    pack(items, {0, 0});
+    ASSERT_EQ(result_.trays.size(), 1u);
+    EXPECT_EQ(result_.trays[0].placed.size(), 1u);
+    EXPECT_TRUE(result_.stuck);
+    EXPECT_EQ(result_.left_over, copies(2, 2));
+    // One tray alone is no error.
+    result_ = {};
+    pack(copies(2, 2), {1, 0});
+    EXPECT_FALSE(result_.stuck);
+    EXPECT_EQ(result_.left_over, copies(2, 2));
+}
+
+TEST_F(ManyTrays, FixedCopiesStandInTheirTrays) {
+    const auto cube = std::make_shared<const Mesh>(test::cube_mesh(2));
+    setup_.fixed = {{0, cube, {Mat3{}, {0, 0, 0}}, 0}, {0, cube, {Mat3{}, {2, 2, 0}}, 0}, {1, cube, {}, 0}};
+    pack(copies(1, 3), {0, 0});
+    ASSERT_EQ(result_.trays.size(), 2u);
+    ASSERT_EQ(result_.trays[0].placed.size(), 2u);
+    EXPECT_EQ(result_.trays[0].placed[0].position, (VoxelIndex{2, 0, 0}));
+    EXPECT_EQ(result_.trays[0].placed[1].position, (VoxelIndex{0, 2, 0}));
+    EXPECT_EQ(result_.trays[1].placed[0].position, (VoxelIndex{2, 0, 0}));
+    // A tray that fixed copies fill is not one that stays empty, and they stand there though nothing is left for it.
+    result_ = {};
+    setup_.fixed = {{0, std::make_shared<const Mesh>(test::box_mesh({0, 0, 0}, {4, 4, 2})), {}, 0}, {2, cube, {}, 0}};
+    pack(copies(1, 1), {0, 0});
+    EXPECT_EQ(result_.trays.size(), 3u);
+    EXPECT_TRUE(result_.trays[0].placed.empty());
+    EXPECT_EQ(result_.trays[1].placed.size(), 1u);
+}
+
+TEST_F(ManyTrays, AStopLeavesTheRest) {
+    stop_.request(StopReason::cancelled);
+    pack(copies(1, 10), {0, 0});
+    EXPECT_EQ(result_.trays.size(), 1u);
+    EXPECT_FALSE(result_.stuck);
+    EXPECT_TRUE(result_.left_over.empty());
+}
+
+TEST_F(ManyTrays, WhatWasPlacedSurvivesAnException) {
+    search_.fail_at = 7;
+    EXPECT_THROW(pack(copies(1, 10), {0, 0}), std::runtime_error);
+    EXPECT_EQ(result_.placed(), 5);  // four, one search in vain, one
+}
+
+}  // namespace
+}  // namespace spectralpack
