@@ -86,6 +86,12 @@ class Run {
                        options.height_at == HeightReference::top ? HeightAt::top : HeightAt::bottom};
         setup.orientations = plan_.orientations;
         setup.refine = options.refine;
+        setup.interlock = options.interlock;
+        setup.left = [this, most = std::int64_t{0}](int left) mutable {
+            most = std::max<std::int64_t>(most, left + 1);
+            const double work = static_cast<double>(most - left) / static_cast<double>(most);
+            listener_.on_progress({Phase::disassemble, most - left, most, 0, work});
+        };
         return setup;
     }
 
@@ -126,7 +132,7 @@ class Run {
         const double container = options.tray.x * options.tray.y * options.tray.z;
         double volume = 0;
         std::size_t placed = 0;
-        const TrayItemDone item_done = [&](const GreedyResult& tray, std::size_t done) {
+        const TrayItemDone item_done = [&](const FilledTray& tray, std::size_t done) {
             for (; placed < tray.placed.size(); ++placed) {
                 volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
             }
@@ -135,7 +141,7 @@ class Run {
         };
         const auto finish = [&] {
             seconds_.refine = filler.refine_seconds();
-            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
+            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine - filler.untangle_seconds();
             if (verifying) verified_ = verifying->verified();
         };
         try {
@@ -169,13 +175,14 @@ class Run {
         packing.parts = loaded_.parts;
 
         std::set<std::pair<int, int>> settled;  // part and copy
-        for (const GreedyResult& greedy : trays.trays) {
+        for (const FilledTray& greedy : trays.trays) {
             TrayPacking tray;
             for (const PlacedItem& placed : greedy.placed) {
                 settled.emplace(placed.item.part, placed.item.copy);
                 tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
                                            transform_of(placed)});
             }
+            tray.disassembly = greedy.plan;
             measure_tray(tray, packing.container, packing.parts, loaded_.meshes, job_.options.voxel, workers_);
             packing.metrics.density += tray.density / static_cast<double>(trays.trays.size());
             packing.trays.push_back(std::move(tray));
@@ -194,6 +201,14 @@ class Run {
         for (const PackItem& item : trays.left_over) {
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, ""});
             settled.emplace(item.part, item.copy);
+        }
+        for (const FilledTray& filled : trays.trays) {
+            for (const PackItem& item : filled.interlocked) {
+                if (!settled.emplace(item.part, item.copy).second) continue;  // it stands in a later tray
+                packing.unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
+            }
+            seconds_.disassemble += filled.report.disassemble_seconds;
+            seconds_.reinsert += filled.report.reinsert_seconds;
         }
         for (const PackItem& item : plan_.items) {
             if (settled.contains({item.part, item.copy})) continue;

@@ -155,9 +155,6 @@ void check_options(const PackOptions& options) {
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
     if (options.memory < 0) throw UsageError("--memory must be a number of bytes");
     if (options.time_limit) not_negative(*options.time_limit, "--time-limit");
-    if (options.interlock != Interlock::off) {
-        throw UsageError("--interlock post and place are not built yet: only off");
-    }
     const Vec3 space = room(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
         throw UsageError("the container, less the wall gap, is smaller than one voxel of " +

@@ -4,7 +4,7 @@ namespace spectralpack {
 
 std::int64_t TraysResult::searches() const {
     std::int64_t sum = 0;
-    for (const GreedyResult& tray : trays) {
+    for (const FilledTray& tray : trays) {
         sum += tray.searches;
     }
     return sum;
@@ -12,7 +12,7 @@ std::int64_t TraysResult::searches() const {
 
 std::int64_t TraysResult::placed() const {
     std::size_t sum = 0;
-    for (const GreedyResult& tray : trays) {
+    for (const FilledTray& tray : trays) {
         sum += tray.placed.size();
     }
     return static_cast<std::int64_t>(sum);
@@ -24,16 +24,17 @@ void fill_trays(const std::vector<PackItem>& items, int most, TrayFiller& filler
     std::vector<PackItem> remaining = items;
     bool stopped = false;
     do {
-        GreedyResult& tray = result.trays.emplace_back();
-        ShapeStore shapes = make_shapes(remaining);
+        FilledTray& tray = result.trays.emplace_back();
         try {
             filler.fill(
-                remaining, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
+                remaining, make_shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;
         }
         result.left_over = remaining = tray.left_over;
+        // What was interlocked here may stand in the next tray; it goes first, as it is no smaller.
+        remaining.insert(remaining.begin(), tray.interlocked.begin(), tray.interlocked.end());
         stopped = !tray.untried.empty();
     } while (!remaining.empty() && !stopped && static_cast<int>(result.trays.size()) < most);
 }

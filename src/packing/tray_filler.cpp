@@ -3,6 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "packing/reachable_search.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -34,12 +36,14 @@ TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::Par
                        const Workers& workers)
     : setup_(std::move(setup)), search_(search), part_of_(std::move(part_of)), workers_(workers) {}
 
-void TrayFiller::fill(const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-                      const StopToken& stop, GreedyResult& result) {
+void TrayFiller::fill(const std::vector<PackItem>& items, const MakeShapeStore& make_shapes,
+                      const ItemDone& item_done, const StopToken& stop, FilledTray& result) {
     Tray tray(setup_.tray);
-    fill(tray, items, shapes, item_done, stop, result);
-    // Here the tray is full and holds what result.placed names (by ObjectId): the place for what looks at a whole
-    // tray, such as disassembly.
+    {
+        ShapeStore shapes = make_shapes(items);
+        fill(tray, items, shapes, item_done, stop, result);
+    }
+    if (setup_.interlock != Interlock::off) make_removable(tray, make_shapes, stop, result);
 }
 
 void TrayFiller::fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore& shapes,
@@ -56,7 +60,28 @@ void TrayFiller::fill(Tray& tray, const std::vector<PackItem>& items, ShapeStore
         return refinement.get() ? refinement.get()->settle(item, shape, best)
                                 : stand_on_grid(shape, best, dx, setup_.wall_gap);
     };
-    pack_greedily(tray, search_, setup_.model, items, shapes, settle, item_done, stop, result);
+    ReachableSearch reachable(search_);
+    PlacementSearch& search =
+        setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
+    pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result);
+}
+
+void TrayFiller::make_removable(Tray& tray, const MakeShapeStore& make_shapes, const StopToken& stop,
+                                FilledTray& result) {
+    InterlockSetup setup;
+    setup.voxel_size = setup_.tray.voxel_size;
+    setup.wall_gap = setup_.wall_gap;
+    setup.model = setup_.model;
+    setup.orientations = setup_.orientations;
+    setup.mesh_of = [this](int part) { return part_of_(part).mesh; };
+    setup.make_shapes = make_shapes;
+    setup.left = setup_.left;
+    setup.workers = workers_;
+    Untangled untangled = untangle(tray, search_, result.placed, setup, stop);
+    result.plan = std::move(untangled.plan);
+    result.interlocked = std::move(untangled.interlocked);
+    result.report = untangled.report;
+    untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
 }
 
 }  // namespace spectralpack

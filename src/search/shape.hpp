@@ -20,6 +20,10 @@ struct OrientedShape {
     /// gap); for g = 0 the unwidened voxels with offset 0. One per class, in the tray's order;
     /// equal g share one grid.
     std::vector<std::shared_ptr<const WidenedVoxels>> widened;
+    /// Candidates that best_placement() must not answer with (section 4.3), by position; null: none.
+    /// Of one shape in one tray they only become more while objects are only added: engines may
+    /// take them for colliding from then on.
+    std::shared_ptr<const BitGrid> excluded = {};
 };
 
 struct Shape {

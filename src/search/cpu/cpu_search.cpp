@@ -33,8 +33,8 @@ class CpuSearch final : public PlacementSearch {
             if (entry.states[k].count().empty()) return;
             const OrientedShape& oriented = shape.orientations[k];
             if (runs[k].of_class.empty()) runs[k] = make_runs(oriented);
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          oriented.solid->extent().z));
+            searches[k].emplace(
+                make_task(context, entry.states[k], runs[k], static_cast<int>(i), oriented));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

@@ -230,6 +230,7 @@ class Pass {
             }
         }
         if (any == 0) return;
+        if (t_.excluded) Exclude(bx, by, z, free);
         Block(first_batch, t_.collision.batches.size(), bx, by, z, free);
         for (int y = 0; y < kBrickY; ++y) {
             live[y] &= free[y] | ~chosen[y / kBlock];
@@ -240,6 +241,14 @@ class Pass {
                           after[y / kBlock] + half / kBlock);
                 }
             }
+        }
+    }
+
+    void Exclude(int bx, int by, int z, std::uint64_t* free) const {
+        const Extent& count = t_.excluded->extent();
+        if (z >= count.z) return;
+        for (int y = 0; y < std::min(kBrickY, count.y - kBrickY * by); ++y) {
+            free[y] &= ~t_.excluded->row(kBrickY * by + y, z)[bx];
         }
     }
 
@@ -303,7 +312,7 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, int layers) {
+                          int index, const OrientedShape& shape) {
     const TrayTables& tables = context.tables;
     const int most = tables.phi().most();
     return {context,
@@ -313,7 +322,8 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             plan_sum(runs.solid, tables.sums(), most),
             plan_sum(runs.solid, tables.coarse(), most),
             index,
-            layers};
+            shape.solid->extent().z,
+            shape.excluded.get()};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) {

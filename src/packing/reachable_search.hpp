@@ -1,0 +1,49 @@
+#pragma once
+/// Placement among reachable positions only (section 4.3): an engine whose best_placement() never answers with a
+/// position from which the copy could not be taken out again.
+///
+/// Definition: a position q of an orientation is reachable if A can be moved there from outside the grid by single
+/// steps along x, y and z through positions that are free among the objects (Omega_move, free_positions()). The best
+/// reachable placement is the best placement (conventions.md) among the candidates that are also reachable.
+
+#include <memory>
+#include <vector>
+
+#include "search/placement_search.hpp"
+
+namespace spectralpack {
+
+class ReachableSearch final : public PlacementSearch {
+  public:
+    /// `engine` outlives it.
+    explicit ReachableSearch(PlacementSearch& engine) : engine_(engine) {}
+
+    /// Asks the engine; where its answer is not reachable, excludes what is not reachable in that orientation and asks
+    /// again: at most one flood fill of the whole tray for each orientation. Further copies of the same shape start
+    /// from what is excluded already while the tray only grows: what cannot be reached now never can be then.
+    SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                const StopToken& stop) override;
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
+        return engine_.free_positions(tray, shape, index, query);
+    }
+    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                             const FreeQuery& query) override {
+        return engine_.free_rows(tray, std::move(solid), query);
+    }
+    const char* name() const override { return engine_.name(); }
+    std::int64_t memory() const override { return engine_.memory(); }
+
+  private:
+    using Excluded = std::vector<std::shared_ptr<const BitGrid>>;
+
+    bool reachable(const Tray& tray, const OrientedShape& oriented, const VoxelIndex& position);
+    std::shared_ptr<const BitGrid> unreachable(const Tray& tray, const OrientedShape& oriented);
+
+    PlacementSearch& engine_;
+    std::uint64_t tray_ = 0, shape_ = 0;  // whose exclusions these are: copies of a part mostly come one after the other
+    std::size_t journal_ = 0;             // how long the tray's journal was then
+    Excluded excluded_;                   // by index of the shape's orientations; null: none
+    std::uint64_t asked_ = 0;             // shapes with fresh exclusions: each is a shape of its own to the engine
+};
+
+}  // namespace spectralpack
