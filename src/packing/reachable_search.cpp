@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63;
 
+// Pockets of one orientation after which everything unreachable is looked for: that costs as much as dozens of them.
+constexpr int kPockets = 24;
+
 }  // namespace
 
 SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
@@ -32,24 +35,32 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     for (std::size_t i = 0; i < excluded_.size(); ++i) {
         asked.orientations[i].excluded = excluded_[i];
     }
-    std::vector<bool> flooded(shape.orientations.size(), false);
+    std::vector<int> pockets(shape.orientations.size(), 0);
     for (;;) {
         SearchResult result = engine_.best_placement(tray, asked, model, stop);
         if (result.stopped || !result.best) return result;
         const auto index = static_cast<std::size_t>(result.best->index);
         OrientedShape& oriented = asked.orientations[index];
-        if (flooded[index] || reachable(tray, oriented, result.best->position)) return result;
-        flooded[index] = true;
-        oriented.excluded = excluded_[index] = unreachable(tray, oriented);
+        if (pockets[index] > kPockets) return result;
+        std::optional<BitGrid> excluded = pocket(tray, oriented, result.best->position);
+        if (!excluded) return result;
+        if (++pockets[index] > kPockets) excluded = unreachable(tray, oriented);
+        if (oriented.excluded) unite(*excluded, *oriented.excluded, {});
+        oriented.excluded = excluded_[index] = std::make_shared<const BitGrid>(std::move(*excluded));
     }
 }
 
-bool ReachableSearch::reachable(const Tray& tray, const OrientedShape& oriented, const VoxelIndex& position) {
+std::optional<BitGrid> ReachableSearch::pocket(const Tray& tray, const OrientedShape& oriented,
+                                               const VoxelIndex& position) {
     const std::unique_ptr<FreeRowReader> rows = engine_.free_rows(tray, oriented.solid, {});
-    return !FloodFill(*rows, oriented.solid->extent(), whole(tray.extent())).way_out(position).empty();
+    FloodFill flood(*rows, oriented.solid->extent(), whole(tray.extent()));
+    if (!flood.way_out(position).empty()) return std::nullopt;
+    BitGrid positions(tray.candidates(oriented.size));
+    flood.mark_visited(positions);
+    return positions;
 }
 
-std::shared_ptr<const BitGrid> ReachableSearch::unreachable(const Tray& tray, const OrientedShape& oriented) {
+BitGrid ReachableSearch::unreachable(const Tray& tray, const OrientedShape& oriented) {
     Shape alone;
     alone.orientations.push_back(oriented);
     FreePositions positions = engine_.free_positions(tray, alone, 0, {});
@@ -59,7 +70,7 @@ std::shared_ptr<const BitGrid> ReachableSearch::unreachable(const Tray& tray, co
     fill_enclosed(colliding);
     BitGrid excluded(tray.candidates(oriented.size));
     unite(excluded, colliding, positions.origin);
-    return std::make_shared<const BitGrid>(std::move(excluded));
+    return excluded;
 }
 
 }  // namespace spectralpack

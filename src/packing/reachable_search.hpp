@@ -7,6 +7,7 @@
 /// reachable placement is the best placement (conventions.md) among the candidates that are also reachable.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "search/placement_search.hpp"
@@ -18,9 +19,10 @@ class ReachableSearch final : public PlacementSearch {
     /// `engine` outlives it.
     explicit ReachableSearch(PlacementSearch& engine) : engine_(engine) {}
 
-    /// Asks the engine; where its answer is not reachable, excludes what is not reachable in that orientation and asks
-    /// again: at most one flood fill of the whole tray for each orientation. Further copies of the same shape start
-    /// from what is excluded already while the tray only grows: what cannot be reached now never can be then.
+    /// Asks the engine. An answer that is not reachable lies in a closed pocket: the pocket is excluded, after
+    /// several of one orientation all that is not reachable in it, and the engine is asked again. Further copies of
+    /// the same shape start from what is excluded already while the tray only grows: what cannot be reached now never
+    /// can be then.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
@@ -36,8 +38,9 @@ class ReachableSearch final : public PlacementSearch {
   private:
     using Excluded = std::vector<std::shared_ptr<const BitGrid>>;
 
-    bool reachable(const Tray& tray, const OrientedShape& oriented, const VoxelIndex& position);
-    std::shared_ptr<const BitGrid> unreachable(const Tray& tray, const OrientedShape& oriented);
+    /// None where `position` is reachable; else the positions of its pocket.
+    std::optional<BitGrid> pocket(const Tray& tray, const OrientedShape& oriented, const VoxelIndex& position);
+    BitGrid unreachable(const Tray& tray, const OrientedShape& oriented);
 
     PlacementSearch& engine_;
     std::uint64_t tray_ = 0, shape_ = 0;  // whose exclusions these are: copies of a part mostly come one after the other
