@@ -15,5 +15,6 @@ Command add_pack_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_inspect_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
+Command add_plan_command(CLI::App& app);
 
 }  // namespace spectralpack::cli

@@ -446,7 +446,8 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
     sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
     sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
-    sub->add_option("--interlock", a.interlock, "keep copies from locking: off (post, place: not built yet) [off]")
+    sub->add_option("--interlock", a.interlock,
+                    "keep copies from locking: post (repair the packing), place (only where a way out is), off [post]")
         ->group(search);
     const std::string run = "Run";
     sub->add_option("--engine", a.engine, "auto, cpu, reference (the definition, slow) [auto]")->group(run);

@@ -18,6 +18,7 @@ const char* phase_name(Phase phase) {
         case Phase::load: return "load";
         case Phase::voxelize: return "voxelize";
         case Phase::search: return "search";
+        case Phase::disassemble: return "disassemble";
         case Phase::check: return "check";
         case Phase::render: return "render";
         case Phase::write: return "write";
@@ -63,7 +64,7 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line = fmt::format("\r\033[K{:<8} [{}] {}/{}", phase_name(progress.phase), bar,
+    std::string line = fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar,
                                    progress.done, progress.total);
     if (progress.phase == Phase::search) line += fmt::format("  density {}", percent_text(progress.density));
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));

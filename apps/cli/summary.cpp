@@ -116,6 +116,25 @@ std::int64_t fixed_copies(const Packing& packing) {
     return count;
 }
 
+void print_interlocking(const Packing& packing) {
+    std::size_t steps = 0;
+    bool planned = true, complete = true;
+    for (const TrayPacking& tray : packing.trays) {
+        planned = planned && tray.disassembly;
+        complete = complete && tray.disassembly && tray.disassembly->complete;
+        steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+    }
+    if (!planned) {
+        fmt::print("  INTERLOCKING IS NOT CHECKED: some parts may not come apart after printing.\n");
+    } else if (!complete) {
+        fmt::print("  INTERLOCKING IS ONLY PARTLY CHECKED: there was time to plan {} of {} removals; the rest may not "
+                   "come apart.\n", steps, packing.metrics.placed);
+    } else {
+        fmt::print("  interlock  none: comes apart in {} steps (planning {}, putting back {})\n", steps,
+                   duration_text(packing.metrics.seconds.disassemble), duration_text(packing.metrics.seconds.reinsert));
+    }
+}
+
 }  // namespace
 
 void print_summary(const PackResult& result, const std::vector<std::string>& written) {
@@ -143,7 +162,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
         fmt::print("  verified   {} placements answered alike by a second engine\n", metrics.verified);
     }
     print_left_over(packing);
-    fmt::print("  INTERLOCKING IS NOT CHECKED: some parts may not come apart after printing.\n");
+    print_interlocking(packing);
     if (written.empty()) fmt::print("  Nothing was written: name files with -o.\n");
     for (const std::string& file : written) {
         fmt::print("  wrote      {}\n", file);

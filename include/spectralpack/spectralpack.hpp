@@ -11,3 +11,4 @@
 #include "spectralpack/inspect.hpp"
 #include "spectralpack/pack.hpp"
 #include "spectralpack/packings.hpp"
+#include "spectralpack/plan_packing.hpp"

@@ -60,12 +60,31 @@ void check_together(const Job& job) {
         if (fixed) refuse(open, "fixed copies and --onto");
         if (options.trays != 1) refuse(open, "several trays");
     }
+    if (job.container.physical && options.interlock != Interlock::off) {
+        throw UsageError("ways out of a physical container are not looked for yet: use --interlock off");
+    }
     if (options.fill && options.trays != 1) refuse("--fill", "several trays");
     if (options.max_density || options.max_layer_fill) {
         const std::string cap = options.max_density ? "--max-density" : "--max-layer-fill";
         if (job.container.mesh) refuse(cap, "container meshes");
         if (fixed) refuse(cap, "fixed copies and --onto");
     }
+}
+
+/// A plan of copies that stand after `first` others.
+Disassembly shifted(Disassembly plan, int first) {
+    const auto shift = [&](std::vector<int>& placements) {
+        for (int& placement : placements) {
+            placement += first;
+        }
+    };
+    for (RemovalStep& step : plan.steps) {
+        shift(step.placements);
+    }
+    for (std::vector<int>& set : plan.interlocked) {
+        shift(set);
+    }
+    return plan;
 }
 
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
@@ -140,6 +159,12 @@ class Run {
         setup.refine = options.refine;
         setup.max_density = options.max_density;
         setup.max_layer_fill = options.max_layer_fill;
+        setup.interlock = options.interlock;
+        setup.left = [this, most = std::int64_t{0}](int left) mutable {
+            most = std::max<std::int64_t>(most, left + 1);
+            const double work = static_cast<double>(most - left) / static_cast<double>(most);
+            listener_.on_progress({Phase::disassemble, most - left, most, 0, work});
+        };
         if (is_open(options)) {
             setup.tray.ceiling = Ceiling::open;
             setup.tray.reference_layers =
@@ -184,7 +209,7 @@ class Run {
         }
         const auto start = Clock::now();
         const auto finish = [&] {
-            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine;
+            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine - untangling_;
             if (verifying) verified_ = verifying->verified();
         };
         try {
@@ -233,7 +258,7 @@ class Run {
         std::size_t placed = 0;    // in the tray being filled
         std::int64_t settled = 0;  // in all trays
         std::size_t number = 0;    // of the tray being filled, from 1
-        const TrayItemDone item_done = [&](const GreedyResult& tray, std::size_t done) {
+        const TrayItemDone item_done = [&](const FilledTray& tray, std::size_t done) {
             if (std::exchange(number, trays.trays.size()) != trays.trays.size()) placed = 0;
             for (; placed < tray.placed.size(); ++placed, ++settled) {
                 volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
@@ -249,11 +274,12 @@ class Run {
         listener_.on_progress({Phase::search, 0, static_cast<std::int64_t>(plan_.items.size()), 0, 0});
         const auto refined = [&] {
             seconds_.refine += filler.refine_seconds();
+            untangling_ += filler.untangle_seconds();
             trays.least_gap = filler.least_gap();
         };
         try {
             if (options.fill) {
-                GreedyResult& tray = trays.trays.emplace_back();
+                FilledTray& tray = trays.trays.emplace_back();
                 filler.fill_in_shares(
                     shares(), shapes, [&](std::size_t done) { item_done(tray, done); }, stop_, tray);
             } else {
@@ -335,8 +361,10 @@ class Run {
         return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
     }
 
-    void add_placed(const GreedyResult& greedy, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
-        for (const PlacedItem& placed : greedy.placed) {
+    /// `tray` holds its fixed copies.
+    void add_placed(const FilledTray& filled, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
+        if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
+        for (const PlacedItem& placed : filled.placed) {
             settled.emplace(placed.item.part, placed.item.copy);
             tray.placements.push_back(
                 {placed.item.part, placed.item.copy, placed.orientation, false, transform_of(placed)});
@@ -397,7 +425,16 @@ class Run {
                      unusable ? loaded_.problem[i] : plan_.too_large[i]});
             }
         }
+        for (const FilledTray& filled : trays.trays) {
+            seconds_.disassemble += filled.report.disassemble_seconds;
+            seconds_.reinsert += filled.report.reinsert_seconds;
+        }
+        for (const PackItem& item : trays.trays.back().interlocked) {
+            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
+            settled.emplace(item.part, item.copy);
+        }
         for (const PackItem& item : trays.left_over) {
+            if (settled.contains({item.part, item.copy})) continue;
             const auto& reasons = trays.trays.back().why;
             const auto why = reasons.find(item.part);
             packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full,
@@ -430,7 +467,7 @@ class Run {
             if (i < loaded_.fixed_parts || !loaded_.meshes[i] || !plan_.too_large[i].empty()) continue;
             parts[i].share = std::exchange(parts[i].count, 0);
         }
-        for (const GreedyResult& tray : trays.trays) {
+        for (const FilledTray& tray : trays.trays) {
             for (const PlacedItem& placed : tray.placed) {
                 ++parts[static_cast<std::size_t>(placed.item.part)].count;
             }
@@ -446,6 +483,7 @@ class Run {
     LoadedJob loaded_;
     Plan plan_;
     PhaseSeconds seconds_;
+    double untangling_ = 0;  // seconds, also of trays that were given up
     std::int64_t verified_ = 0;
     std::optional<BaseSize> base_;  // of the least box
     bool keep_shapes_ = false;

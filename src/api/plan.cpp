@@ -245,9 +245,6 @@ void check_options(const PackOptions& options) {
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
     if (options.memory < 0) throw UsageError("--memory must be a number of bytes");
     if (options.time_limit) not_negative(*options.time_limit, "--time-limit");
-    if (options.interlock != Interlock::off) {
-        throw UsageError("--interlock post and place are not built yet: only off");
-    }
     parse_rotations(options.rotations);
     const auto share = [](const std::optional<double>& value, const char* what) {
         if (value && !(*value > 0 && *value <= 1)) {

@@ -52,12 +52,12 @@ class Components {
 
     void close(std::size_t root) {
         ++components_;
-        for (std::size_t node = open_.size(); node != root;) {
+        std::size_t node;
+        do {
             node = open_.back();
             open_.pop_back();
             of_[node] = components_;
-            if (node == root) break;
-        }
+        } while (node != root);
     }
 
     const std::vector<std::vector<std::size_t>>& successors_;

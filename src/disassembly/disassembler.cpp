@@ -11,6 +11,9 @@
 namespace spectralpack {
 namespace {
 
+// Ways tried at a time. Not the number of threads: which edges are found must not depend on it.
+constexpr std::size_t kBatch = 8;
+
 bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).empty(); }
 
 }  // namespace
@@ -103,7 +106,7 @@ class Disassembler::Yard {
 
     bool leave_straight(AxisDirection direction, bool all) {
         const Members members = ready(direction);
-        const std::size_t batch = all ? members.size() : static_cast<std::size_t>(owner_.setup_.workers.threads());
+        const std::size_t batch = all ? members.size() : kBatch;
         bool moved = false;
         for (std::size_t begin = 0; begin < members.size() && (all || !moved); begin += batch) {
             const std::size_t count = std::min(batch, members.size() - begin);

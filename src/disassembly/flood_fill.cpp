@@ -88,6 +88,20 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
     return {};
 }
 
+void FloodFill::mark_visited(BitGrid& positions) const {
+    const Extent& e = rows_.extent();
+    for (std::size_t k = 0; k < of_.size(); ++k) {
+        if (of_[k] < 0) continue;
+        const std::vector<std::uint8_t>& came = known_[static_cast<std::size_t>(of_[k])].came;
+        const int y = static_cast<int>(k) % e.y, z = static_cast<int>(k) / e.y;
+        for (int x = 0; x < e.x; ++x) {
+            if (came[static_cast<std::size_t>(x)] == 0) continue;
+            const VoxelIndex position = rows_.origin() + VoxelIndex{x, y, z};
+            if (positions.extent().contains(position)) positions.set(position.x, position.y, position.z);
+        }
+    }
+}
+
 std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
     std::vector<VoxelIndex> way{at + rows_.origin()};
     int last = -1;

@@ -24,6 +24,9 @@ class FloodFill {
     /// steps gone and steps at least to go, which are exact (A*); each row is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
+    /// Sets the bits of all positions visited; those outside of `positions` are left out.
+    void mark_visited(BitGrid& positions) const;
+
     /// The box of all positions visited.
     const VoxelBox& pocket() const { return pocket_; }
 

@@ -33,7 +33,7 @@ struct PackOptions {
     double gap = 0.2;               ///< least distance between two copies, mm
     double wall_gap = 0;            ///< least distance to the container, mm
     bool refine = true;             ///< continuous refinement (section 3.2)
-    Interlock interlock = Interlock::off;     ///< section 4: not built yet
+    Interlock interlock = Interlock::post;     ///< section 4
     std::optional<double> height_penalty;     ///< p of equation 5; none: appendix A.2
     std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
     bool open_height = false;       ///< least height; the tray's z is the reference height (0: its longer side)

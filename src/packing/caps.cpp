@@ -90,6 +90,15 @@ void Caps::add(int part, int orientation, const Vec3& offset) {
     }
 }
 
+void Caps::remove(int part, int orientation, const Vec3& offset) {
+    volume_ -= parts_.volume(part);
+    if (!setup_.layer_fill) return;
+    const std::vector<double> areas = sections(part, orientation, offset);
+    for (std::size_t k = 0; k < areas.size(); ++k) {
+        area_[k] -= areas[k];
+    }
+}
+
 std::string Caps::no_layer_left() const {
     if (!setup_.layer_fill) return "";
     return "no place is free that keeps every layer below the cap of " + percent(*setup_.layer_fill);

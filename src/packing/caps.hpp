@@ -48,6 +48,9 @@ class Caps {
     /// A copy stands there now.
     void add(int part, int orientation, const Vec3& offset);
 
+    /// The copy that stood there is gone.
+    void remove(int part, int orientation, const Vec3& offset);
+
     /// For a copy that found no place in the layers left to it; empty without that cap.
     std::string no_layer_left() const;
 

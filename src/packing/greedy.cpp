@@ -10,6 +10,19 @@
 namespace spectralpack {
 namespace {
 
+void grow(Tray& tray, int enough, int most_layers) {
+    const int layers = tray.extent().z;
+    int wanted = std::max(enough, layers + layers / 2);
+    if (most_layers > 0) {
+        wanted = std::min(wanted, most_layers);
+        if (wanted < enough || wanted <= layers) {
+            throw ResourceError("the packing grows beyond the height that memory allows; a larger base, coarser "
+                                "voxels or more memory would help");
+        }
+    }
+    tray = grown(tray, wanted);
+}
+
 /// Places one copy after another.
 class Placer {
   public:
@@ -31,7 +44,7 @@ class Placer {
             }
         }
         const Shape& shape = shape_of();
-        const SearchResult found = search(item, shape);
+        const SearchResult found = find_place(tray_, search_, model_, item, shape, limits_, stop_);
         if (found.stopped) return Outcome::stopped;
         ++result_.searches;
         if (!found.best) {
@@ -49,32 +62,6 @@ class Placer {
     }
 
   private:
-    SearchResult search(const PackItem& item, const Shape& shape) {
-        for (;;) {
-            CostModel model = model_;
-            if (limits_.caps) model.allowed = limits_.caps->allowed(item.part, shape, tray_.extent().z);
-            SearchResult found = search_.best_placement(tray_, shape, model, stop_);
-            if (found.stopped || tray_.setup().ceiling == Ceiling::closed) return found;
-            if (found.best && holds_in_any_grid(tray_, shape, model, *found.best)) return found;
-            const int enough = layers_on_top(tray_, shape);
-            if (!found.best && tray_.extent().z >= enough) return found;
-            grow(enough);
-        }
-    }
-
-    void grow(int enough) {
-        const int layers = tray_.extent().z;
-        int wanted = std::max(enough, layers + layers / 2);
-        if (limits_.most_layers > 0) {
-            wanted = std::min(wanted, limits_.most_layers);
-            if (wanted < enough || wanted <= layers) {
-                throw ResourceError("the packing grows beyond the height that memory allows; a larger base, coarser "
-                                    "voxels or more memory would help");
-            }
-        }
-        tray_ = grown(tray_, wanted);
-    }
-
     Tray& tray_;
     PlacementSearch& search_;
     const CostModel& model_;
@@ -85,6 +72,20 @@ class Placer {
 };
 
 }  // namespace
+
+SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const PackItem& item,
+                        const Shape& shape, const GreedyLimits& limits, const StopToken& stop) {
+    for (;;) {
+        CostModel allowed = model;
+        if (limits.caps) allowed.allowed = limits.caps->allowed(item.part, shape, tray.extent().z);
+        SearchResult found = search.best_placement(tray, shape, allowed, stop);
+        if (found.stopped || tray.setup().ceiling == Ceiling::closed) return found;
+        if (found.best && holds_in_any_grid(tray, shape, allowed, *found.best)) return found;
+        const int enough = layers_on_top(tray, shape);
+        if (!found.best && tray.extent().z >= enough) return found;
+        grow(tray, enough, limits.most_layers);
+    }
+}
 
 void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                    const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,

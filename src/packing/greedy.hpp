@@ -42,6 +42,12 @@ struct GreedyLimits {
     int most_layers = 0;   ///< without a ceiling: how high the grid may grow; 0: as it needs
 };
 
+/// The best placement of `shape`, a copy of item.part, within the limits. Under an open ceiling `tray` is replaced by a
+/// higher one while a place above its grid could be the best (packing/open_height.hpp); throws ResourceError where that
+/// takes more than most_layers.
+SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const PackItem& item,
+                        const Shape& shape, const GreedyLimits& limits, const StopToken& stop);
+
 /// Packs `items` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
 /// part has already found no place is left over without a search: the tray only fills up. `settle` decides where a
 /// copy stands once its place is found. `result` is filled as it goes, so that it holds what was done when an

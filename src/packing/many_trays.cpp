@@ -23,7 +23,7 @@ std::vector<PackItem> without_placed(const std::vector<PackItem>& items, const G
 
 std::int64_t TraysResult::searches() const {
     std::int64_t sum = 0;
-    for (const GreedyResult& tray : trays) {
+    for (const FilledTray& tray : trays) {
         sum += tray.searches;
     }
     return sum;
@@ -31,7 +31,7 @@ std::int64_t TraysResult::searches() const {
 
 std::int64_t TraysResult::placed() const {
     std::size_t sum = 0;
-    for (const GreedyResult& tray : trays) {
+    for (const FilledTray& tray : trays) {
         sum += tray.placed.size();
     }
     return static_cast<std::int64_t>(sum);
@@ -48,7 +48,7 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
             tried.resize(std::min(tried.size(), static_cast<std::size_t>(limit.try_per_tray)));
         }
         const auto index = result.trays.size();
-        GreedyResult& tray = result.trays.emplace_back();
+        FilledTray& tray = result.trays.emplace_back();
         try {
             filler.fill(
                 static_cast<int>(index), tried, shapes, [&](std::size_t done) { item_done(tray, done); }, stop,

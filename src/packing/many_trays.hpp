@@ -15,7 +15,7 @@ struct TraysLimit {
 };
 
 struct TraysResult {
-    std::vector<GreedyResult> trays;
+    std::vector<FilledTray> trays;
     std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
     /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
     /// `trays`.
@@ -27,7 +27,7 @@ struct TraysResult {
 };
 
 /// Called after each item with its tray and how many of that tray's items are done.
-using TrayItemDone = std::function<void(const GreedyResult& tray, std::size_t items_done)>;
+using TrayItemDone = std::function<void(const FilledTray& tray, std::size_t items_done)>;
 
 /// Fills one tray after the other with `items`, which come in the order to try; what found no place in one tray is
 /// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray

@@ -1,9 +1,11 @@
 #include "packing/tray_filler.hpp"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
+#include "packing/reachable_search.hpp"
 #include "packing/walls.hpp"
 #include "voxel/voxelize.hpp"
 
@@ -25,7 +27,8 @@ TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::Par
     }
 }
 
-void TrayFiller::stand_fixed(int number, Tray& tray, Refinement* refinement) const {
+std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refinement* refinement) const {
+    std::vector<StandingPart> standing;
     const Vec3 corner{setup_.wall_gap, setup_.wall_gap, setup_.wall_gap};
     const std::vector<double>& gaps = setup_.tray.gap_classes;
     const int detail = setup_.tray.detail;
@@ -38,13 +41,17 @@ void TrayFiller::stand_fixed(int number, Tray& tray, Refinement* refinement) con
         TrayObject object = fine_object(std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position,
                                         detail, static_cast<int>(gap_class));
         object.fixed = true;
-        tray.add(std::move(object));
-        if (refinement) refinement->stand({std::make_shared<const Bvh>(mesh), {}, copy.gap});
+        const ObjectId id = tray.add(std::move(object));
+        const auto surface = std::make_shared<const Bvh>(mesh);
+        if (refinement) refinement->stand({surface, {}, copy.gap});
+        standing.push_back({surface, {}, tray.object(id)});
     }
+    return standing;
 }
 
 template <class Pack>
-void TrayFiller::fill_one(int number, const Pack& pack) {
+void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
+                          const Pack& pack) {
     Tray tray(setup_.tray);
     const double dx = setup_.tray.voxel_size;
     const int detail = setup_.tray.detail;
@@ -74,7 +81,7 @@ void TrayFiller::fill_one(int number, const Pack& pack) {
             refinement->stand(wall);
         }
     }
-    stand_fixed(number, tray, refinement.get());
+    std::vector<StandingPart> fixed = stand_fixed(number, tray, refinement.get());
     double refining = 0;
     const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
         if (!refinement) return stand_on_grid(shape, best, dx, detail, setup_.wall_gap);
@@ -82,32 +89,64 @@ void TrayFiller::fill_one(int number, const Pack& pack) {
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
         return standing;
     };
-    pack(tray, settle, GreedyLimits{caps ? &*caps : nullptr, setup_.most_layers});
-    if (refinement) {
-        if (const auto gap = refinement->least_gap()) least_gap_ = std::min(*gap, least_gap_.value_or(*gap));
+    const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers};
+    ReachableSearch reachable(search_);
+    PlacementSearch& search =
+        setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
+    pack(tray, search, settle, limits);
+    std::optional<double> gap = refinement ? refinement->least_gap() : std::nullopt;
+    refinement.reset();
+    if (setup_.interlock != Interlock::off) {
+        make_removable(tray, std::move(fixed), shapes, limits, stop, result);
+        if (result.report.removed > 0) gap = result.report.least_gap;
     }
-    // Here the tray is full and holds what the result names (by ObjectId): the place for what looks at a whole
-    // tray, such as disassembly.
+    if (setup_.refine && gap) least_gap_ = std::min(*gap, least_gap_.value_or(*gap));
+}
+
+void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, ShapeStore& shapes,
+                                const GreedyLimits& limits, const StopToken& stop, FilledTray& result) {
+    InterlockSetup setup;
+    setup.voxel_size = setup_.tray.voxel_size;
+    setup.wall_gap = setup_.wall_gap;
+    setup.model = setup_.model;
+    setup.part_of = part_of_;
+    setup.fixed = std::move(fixed);
+    setup.shapes = &shapes;
+    setup.limits = limits;
+    setup.left = setup_.left;
+    setup.workers = workers_;
+    Untangled untangled = untangle(tray, search_, result.placed, setup, stop);
+    result.plan = std::move(untangled.plan);
+    result.interlocked = std::move(untangled.interlocked);
+    result.report = untangled.report;
+    untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
 }
 
 void TrayFiller::fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-                      const StopToken& stop, GreedyResult& result) {
+                      const StopToken& stop, FilledTray& result) {
     shapes.start_tray(items);
-    fill_one(number, [&](Tray& tray, const Settle& settle, const GreedyLimits& limits) {
-        pack_greedily(tray, search_, setup_.model, items, shapes, settle, item_done, stop, result, limits);
+    fill_one(number, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+                                               const GreedyLimits& limits) {
+        pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
     });
 }
 
 void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
-                                const StopToken& stop, GreedyResult& result) {
+                                const StopToken& stop, FilledTray& result) {
     std::vector<PackItem> items;
     for (const PartShare& share : shares) {
         items.push_back({share.part, 0});
     }
     shapes.start_tray(items);
-    fill_one(0, [&](Tray& tray, const Settle& settle, const GreedyLimits& limits) {
-        pack_in_shares(tray, search_, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
+    fill_one(0, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+                                          const GreedyLimits& limits) {
+        pack_in_shares(tray, search, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
     });
+    std::map<int, int> copies;  // by part: what was interlocked left gaps in their numbers
+    for (PlacedItem& placed : result.placed) {
+        placed.item.copy = copies[placed.item.part]++;
+    }
+    result.interlocked.clear();
 }
 
 }  // namespace spectralpack

@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "model/packing.hpp"
 #include "packing/greedy.hpp"
+#include "packing/interlocking.hpp"
 #include "packing/refinement.hpp"
 
 namespace spectralpack {
@@ -31,6 +32,15 @@ struct FillSetup {
     std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
     int most_layers = 0;                                ///< open height: the grid may grow to so many
     bool refine = false;  ///< continuous refinement (section 3.2)
+    Interlock interlock = Interlock::off;  ///< section 4
+    Disassembler::Left left;  ///< told how many copies still stand, while a tray is taken apart
+};
+
+/// What became of one tray.
+struct FilledTray : GreedyResult {
+    std::vector<PackItem> interlocked;  ///< taken out again: they could not be taken out of the finished packing
+    std::optional<Disassembly> plan;    ///< by index into `placed`; none where interlocking was not looked at
+    InterlockReport report;
 };
 
 class TrayFiller {
@@ -39,26 +49,31 @@ class TrayFiller {
     TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::PartOf part_of, const Workers& workers);
 
     /// Fills a new tray, the one with this number, with what finds a place of `items`, tried in this order; `shapes`
-    /// makes their voxels. `result` as in pack_greedily().
+    /// makes their voxels. `result` as in pack_greedily(); in the end it is a packing that comes apart, unless
+    /// interlocking is off.
     void fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-              const StopToken& stop, GreedyResult& result);
+              const StopToken& stop, FilledTray& result);
 
-    /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(). `shapes`: one item a part, in
-    /// the order of `shares`.
+    /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
+    /// does; copies then count from 0 again.
     void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
-                        const StopToken& stop, GreedyResult& result);
+                        const StopToken& stop, FilledTray& result);
 
     int trays_with_fixed() const { return trays_with_fixed_; }  ///< the number of the last such tray, plus one
-    double refine_seconds() const { return refine_seconds_; }  ///< over all trays, for the record
+    double refine_seconds() const { return refine_seconds_; }      ///< over all trays, for the record
+    double untangle_seconds() const { return untangle_seconds_; }  ///< the same
     /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
     std::optional<double> least_gap() const { return least_gap_; }
 
   private:
-    /// Calls `pack` with a tray in which only fixed copies stand, and the rules that copies are placed by.
+    /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
+    /// are placed by; then makes what it packed come apart.
     template <class Pack>
-    void fill_one(int number, const Pack& pack);
+    void fill_one(int number, ShapeStore& shapes, const StopToken& stop, FilledTray& result, const Pack& pack);
 
-    void stand_fixed(int number, Tray& tray, Refinement* refinement) const;
+    std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement) const;
+    void make_removable(Tray& tray, std::vector<StandingPart> fixed, ShapeStore& shapes, const GreedyLimits& limits,
+                        const StopToken& stop, FilledTray& result);
 
     FillSetup setup_;
     PlacementSearch& search_;
@@ -66,7 +81,7 @@ class TrayFiller {
     Workers workers_;
     std::vector<StandingCopy> walls_;  // for refinement
     int trays_with_fixed_ = 0;
-    double refine_seconds_ = 0;
+    double refine_seconds_ = 0, untangle_seconds_ = 0;
     std::optional<double> least_gap_;
 };
 

@@ -10,6 +10,7 @@
 ///             with W the walls, container mask and keep-out, O(c) the fine voxels of class c's objects
 ///   rho(q)  = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place      (4)
 ///   best    = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0       (6)
+///             that the shape does not exclude
 
 #include <array>
 #include <cstdint>

@@ -23,6 +23,10 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
+    /// Candidates that best_placement() must not answer with (section 4.3), by position; null: none.
+    /// Of one shape in one tray they only become more while objects are only added: engines may
+    /// take them for colliding from then on.
+    std::shared_ptr<const BitGrid> excluded = {};
 };
 
 struct Shape {

@@ -36,7 +36,7 @@ TEST(Pack, WritesEveryKindOfFileAndCheckAgrees) {
     }
     const Ran ran = spectralpack(call);
     ASSERT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(contains(ran.out, "INTERLOCKING IS NOT CHECKED"));
+    EXPECT_TRUE(contains(ran.out, "comes apart in"));
     for (const char* name : {"b.json", "b.3mf", "b.stl", "b.csv", "b.png"}) {
         EXPECT_TRUE(fs::exists(folder / name)) << name;
         EXPECT_GT(fs::file_size(folder / name), 1000u) << name;
@@ -49,7 +49,17 @@ TEST(Pack, WritesEveryKindOfFileAndCheckAgrees) {
               packing["metrics"]["copies"].get<std::size_t>());
     const Ran checked = spectralpack({"check", (folder / "b.json").string()});
     EXPECT_EQ(checked.status, 0) << checked.out;
-    EXPECT_TRUE(contains(checked.out, "interlocking: not checked"));
+    EXPECT_TRUE(packing["trays"][0]["disassembly"]["complete"].get<bool>());
+}
+
+TEST(Pack, SaysLoudlyThatInterlockingIsNotCheckedWhenItIsOff) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "b.json").string();
+    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--interlock", "off", "-o", file} + kSmall);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "INTERLOCKING IS NOT CHECKED"));
+    EXPECT_TRUE(read_json(file)["trays"][0]["disassembly"].is_null());
+    EXPECT_TRUE(contains(spectralpack({"check", file}).out, "interlocking: not checked"));
 }
 
 TEST(Pack, PlacementsDoNotDependOnThreadsMemoryOrEngine) {

@@ -207,17 +207,33 @@ Mesh hook_mesh() {
     return test::merged(mesh, box_mesh({9, 0, 7}, {12, 4, 12}));
 }
 
-TEST(Disassembler, TakesAnOpenChainOfHooksApart) {
-    AssemblyScene scene({100, 20, 20});
-    for (int i = 0; i < 5; ++i) {
-        // Every other one turned round, its bar in the other's mouth.
-        Mesh hook = hook_mesh();
-        if (i % 2 == 1) hook = transformed(hook, {Mat3{{Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, -1}}}, {12, 0, 12}});
-        scene.add(placed(hook, {5 + 10.0 * i, 4, i % 2 == 0 ? 4.0 : 0.0}));
+/// A frame of 20 x 20 x 3 with a gap in its side at +y.
+Mesh open_link() {
+    Mesh mesh = box_mesh({0, 0, 0}, {20, 3, 3});
+    mesh = test::merged(mesh, box_mesh({0, 0, 0}, {3, 20, 3}));
+    mesh = test::merged(mesh, box_mesh({17, 0, 0}, {20, 20, 3}));
+    mesh = test::merged(mesh, box_mesh({0, 17, 0}, {7, 20, 3}));
+    return test::merged(mesh, box_mesh({13, 17, 0}, {20, 20, 3}));
+}
+
+TEST(Disassembler, TakesAnOpenChainApartAndNotOneOfClosedLinks) {
+    for (const bool open : {true, false}) {
+        AssemblyScene scene({80, 30, 30});
+        for (int i = 0; i < 4; ++i) {
+            // Lying, standing, lying, standing: each through the next one's hole.
+            Mesh link = open ? open_link() : test::frame_mesh(20, 3, 3);
+            if (i % 2 == 1) link = transformed(link, {Mat3{{Vec3{1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0}}}, {}});
+            scene.add(placed(link, i % 2 == 0 ? Vec3{4 + 12.0 * i, 4, 13} : Vec3{4 + 12.0 * i, 12, 4}));
+        }
+        const auto answer = scene.disassemble();
+        if (open) {
+            EXPECT_TRUE(answer.complete());
+            EXPECT_GT(answer.counts.flooded, 0);
+        } else {
+            EXPECT_EQ(answer.stuck, (Sets{{0, 1, 2, 3}}));
+        }
+        scene.replay(answer);
     }
-    const auto answer = scene.disassemble();
-    EXPECT_TRUE(answer.complete());
-    scene.replay(answer);
 }
 
 TEST(Disassembler, FindsAWayOutWithACorner) {

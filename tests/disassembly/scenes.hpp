@@ -80,8 +80,8 @@ class AssemblyScene {
         return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
     }
 
-    /// Replays the steps in moves of at most `step` mm; fails where a surface comes to cross another's, where a path
-    /// does not end outside, or where a copy has not one step of its own.
+    /// Replays the steps: exactly where meshes are made of boxes, else in moves of at most `step` mm. Fails where a copy
+    /// comes to overlap another, where a path does not end outside, or where a copy has not one step of its own.
     void replay(const Answer& answer, double step = 0.1) const {
         std::vector<int> company(parts_.size(), 0), single(parts_.size(), 0);
         int companies = 1;
@@ -107,25 +107,11 @@ class AssemblyScene {
                 box.add(part.box());
                 Vec3 from;
                 for (const Vec3& move : removal.path) {
-                    const int count = static_cast<int>(std::ceil(length(move) / step));
-                    for (int k = 1; k <= count; ++k) {
-                        const Vec3 here = from + static_cast<double>(k) / count * move;
-                        for (const std::size_t other : others) {
-                            if (least_distance(*part.surface, here, *parts_[other].surface, {}, 1e-4).distance > 0) {
-                                continue;
-                            }
-                            // Meeting: touching is allowed, so a hair's breadth aside it must not.
-                            bool touching = false;
-                            for (int axis = 0; axis < 3 && !touching; ++axis) {
-                                for (const double aside : {-1e-3, 1e-3}) {
-                                    Vec3 there = here;
-                                    there[axis] += aside;
-                                    touching = touching || least_distance(*part.surface, there, *parts_[other].surface,
-                                                                          {}, 1e-4).distance > 0;
-                                }
-                            }
-                            ASSERT_TRUE(touching) << "copy " << i << " meets " << other;
-                        }
+                    for (const std::size_t other : others) {
+                        ASSERT_TRUE(of_boxes(static_cast<std::size_t>(i)) && of_boxes(other)
+                                        ? boxes_pass(static_cast<std::size_t>(i), from, move, other)
+                                        : surfaces_pass(static_cast<std::size_t>(i), from, move, other, step))
+                            << "copy " << i << " meets " << other;
                     }
                     from = from + move;
                 }
@@ -153,6 +139,58 @@ class AssemblyScene {
     }
 
   private:
+    static constexpr double kTouching = 1e-3;
+
+    /// Made by box_mesh() and merged(): every eight vertices are a box.
+    bool of_boxes(std::size_t i) const {
+        return 12 * meshes_[i].vertices.size() == 8 * meshes_[i].triangles.size();
+    }
+    std::vector<Box> boxes(std::size_t i, const Vec3& offset) const {
+        std::vector<Box> result;
+        const std::vector<Vec3>& vertices = meshes_[i].vertices;
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            if (k % 8 == 0) result.emplace_back();
+            result.back().add(vertices[k] + offset);
+        }
+        return result;
+    }
+
+    /// Of an axis-parallel move: what a box passes then is a box.
+    bool boxes_pass(std::size_t i, const Vec3& from, const Vec3& move, std::size_t other) const {
+        const std::vector<Box> before = boxes(i, from), after = boxes(i, from + move), there = boxes(other, {});
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            Box passed = before[k];
+            passed.add(after[k]);
+            for (const Box& box : there) {
+                const Vec3 overlap = min(passed.max, box.max) - max(passed.min, box.min);
+                if (std::min({overlap.x, overlap.y, overlap.z}) > kTouching) return false;
+            }
+        }
+        return true;
+    }
+
+    bool surfaces_pass(std::size_t i, const Vec3& from, const Vec3& move, std::size_t other, double step) const {
+        const int count = static_cast<int>(std::ceil(length(move) / step));
+        const auto apart = [&](const Vec3& at) {
+            return least_distance(*parts_[i].surface, at, *parts_[other].surface, {}, 1e-4).distance > 0;
+        };
+        for (int k = 1; k <= count; ++k) {
+            const Vec3 here = from + static_cast<double>(k) / count * move;
+            if (apart(here)) continue;
+            // Touching is allowed: then they are apart a hair's breadth aside.
+            bool touching = false;
+            for (int axis = 0; axis < 3 && !touching; ++axis) {
+                for (const double aside : {-kTouching, kTouching}) {
+                    Vec3 there = here;
+                    there[axis] += aside;
+                    touching = touching || apart(there);
+                }
+            }
+            if (!touching) return false;
+        }
+        return true;
+    }
+
     DisassemblySetup setup_;
     std::unique_ptr<PlacementSearch> search_;
     std::vector<StandingPart> parts_;

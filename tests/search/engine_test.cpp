@@ -157,6 +157,61 @@ TEST_P(EngineTest, KeepsSeveralTraysAndTheirCopiesApart) {
     }
 }
 
+TEST_P(EngineTest, AnswersWithWhatIsNotExcluded) {
+    VerifyingSearch search = make_verified();
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        Scene scene = random_scene(random, {}, 1 + 100 * seed);
+        // What is excluded of a shape only becomes more while the tray fills up.
+        for (int step = 0; step < 5; ++step) {
+            for (Shape& shape : scene.shapes) {
+                const CostModel model = random_model(random);
+                for (OrientedShape& oriented : shape.orientations) {
+                    const Extent count = scene.tray.candidates(oriented.size);
+                    if (count.empty() || one_in(random, 3)) continue;
+                    BitGrid excluded(count);
+                    if (oriented.excluded) excluded = *oriented.excluded;
+                    for (int k = between(random, 0, static_cast<int>(count.count())); k > 0; --k) {
+                        excluded.set(between(random, 0, count.x - 1), between(random, 0, count.y - 1),
+                                     between(random, 0, count.z - 1));
+                    }
+                    oriented.excluded = std::make_shared<const BitGrid>(std::move(excluded));
+                }
+                SearchResult result;
+                ASSERT_NO_THROW(result = search.best_placement(scene.tray, shape, model, {}));
+                if (result.best && one_in(random, 3)) {
+                    place(scene, shape, result.best->index, result.best->position);
+                }
+            }
+        }
+    }
+}
+
+TEST_P(EngineTest, TellsFreePositionsInRowsOfAnyVoxels) {
+    const auto engine = make_engine();
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        RandomStream random(seed);
+        Scene scene = random_scene(random, {}, 1);
+        for (const Shape& shape : scene.shapes) {
+            FreeQuery query;
+            query.padding = between(random, 1, 3);
+            if (!scene.present.empty()) query.without = scene.present[random.below(scene.present.size())];
+            const auto rows = engine->free_rows(scene.tray, shape.orientations.front().solid, query);
+            const FreePositions all = engine->free_positions(scene.tray, shape, 0, query);
+            ASSERT_EQ(rows->origin(), all.origin);
+            ASSERT_EQ(rows->extent(), all.free.extent());
+            BitGrid again(rows->extent());
+            for (int z = 0; z < again.extent().z; ++z) {
+                for (int y = 0; y < again.extent().y; ++y) {
+                    rows->row(y, z, again.row(y, z));
+                }
+            }
+            EXPECT_EQ(again, all.free);
+        }
+    }
+}
+
 TEST_P(EngineTest, FillsATrayAndEmptiesItAgain) {
     VerifyingSearch search = make_verified();
     RandomStream random(11);

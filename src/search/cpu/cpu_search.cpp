@@ -36,8 +36,7 @@ class CpuSearch final : public PlacementSearch {
             if (runs[k].of_class.empty()) {
                 runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
             }
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          oriented.solid->extent().z));
+            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i), oriented));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

@@ -256,6 +256,7 @@ class Pass {
             }
         }
         if (any == 0) return;
+        if (t_.excluded) Exclude(bx, by, z, free);
         Block(first_batch, t_.collision.batches.size(), bx, by, z, free);
         for (int y = 0; y < kBrickY; ++y) {
             live[y] &= free[y] | ~chosen[y / kBlock];
@@ -266,6 +267,14 @@ class Pass {
                           after[y / kBlock] + half / kBlock);
                 }
             }
+        }
+    }
+
+    void Exclude(int bx, int by, int z, std::uint64_t* free) const {
+        const Extent& count = t_.excluded->extent();
+        if (z >= count.z) return;
+        for (int y = 0; y < std::min(kBrickY, count.y - kBrickY * by); ++y) {
+            free[y] &= ~t_.excluded->row(kBrickY * by + y, z)[bx];
         }
     }
 
@@ -331,7 +340,7 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, int layers) {
+                          int index, const OrientedShape& shape) {
     const TrayTables& tables = context.tables;
     return {context,
             state,
@@ -341,7 +350,8 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             plan_sum(runs, tables.coarse(), tables.most_pooled()),
             runs.cells,
             index,
-            layers};
+            shape.solid->extent().z,
+            shape.excluded.get()};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) {

@@ -154,6 +154,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
         for (int y = 0; y < count.y; ++y) {
             const Real* row = lane.sum.row(y, z);
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
+                if (shape.excluded && shape.excluded->get(x, y, z)) return;
                 // Rounded to the nearest; rho is never negative.
                 const auto rho = static_cast<std::int64_t>(row[x] * scale + 0.5);
                 const Cost cost =

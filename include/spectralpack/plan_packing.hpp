@@ -1,0 +1,29 @@
+#pragma once
+/// Taking packings apart: a disassembly plan for any packing, also one from elsewhere (section 4 of the paper).
+
+#include <optional>
+#include <vector>
+
+#include "core/listener.hpp"
+#include "core/stop.hpp"
+#include "model/disassembly.hpp"
+#include "spectralpack/packings.hpp"
+
+namespace spectralpack {
+
+struct PlanSettings {
+    std::optional<double> voxel;  ///< of the flood fill, mm; none: the packing's own
+    int threads = 0;              ///< 0: all the machine has
+};
+
+/// One plan for each tray: how its copies come apart, or which sets of them hold each other. Nothing is taken out of
+/// the packing. Whatever a plan says was confirmed on the meshes; that a set is interlocked is as sure as the voxels
+/// are fine: no single copy of it leaves through voxels of this size, and no group that the blocking graphs suggest
+/// leaves along an axis. A plan is incomplete without interlocked sets where `stop` came first.
+std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
+                                      const StopToken& stop);
+
+/// The plans as JSON text (docs/format.md).
+std::string plans_json(const Scene& scene, const std::vector<Disassembly>& plans);
+
+}  // namespace spectralpack

@@ -1,0 +1,152 @@
+#include "spectralpack/plan_packing.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "api/engine_factory.hpp"
+#include "core/error.hpp"
+#include "disassembly/disassembler.hpp"
+#include "packing/interlocking.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// A grid that holds every copy, in step with the one that the packing was made on.
+TraySetup grid_around(const Box& copies, double voxel, double wall_gap, Vec3& corner) {
+    TraySetup setup;
+    setup.voxel_size = voxel;
+    for (int axis = 0; axis < 3; ++axis) {
+        // A voxel to spare: standing off the grid, a copy may meet one more.
+        corner[axis] = wall_gap + voxel * (std::floor((copies.min[axis] - wall_gap) / voxel) - 1);
+        setup.size[axis] = voxel * (std::ceil((copies.max[axis] - corner[axis]) / voxel) + 1);
+    }
+    return setup;
+}
+
+/// One tray's copies as they stand.
+class StandingTray {
+  public:
+    StandingTray(const TrayPacking& tray, const PartMeshes& meshes, double voxel, double wall_gap,
+                 const Workers& workers)
+        : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
+        make_surfaces();
+        Box box;
+        for (const StandingPart& part : parts_) {
+            box.add(part.box());
+        }
+        setup_.grid = grid_around(box, voxel, wall_gap, setup_.corner);
+        workers.for_each(static_cast<std::int64_t>(parts_.size()), [&](std::int64_t k) {
+            const auto i = static_cast<std::size_t>(k);
+            StandingVoxels voxels =
+                voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_, workers_);
+            parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
+                                tray_.placements[i].fixed};
+        });
+        setup_.ray_spacing = voxel;
+        setup_.on_grid = [this](int i) {
+            return std::make_shared<const BitGrid>(voxelize(turned(static_cast<std::size_t>(i)), voxel_, workers_));
+        };
+        setup_.workers = workers;
+    }
+
+    const std::vector<StandingPart>& parts() const { return parts_; }
+    DisassemblySetup& setup() { return setup_; }
+
+  private:
+    const Mesh& mesh(std::size_t i) const { return *meshes_[static_cast<std::size_t>(tray_.placements[i].part)]; }
+    Mesh turned(std::size_t i) const { return transformed(mesh(i), {tray_.placements[i].transform.linear, {}}); }
+
+    /// Copies of a part in one orientation share a surface.
+    void make_surfaces() {
+        std::vector<std::vector<std::size_t>> alike;  // indices of copies
+        std::map<int, std::vector<std::size_t>> of_part;  // indices into `alike`
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const Placement& placement = tray_.placements[i];
+            std::vector<std::size_t>& known = of_part[placement.part];
+            std::size_t k = 0;
+            while (k < known.size() &&
+                   !(tray_.placements[alike[known[k]].front()].transform.linear == placement.transform.linear)) {
+                ++k;
+            }
+            if (k == known.size()) {
+                known.push_back(alike.size());
+                alike.emplace_back();
+            }
+            alike[known[k]].push_back(i);
+        }
+        workers_.for_each(static_cast<std::int64_t>(alike.size()), [&](std::int64_t k) {
+            const std::vector<std::size_t>& copies = alike[static_cast<std::size_t>(k)];
+            const auto surface = std::make_shared<const Bvh>(turned(copies.front()));
+            for (const std::size_t i : copies) {
+                parts_[i].surface = surface;
+                parts_[i].offset = tray_.placements[i].transform.translation;
+            }
+        });
+    }
+
+    const TrayPacking& tray_;
+    const PartMeshes& meshes_;
+    double voxel_;
+    Workers workers_;
+    std::vector<StandingPart> parts_;
+    DisassemblySetup setup_;
+};
+
+}  // namespace
+
+std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
+                                      const StopToken& stop) {
+    const double voxel = settings.voxel.value_or(scene.packing.options.voxel);
+    if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
+    const Workers workers(settings.threads);
+    std::int64_t total = 0;
+    for (const TrayPacking& tray : scene.packing.trays) {
+        for (const Placement& placement : tray.placements) {
+            total += placement.fixed ? 0 : 1;
+        }
+    }
+    std::vector<Disassembly> plans;
+    std::int64_t done = 0;
+    for (const TrayPacking& tray : scene.packing.trays) {
+        if (tray.placements.empty()) {
+            plans.push_back({!stop.stopped(), {}, {}});
+            continue;
+        }
+        const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
+        StandingTray standing(tray, scene.meshes, voxel, scene.packing.options.wall_gap, workers);
+        standing.setup().search = engine.get();
+        standing.setup().stop = stop;
+        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), [&](int) {
+            ++done;
+            listener.on_progress({Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
+        }));
+    }
+    return plans;
+}
+
+std::string plans_json(const Scene& scene, const std::vector<Disassembly>& plans) {
+    const auto name = [&](std::size_t tray, int i) {
+        const Placement& placement = scene.packing.trays[tray].placements[static_cast<std::size_t>(i)];
+        return "{\"placement\": " + std::to_string(i) + ", \"part\": " + std::to_string(placement.part) +
+               ", \"copy\": " + std::to_string(placement.copy) + "}";
+    };
+    std::string text = "{\"trays\": [";
+    for (std::size_t tray = 0; tray < plans.size(); ++tray) {
+        text += tray > 0 ? ", " : "";
+        text += std::string("{\"complete\": ") + (plans[tray].complete ? "true" : "false") +
+                ", \"steps\": " + std::to_string(plans[tray].steps.size()) + ", \"interlocked\": [";
+        for (std::size_t set = 0; set < plans[tray].interlocked.size(); ++set) {
+            text += set > 0 ? ", [" : "[";
+            for (std::size_t k = 0; k < plans[tray].interlocked[set].size(); ++k) {
+                text += (k > 0 ? ", " : "") + name(tray, plans[tray].interlocked[set][k]);
+            }
+            text += "]";
+        }
+        text += "]}";
+    }
+    return text + "]}";
+}
+
+}  // namespace spectralpack

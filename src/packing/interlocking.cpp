@@ -1,0 +1,351 @@
+#include "packing/interlocking.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
+
+#include "disassembly/blocking_graph.hpp"
+#include "packing/reachable_search.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// SelectRemove of Algorithm 4: until their boxes are more than this share of all.
+constexpr double kShareToRemove = 0.1;
+// Rays per voxel and axis: every copy of a voxel or more is seen.
+constexpr double kRaysPerVoxel = 1;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The smallest of `set`, by box volume, until they exceed the share. Fixed copies stay.
+std::vector<int> select_remove(const std::vector<int>& set, const std::vector<StandingPart>& parts) {
+    std::vector<int> movable;
+    double all = 0;
+    for (const int i : set) {
+        const StandingPart& part = parts[static_cast<std::size_t>(i)];
+        if (part.object.fixed) continue;
+        movable.push_back(i);
+        all += part.box().volume();
+    }
+    const auto volume = [&](int i) { return parts[static_cast<std::size_t>(i)].box().volume(); };
+    std::stable_sort(movable.begin(), movable.end(), [&](int a, int b) { return volume(a) < volume(b); });
+    std::vector<int> removed;
+    double sum = 0;
+    for (const int i : movable) {
+        if (sum > kShareToRemove * all) break;
+        removed.push_back(i);
+        sum += volume(i);
+    }
+    return removed;
+}
+
+/// The steps without the copies that are not there any more, `renumbered` to -1. Groups that are one copy then, or all
+/// that is left of their company, are groups no more: a copy's first step alone is its own.
+std::vector<RemovalStep> remaining_steps(const std::vector<RemovalStep>& steps, const std::vector<int>& renumbered) {
+    constexpr int kOut = -1;
+    std::vector<int> company(renumbered.size(), kOut);
+    std::vector<std::size_t> standing(1, 0);  // by company
+    for (std::size_t i = 0; i < renumbered.size(); ++i) {
+        if (renumbered[i] < 0) continue;
+        company[i] = 0;
+        ++standing[0];
+    }
+    std::vector<RemovalStep> result;
+    for (const RemovalStep& step : steps) {
+        std::vector<std::size_t> members;
+        RemovalStep rest{{}, step.path};
+        for (const int i : step.placements) {
+            if (company[static_cast<std::size_t>(i)] == kOut) continue;
+            members.push_back(static_cast<std::size_t>(i));
+            rest.placements.push_back(renumbered[static_cast<std::size_t>(i)]);
+        }
+        if (members.empty()) continue;
+        const auto from = static_cast<std::size_t>(company[members.front()]);
+        if (members.size() > 1 && members.size() == standing[from]) continue;
+        int to = kOut;
+        if (members.size() > 1) {
+            to = static_cast<int>(standing.size());
+            standing.push_back(members.size());
+        }
+        standing[from] -= members.size();
+        for (const std::size_t i : members) {
+            company[i] = to;
+        }
+        if (standing[from] == 0) rest.path.clear();
+        result.push_back(std::move(rest));
+    }
+    return result;
+}
+
+/// The grid of the voxels that collisions are decided on. Containers and keep-outs are virtual: nothing is blocked.
+TraySetup finest_grid(TraySetup setup) {
+    setup.voxel_size /= setup.detail;
+    setup.detail = 1;
+    setup.reference_layers = 0;
+    setup.blocked = {};
+    return setup;
+}
+
+TrayObject on_finest(TrayObject object) {
+    if (!object.fine) return object;
+    object.solid = std::move(object.fine);
+    object.position = object.fine_position;
+    object.fine = nullptr;
+    return object;
+}
+
+/// Where copies stand, with their surfaces; a surface is made once for a part and orientation.
+class Surfaces {
+  public:
+    explicit Surfaces(const InterlockSetup& setup) : setup_(setup) {}
+
+    /// Makes what is missing for `items`, in parallel by part.
+    void make(const std::vector<PlacedItem>& items) {
+        std::map<int, std::vector<int>> wanted;  // orientations by part
+        for (const PlacedItem& item : items) {
+            auto& surface = made_[{item.item.part, item.orientation}];
+            std::vector<int>& of_part = wanted[item.item.part];
+            if (!surface && std::find(of_part.begin(), of_part.end(), item.orientation) == of_part.end()) {
+                of_part.push_back(item.orientation);
+            }
+        }
+        const std::vector<std::pair<int, std::vector<int>>> parts(wanted.begin(), wanted.end());
+        setup_.workers.for_each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t k) {
+            const auto& [part, orientations] = parts[static_cast<std::size_t>(k)];
+            if (orientations.empty()) return;
+            const RefinedPart wanted = setup_.part_of(part);
+            const Bvh plain(wanted.mesh);
+            for (const int orientation : orientations) {
+                const Mat3& turn = (*wanted.orientations)[static_cast<std::size_t>(orientation)];
+                made_.find({part, orientation})->second = std::make_shared<const Bvh>(plain.turned(turn));
+            }
+        });
+    }
+
+    StandingPart standing(const PlacedItem& item, const Tray& tray) const {
+        return {made_.at({item.item.part, item.orientation}), item.offset, on_finest(tray.object(item.object))};
+    }
+
+  private:
+    const InterlockSetup& setup_;
+    std::map<std::pair<int, int>, std::shared_ptr<const Bvh>> made_;
+};
+
+class Untangling {
+  public:
+    Untangling(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
+               const StopToken& stop)
+        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop), surfaces_(setup) {
+        disassembly_.search = &search;
+        disassembly_.grid = finest_grid(tray.setup());
+        disassembly_.corner = {setup.wall_gap, setup.wall_gap, setup.wall_gap};
+        disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
+        disassembly_.on_grid = [this](int i) {
+            const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
+            const RefinedPart part = setup_.part_of(item.item.part);
+            const Mat3& turn = (*part.orientations)[static_cast<std::size_t>(item.orientation)];
+            return std::make_shared<const BitGrid>(
+                voxelize(transformed(part.mesh, {turn, {}}), disassembly_.grid.voxel_size, setup_.workers));
+        };
+        disassembly_.workers = setup.workers;
+        disassembly_.stop = stop;
+    }
+
+    Untangled run() {
+        const auto start = Clock::now();
+        const std::vector<PlacedItem> removed = disassemble();
+        result_.report.disassemble_seconds = seconds_since(start);
+        const auto reinserting = Clock::now();
+        if (!removed.empty()) {
+            reinsert(removed);
+            result_.report.least_gap = least_gap();
+        }
+        result_.report.reinsert_seconds = seconds_since(reinserting);
+        return std::move(result_);
+    }
+
+  private:
+    std::vector<StandingPart> standing() {
+        surfaces_.make(placed_);
+        std::vector<StandingPart> parts;
+        for (const PlacedItem& item : placed_) {
+            parts.push_back(surfaces_.standing(item, tray_));
+        }
+        return parts;
+    }
+
+    /// The fixed ones come after all others, so that names are indices into `placed`.
+    void add_fixed(std::vector<StandingPart>& parts) const {
+        for (StandingPart part : setup_.fixed) {
+            part.object = on_finest(part.object);
+            part.object.fixed = true;
+            parts.push_back(std::move(part));
+        }
+    }
+
+    std::optional<double> least_gap() {
+        Refiner refiner(RefineSetup{Vec3{Box::kInfinity, Box::kInfinity, Box::kInfinity}});
+        double least = Box::kInfinity;
+        std::vector<StandingPart> parts = standing();
+        add_fixed(parts);
+        for (const StandingPart& part : parts) {
+            const StandingCopy copy{part.surface, part.offset};
+            least = refiner.clearance(copy, least);
+            refiner.add(copy);
+        }
+        return std::isfinite(least) ? std::optional(least) : std::nullopt;
+    }
+
+    /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.
+    std::vector<PlacedItem> disassemble() {
+        std::vector<StandingPart> parts = standing();
+        const std::size_t movable = parts.size();
+        add_fixed(parts);
+        std::vector<bool> removed(parts.size(), false);
+        std::vector<std::vector<int>> stuck;
+        Disassembler disassembler(disassembly_, parts, setup_.left);
+        for (;;) {
+            disassembler.run();
+            if (stop_.stopped()) break;
+            if (result_.report.removed == 0) result_.report.counts = disassembler.counts();
+            const std::vector<std::vector<int>> sets = disassembler.stuck();
+            if (sets.empty()) break;
+            for (const std::vector<int>& set : sets) {
+                for (const int i : select_remove(set, parts)) {
+                    disassembler.discard(i);
+                    removed[static_cast<std::size_t>(i)] = true;
+                    ++result_.report.removed;
+                }
+            }
+        }
+        result_.plan.complete = !stop_.stopped();
+        std::vector<PlacedItem> kept, out;
+        std::vector<int> renumbered(parts.size(), -1);
+        for (std::size_t i = 0; i < movable; ++i) {
+            if (removed[i]) {
+                if (Caps* caps = setup_.limits.caps) {
+                    caps->remove(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
+                }
+                tray_.remove(placed_[i].object);
+                out.push_back(placed_[i]);
+            } else {
+                renumbered[i] = static_cast<int>(kept.size());
+                kept.push_back(placed_[i]);
+            }
+        }
+        result_.plan.steps = remaining_steps(disassembler.steps(), renumbered);
+        placed_ = std::move(kept);
+        return out;
+    }
+
+    void reinsert(const std::vector<PlacedItem>& removed) {
+        // Largest first. Copies whose part has found no place are not tried again: the tray only fills up.
+        std::vector<PlacedItem> order = removed;
+        const auto volume = [&](const PlacedItem& item) { return surfaces_.standing(item, tray_).box().volume(); };
+        std::stable_sort(order.begin(), order.end(),
+                         [&](const PlacedItem& a, const PlacedItem& b) { return volume(a) > volume(b); });
+        std::vector<PackItem> items;
+        for (const PlacedItem& item : order) {
+            items.push_back(item.item);
+        }
+        std::vector<StandingPart> parts = standing();
+        std::vector<int> names(parts.size());
+        std::iota(names.begin(), names.end(), 0);
+        add_fixed(parts);
+        names.resize(parts.size(), -1);
+        Company company(disassembly_, names, parts);
+        ShapeStore& shapes = *setup_.shapes;
+        shapes.start_tray(items);
+        ReachableSearch reachable(search_);
+        std::unordered_set<int> hopeless;
+        std::vector<RemovalStep> steps;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
+                               put_back(items[i], shapes.at(i), reachable, company, steps);
+            if (!again) {
+                hopeless.insert(items[i].part);
+                result_.interlocked.push_back(items[i]);
+            }
+            shapes.release(i, again);
+        }
+        // The last one put back comes out first.
+        std::reverse(steps.begin(), steps.end());
+        result_.plan.steps.insert(result_.plan.steps.begin(), std::make_move_iterator(steps.begin()),
+                                  std::make_move_iterator(steps.end()));
+    }
+
+    bool put_back(const PackItem& item, const Shape& shape, ReachableSearch& reachable, Company& company,
+                  std::vector<RemovalStep>& steps) {
+        Caps* caps = setup_.limits.caps;
+        if (caps && !caps->why_not(item.part).empty()) return false;
+        const SearchResult found =
+            find_place(tray_, reachable, setup_.model, item, shape, setup_.limits, stop_);
+        if (!found.best) return false;
+        Standing standing =
+            stand_on_grid(shape, *found.best, setup_.voxel_size, tray_.detail(), setup_.wall_gap);
+        const int orientation = shape.orientations[static_cast<std::size_t>(found.best->index)].orientation;
+        PlacedItem placed{item, orientation, found.best->position, standing.offset, 0, found.best->cost};
+        placed.object = tray_.add(std::move(standing.object));
+        placed_.push_back(placed);
+        surfaces_.make({placed});
+        const int name = static_cast<int>(placed_.size()) - 1;
+        const std::size_t i = company.add(name, surfaces_.standing(placed, tray_));
+        std::optional<Company::Path> path = way_out(company, i);
+        if (!path) {
+            company.remove(i);
+            tray_.remove(placed.object);
+            placed_.pop_back();
+            return false;
+        }
+        if (caps) caps->add(item.part, orientation, placed.offset);
+        steps.push_back({{name}, std::move(*path)});
+        ++result_.report.reinserted;
+        return true;
+    }
+
+    static std::optional<Company::Path> way_out(const Company& company, std::size_t i) {
+        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+            Company::Straight straight = company.straight_way({i}, BlockingGraph::direction(d));
+            if (!straight.blocker) return std::move(straight.path);
+        }
+        return company.way_out(i).path;
+    }
+
+    Tray& tray_;
+    PlacementSearch& search_;
+    std::vector<PlacedItem>& placed_;
+    const InterlockSetup& setup_;
+    StopToken stop_;
+    Surfaces surfaces_;
+    DisassemblySetup disassembly_;
+    Untangled result_;
+};
+
+}  // namespace
+
+Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
+                   const StopToken& stop) {
+    return Untangling(tray, search, placed, setup, stop).run();
+}
+
+Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts,
+                             const Disassembler::Left& left) {
+    Disassembler disassembler(setup, std::move(parts), left);
+    disassembler.run();
+    Disassembly plan;
+    plan.steps = disassembler.steps();
+    if (!setup.stop.stopped()) plan.interlocked = disassembler.stuck();
+    plan.complete = !setup.stop.stopped() && plan.interlocked.empty();
+    return plan;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,57 @@
+#pragma once
+/// Makes a packed tray one that comes apart (section 4): plans its disassembly, takes out what is interlocked, and puts
+/// that back where it can be taken out again.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "disassembly/disassembler.hpp"
+#include "model/disassembly.hpp"
+#include "packing/greedy.hpp"
+#include "packing/refinement.hpp"
+#include "packing/shape_store.hpp"
+
+namespace spectralpack {
+
+struct InterlockSetup {
+    double voxel_size = 2;           ///< mm
+    double wall_gap = 0;             ///< mm
+    CostModel model;
+    Refinement::PartOf part_of;      ///< called from several threads
+    std::vector<StandingPart> fixed; ///< what stands in the tray besides `placed`, and never moves
+    ShapeStore* shapes = nullptr;    ///< free to start a tray
+    GreedyLimits limits;
+    Disassembler::Left left;         ///< told how many copies still stand, while planning
+    Workers workers;
+};
+
+/// What was done about interlocking, for the record.
+struct InterlockReport {
+    Disassembler::Counts counts;  ///< of the packing's first disassembly
+    int removed = 0;              ///< because they were interlocked
+    int reinserted = 0;           ///< of those
+    std::optional<double> least_gap;  ///< between two copies, mm, in the end; only where copies were removed
+    double disassemble_seconds = 0, reinsert_seconds = 0;
+};
+
+struct Untangled {
+    Disassembly plan;                  ///< by index into `placed`
+    std::vector<PackItem> interlocked; ///< taken out for good
+    InterlockReport report;
+};
+
+/// Disassembles what `placed` and `tray` hold. While something is stuck, takes out of each stuck set by the paper's
+/// SelectRemove, the smallest first until their box volumes exceed a tenth of the set's, and goes on. Then puts back
+/// what was taken out, largest first, each at its best reachable placement on the grid, if it does come out from there.
+/// Those come out first in the plan. `placed` and `tray` end as the packing that the plan is of. When stopped, the
+/// plan is not complete, and what has been found interlocked until then is out.
+Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
+                   const StopToken& stop);
+
+/// Makes the plan for copies that stand; takes nothing out. `interlocked` names the sets that hold each other.
+Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts,
+                             const Disassembler::Left& left);
+
+}  // namespace spectralpack

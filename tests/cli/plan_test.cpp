@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <set>
+
+#include "cli/program.hpp"
+#include "core/parallel.hpp"
+#include "formats/packing_file.hpp"
+#include "support/shapes.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+using nlohmann::json;
+
+const std::string kSamples = (source_dir() / "data/samples").string();
+
+/// Two tori of 24 mm, a standing and a lying one, `apart` mm along y.
+std::string two_tori(const TemporaryFolder& folder, double apart) {
+    const auto torus = std::make_shared<const Mesh>(torus_mesh(10, 2));
+    Packing packing;
+    packing.container.size = packing.options.tray = {120, 80, 60};
+    packing.options.voxel = 1;
+    Part part;
+    part.name = "ring";
+    part.mesh = (folder / "ring.stl").string();
+    part.count = 2;
+    packing.parts = {part};
+    packing.trays.resize(1);
+    packing.trays[0].placements = {{0, 0, 0, false, {Mat3{}, {0, 0, 0}}}};
+    write_stl(packing, {torus}, part.mesh);
+    const Mat3 standing{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}};
+    packing.trays[0].placements = {{0, 0, 0, false, {Mat3{}, {30, 20, 20}}},
+                                   {0, 1, 0, false, {standing, {30, 20 + apart, 20}}}};
+    packing.metrics.copies = packing.metrics.placed = 2;
+    const std::string file = (folder / "b.json").string();
+    write_packing(packing, file);
+    return file;
+}
+
+TEST(Plan, NamesWhatIsInterlocked) {
+    const TemporaryFolder folder;
+    const std::string file = two_tori(folder, 10);
+    const Ran ran = spectralpack({"plan", file});
+    EXPECT_EQ(ran.status, 1) << ran.err;
+    EXPECT_TRUE(contains(ran.out, "INTERLOCKED"));
+    EXPECT_TRUE(contains(ran.out, "2 hold each other: ring copy 0, ring copy 1")) << ran.out;
+    const json findings = json::parse(spectralpack({"plan", file, "--json"}).out);
+    EXPECT_EQ(findings["trays"][0]["complete"], false);
+    EXPECT_EQ(findings["trays"][0]["interlocked"][0].size(), 2u);
+}
+
+TEST(Plan, WritesHowAPackingFromElsewhereComesApart) {
+    const TemporaryFolder folder;
+    const std::string file = two_tori(folder, 30.3), planned = (folder / "planned.json").string();
+    const Ran ran = spectralpack({"plan", file, "-o", planned});
+    EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
+    EXPECT_TRUE(contains(ran.out, "comes apart in 2 steps"));
+    const json plan = read_json(planned)["trays"][0]["disassembly"];
+    EXPECT_EQ(plan["complete"], true);
+    EXPECT_EQ(plan["steps"].size(), 2u);
+}
+
+TEST(Plan, IsTheSameForAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    const std::string packed = (folder / "b.json").string();
+    ASSERT_EQ(spectralpack({"pack", kSamples, "--tray", "120x100x80", "--interlock", "off", "-o", packed}).status, 0);
+    json first;
+    for (const std::string threads : {"1", "3"}) {
+        const std::string planned = (folder / (threads + ".json")).string();
+        ASSERT_LE(spectralpack({"plan", packed, "--threads", threads, "-o", planned}).status, 1);
+        const json plan = read_json(planned)["trays"][0]["disassembly"];
+        if (first.is_null()) first = plan;
+        EXPECT_EQ(plan, first);
+    }
+}
+
+TEST(Plan, EveryPackedCopyComesOutOnce) {
+    for (const std::string interlock : {"post", "place"}) {
+        const TemporaryFolder folder;
+        const std::string packed = (folder / "b.json").string();
+        const Ran ran = spectralpack(
+            {"pack", kSamples, "--tray", "120x100x80", "--gap", "0", "--interlock", interlock, "-o", packed});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const json tray = read_json(packed)["trays"][0];
+        EXPECT_EQ(tray["disassembly"]["complete"], true);
+        std::multiset<int> out;
+        for (const json& step : tray["disassembly"]["steps"]) {
+            if (step["placements"].size() == 1) out.insert(step["placements"][0].get<int>());
+        }
+        std::multiset<int> all;
+        for (int i = 0; i < static_cast<int>(tray["placements"].size()); ++i) {
+            all.insert(i);
+        }
+        EXPECT_EQ(out, all);
+        EXPECT_EQ(spectralpack({"plan", packed}).status, 0) << interlock;
+    }
+}
+
+}  // namespace
+}  // namespace spectralpack::test

@@ -1,0 +1,120 @@
+#include "packing/interlocking.hpp"
+
+#include <gtest/gtest.h>
+
+#include "disassembly/scenes.hpp"
+
+namespace spectralpack {
+namespace {
+
+/// Parts by index, each standing where it is put.
+class Interlocking : public testing::Test {
+  protected:
+    Interlocking() : tray_(TraySetup{{80, 60, 60}, 1, {0}, Ceiling::closed, 0, {}, false}) {
+        setup_.voxel_size = 1;
+        setup_.orientations = {Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}};
+        setup_.mesh_of = [this](int part) { return meshes_[static_cast<std::size_t>(part)]; };
+        setup_.make_shapes = [this](const std::vector<PackItem>& items) {
+            return ShapeStore(
+                items, [this](int part) { return shape(part); }, Workers(1), [](double) {});
+        };
+        setup_.left = [](int) {};
+        search_ = make_cpu_search({}, Workers(1));
+    }
+
+    std::shared_ptr<const Shape> shape(int part) const {
+        return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
+                                                        meshes_[static_cast<std::size_t>(part)], setup_.orientations,
+                                                        1, 0, {0}, Workers(1)));
+    }
+
+    void put(Mesh mesh, int orientation, const VoxelIndex& position) {
+        meshes_.push_back(std::move(mesh));
+        const int part = static_cast<int>(meshes_.size()) - 1;
+        const auto made = shape(part);
+        BestPlacement best;
+        best.position = position;
+        for (std::size_t i = 0; i < made->orientations.size(); ++i) {
+            if (made->orientations[i].orientation == orientation) best.index = static_cast<int>(i);
+        }
+        Standing standing = stand_on_grid(*made, best, 1, 0);
+        placed_.push_back({{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
+    }
+
+    Untangled untangle_all(const StopToken& stop = {}) { return untangle(tray_, *search_, placed_, setup_, stop); }
+
+    /// Every copy has a step of its own.
+    void expect_complete(const Untangled& result) const {
+        EXPECT_TRUE(result.plan.complete);
+        std::vector<int> out;
+        for (const RemovalStep& step : result.plan.steps) {
+            if (step.placements.size() == 1) out.push_back(step.placements.front());
+        }
+        std::sort(out.begin(), out.end());
+        std::vector<int> all;
+        for (int i = 0; i < static_cast<int>(placed_.size()); ++i) {
+            all.push_back(i);
+        }
+        EXPECT_EQ(out, all);
+    }
+
+    Tray tray_;
+    std::vector<Mesh> meshes_;
+    std::vector<PlacedItem> placed_;
+    InterlockSetup setup_;
+    std::unique_ptr<PlacementSearch> search_;
+};
+
+// A ring of 22 x 22 x 4 around z; turned by orientation 1 around x.
+Mesh ring() { return test::torus_mesh(9, 2, 24, 12); }
+
+TEST_F(Interlocking, PutsBackWhatItTookOutAndTakesItOutFirst) {
+    put(ring(), 0, {10, 10, 20});
+    put(ring(), 1, {19, 19, 11});
+    put(test::cube_mesh(6), 0, {60, 40, 0});
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.removed, 1);
+    EXPECT_EQ(result.report.reinserted, 1);
+    EXPECT_TRUE(result.interlocked.empty());
+    ASSERT_EQ(placed_.size(), 3u);
+    expect_complete(result);
+    EXPECT_EQ(result.plan.steps.front().placements, std::vector<int>{2}) << "put back last";
+    EXPECT_EQ(placed_[2].item.part, 0) << "of two of one size the first is taken";
+    EXPECT_TRUE(tray_.find(placed_[2].object));
+}
+
+TEST_F(Interlocking, LeavesOutWhatFindsNoPlaceThatItCanLeave) {
+    tray_ = Tray(TraySetup{{32, 26, 26}, 1, {0}, Ceiling::closed, 0, {}, false});
+    put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
+    put(test::cube_mesh(8), 0, {10, 10, 10});
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.removed, 1);
+    ASSERT_EQ(result.interlocked.size(), 1u);
+    EXPECT_EQ(result.interlocked.front().part, 1);
+    ASSERT_EQ(placed_.size(), 1u);
+    expect_complete(result);
+}
+
+TEST_F(Interlocking, LeavesWhatIsFreeAsItIs) {
+    put(ring(), 0, {10, 10, 20});
+    put(ring(), 1, {50, 19, 11});
+    const std::vector<PlacedItem> before = placed_;
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.removed, 0);
+    ASSERT_EQ(placed_.size(), 2u);
+    EXPECT_EQ(placed_[1].position, before[1].position);
+    expect_complete(result);
+}
+
+TEST_F(Interlocking, AStopLeavesAnIncompletePlan) {
+    put(ring(), 0, {10, 10, 20});
+    StopSource stop;
+    stop.request(StopReason::time_limit);
+    const Untangled result = untangle_all(stop.token());
+    EXPECT_FALSE(result.plan.complete);
+    EXPECT_TRUE(result.plan.steps.empty());
+    EXPECT_EQ(placed_.size(), 1u);
+}
+
+}  // namespace
+}  // namespace spectralpack
