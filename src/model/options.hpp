@@ -27,8 +27,8 @@ struct PackOptions {
     std::string rotations = "90";   ///< none, or an angle in degrees that divides 360
     double gap = 0.2;               ///< least distance between two copies, mm
     double wall_gap = 0;            ///< least distance to the container, mm
-    bool refine = false;            ///< continuous refinement (section 3.2): not built yet
-    Interlock interlock = Interlock::off;     ///< section 4: not built yet
+    bool refine = false;            ///< continuous refinement (section 3.2)
+    Interlock interlock = Interlock::post;    ///< section 4: see that the packing comes apart
     std::optional<double> height_penalty;     ///< p of equation 5; none: appendix A.2
     HeightReference height_at = HeightReference::bottom;
     Order order = Order::size;
