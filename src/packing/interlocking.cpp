@@ -122,10 +122,10 @@ class Surfaces {
         setup_.workers.for_each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t k) {
             const auto& [part, orientations] = parts[static_cast<std::size_t>(k)];
             if (orientations.empty()) return;
-            const RefinedPart wanted = setup_.part_of(part);
-            const Bvh plain(wanted.mesh);
+            const RefinedPart plain_part = setup_.part_of(part);
+            const Bvh plain(plain_part.mesh);
             for (const int orientation : orientations) {
-                const Mat3& turn = (*wanted.orientations)[static_cast<std::size_t>(orientation)];
+                const Mat3& turn = (*plain_part.orientations)[static_cast<std::size_t>(orientation)];
                 made_.find({part, orientation})->second = std::make_shared<const Bvh>(plain.turned(turn));
             }
         });

@@ -21,9 +21,13 @@ BitGrid every(const BitGrid& bits, int s) {
     if (s == 1) return bits;
     const Extent& e = bits.extent();
     BitGrid result({e.x / s, e.y / s, e.z / s});
-    for_each_index(result.extent(), [&](const VoxelIndex& i) {
-        if (bits.get(s * i.x, s * i.y, s * i.z)) result.set(i.x, i.y, i.z);
-    });
+    for (int z = 0; z < result.extent().z; ++z) {
+        for (int y = 0; y < result.extent().y; ++y) {
+            for (int x = 0; x < result.extent().x; ++x) {
+                if (bits.get(s * x, s * y, s * z)) result.set(x, y, z);
+            }
+        }
+    }
     return result;
 }
 

@@ -94,13 +94,13 @@ void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop,
     PlacementSearch& search =
         setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
     pack(tray, search, settle, limits);
-    std::optional<double> gap = refinement ? refinement->least_gap() : std::nullopt;
+    double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
     if (setup_.interlock != Interlock::off) {
         make_removable(tray, std::move(fixed), shapes, limits, stop, result);
-        if (result.report.removed > 0) gap = result.report.least_gap;
+        if (result.report.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
-    if (setup_.refine && gap) least_gap_ = std::min(*gap, least_gap_.value_or(*gap));
+    if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }
 
 void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, ShapeStore& shapes,

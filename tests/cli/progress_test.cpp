@@ -13,7 +13,7 @@ TEST(Progress, EveryLineIsJsonAndPhasesComeInOrder) {
                                   "--tray", "110x85x70", "--voxel", "4", "--progress", "json", "-o",
                                   (folder / "b.json").string(), "-o", (folder / "b.csv").string()});
     EXPECT_EQ(ran.status, 3) << ran.err;
-    const std::vector<std::string> order{"load", "search", "write"};
+    const std::vector<std::string> order{"load", "search", "disassemble", "write"};
     std::vector<std::string> phases;
     json last;
     int errors = 0;
