@@ -15,6 +15,7 @@ ALLOWED = {
     "core": [],
     "geometry": BASE,
     "model": BASE + ["geometry"],
+    "generate": BASE + ["geometry"],
     "formats": BASE + ["geometry", "model"],
     "voxel": BASE + ["geometry"],
     "render": BASE + ["geometry", "model"],
