@@ -14,6 +14,8 @@ BASE = ["core"]
 ALLOWED = {
     "core": [],
     "geometry": BASE,
+    "generate": BASE + ["geometry"],
+    "prepare": BASE + ["geometry"],
     "model": BASE + ["geometry"],
     "formats": BASE + ["geometry", "model"],
     "voxel": BASE + ["geometry"],
@@ -25,9 +27,9 @@ ALLOWED = {
     "search/cuda": BASE + ["geometry", "voxel", "search"],
     "refine": BASE + ["geometry", "model", "voxel", "search"],
     "packing": BASE + ["geometry", "model", "voxel", "search", "refine"],
-    "api": BASE + ["geometry", "model", "formats", "voxel", "render", "verify", "search",
+    "api": BASE + ["geometry", "generate", "prepare", "model", "formats", "voxel", "render", "verify", "search",
                    "search/reference", "search/cpu", "search/cuda", "refine", "packing", "spectralpack"],
-    "spectralpack": BASE + ["geometry", "model", "voxel", "render", "verify"],
+    "spectralpack": BASE + ["geometry", "generate", "prepare", "model", "voxel", "render", "verify"],
     "cli": ["spectralpack"],
 }
 
@@ -39,6 +41,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"embree|png\.h": ["render"],
     r"fcl/": ["verify"],
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
+    r"meshoptimizer": ["prepare"],
     r"xxhash": ["api"],
     r"CLI/": ["cli"],
 }
