@@ -14,8 +14,9 @@ BASE = ["core"]
 ALLOWED = {
     "core": [],
     "geometry": BASE,
-    "model": BASE + ["geometry"],
     "generate": BASE + ["geometry"],
+    "prepare": BASE + ["geometry"],
+    "model": BASE + ["geometry"],
     "formats": BASE + ["geometry", "model"],
     "voxel": BASE + ["geometry"],
     "render": BASE + ["geometry", "model"],
@@ -27,9 +28,9 @@ ALLOWED = {
     "refine": BASE + ["geometry", "model", "voxel", "search"],
     "disassembly": BASE + ["geometry", "model", "voxel", "search"],
     "packing": BASE + ["geometry", "model", "voxel", "search", "refine", "disassembly"],
-    "api": BASE + ["geometry", "model", "formats", "voxel", "render", "verify", "search",
+    "api": BASE + ["geometry", "generate", "prepare", "model", "formats", "voxel", "render", "verify", "search",
                    "search/reference", "search/cpu", "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
-    "spectralpack": BASE + ["geometry", "model", "voxel", "render", "verify"],
+    "spectralpack": BASE + ["geometry", "generate", "prepare", "model", "voxel", "render", "verify"],
     "cli": ["spectralpack"],
 }
 
@@ -41,6 +42,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"embree|png\.h": ["render"],
     r"fcl/": ["verify"],
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
+    r"meshoptimizer": ["prepare"],
     r"xxhash": ["api"],
     r"CLI/": ["cli"],
 }

@@ -13,7 +13,9 @@ struct Command {
 
 Command add_pack_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
+Command add_generate_command(CLI::App& app);
 Command add_inspect_command(CLI::App& app);
+Command add_prepare_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_plan_command(CLI::App& app);
 

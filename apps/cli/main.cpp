@@ -17,7 +17,7 @@ namespace {
 using namespace spectralpack;
 using namespace spectralpack::cli;
 
-constexpr std::array kNotBuilt{"prepare", "generate", "bench", "serve", "view"};
+constexpr std::array kNotBuilt{"bench", "serve", "view"};
 
 int status_of(ErrorKind kind) {
     switch (kind) {
@@ -49,8 +49,9 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
                "'spectralpack COMMAND --help' explains a command.");
-    const std::array commands{add_pack_command(app), add_check_command(app), add_plan_command(app),
-                              add_inspect_command(app), add_render_command(app)};
+    const std::array commands{add_pack_command(app),    add_check_command(app),   add_plan_command(app),
+                              add_generate_command(app), add_inspect_command(app), add_prepare_command(app),
+                              add_render_command(app)};
 
     if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
         return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);

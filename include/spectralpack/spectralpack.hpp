@@ -7,8 +7,10 @@
 ///     const auto result = spectralpack::pack(job, quiet, {});
 ///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
 
+#include "spectralpack/generate.hpp"
 #include "spectralpack/inputs.hpp"
 #include "spectralpack/inspect.hpp"
 #include "spectralpack/pack.hpp"
 #include "spectralpack/packings.hpp"
 #include "spectralpack/plan_packing.hpp"
+#include "spectralpack/prepare.hpp"

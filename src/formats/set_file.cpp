@@ -1,9 +1,12 @@
 #include "formats/set_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "core/atomic_file.hpp"
 #include "core/error.hpp"
 #include "formats/csv.hpp"
 #include "formats/file_bytes.hpp"
@@ -100,6 +103,14 @@ std::vector<SetRow> parse_set(const std::string& file, std::string_view text) {
 
 std::vector<SetRow> read_set(const std::filesystem::path& path) {
     return parse_set(path.string(), FileBytes(path).view());
+}
+
+void write_set(const std::vector<SetRow>& rows, const std::filesystem::path& path) {
+    std::string text = "mesh,count,scale\n";
+    for (const SetRow& row : rows) {
+        text += csv_field(row.mesh) + "," + std::to_string(row.count) + "," + fmt::format("{}", row.scale) + "\n";
+    }
+    replace_file(path, text);
 }
 
 }  // namespace spectralpack

@@ -20,17 +20,17 @@ Outline racetrack(double half, double radius, int steps) {
 }  // namespace
 
 Mesh ring(Dice& dice, double size) {
-    const double thick = dice.between(0.04, 0.12) * size;
+    const double thick = dice.between(0.03, 0.08) * size;
     return sweep(flat_path(circle(size / 2 - thick, 48)), true, circle(thick, kAround));
 }
 
 Mesh link(Dice& dice, double size) {
-    const double thick = dice.between(0.05, 0.09) * size, radius = dice.between(0.18, 0.35) * size;
+    const double thick = dice.between(0.035, 0.07) * size, radius = dice.between(0.18, 0.35) * size;
     return sweep(flat_path(racetrack(size / 2 - thick - radius, radius, 16)), true, circle(thick, kAround));
 }
 
 Mesh curb_link(Dice& dice, double size) {
-    const double thick = dice.between(0.05, 0.08) * size, radius = dice.between(0.2, 0.3) * size;
+    const double thick = dice.between(0.04, 0.065) * size, radius = dice.between(0.2, 0.3) * size;
     std::vector<Vec3> path = flat_path(racetrack(size / 2 - thick - radius, radius, 16));
     const double twist = dice.between(0.08, 0.2) / size;  // turns per mm
     for (Vec3& p : path) {
@@ -41,18 +41,18 @@ Mesh curb_link(Dice& dice, double size) {
 }
 
 Mesh poly_ring(Dice& dice, double size) {
-    const double thick = dice.between(0.05, 0.1) * size;
+    const double thick = dice.between(0.035, 0.07) * size;
     const int corners = dice.number(3, 8);
     return sweep(flat_path(circle(size / 2 - thick, corners)), true, circle(thick, kAround));
 }
 
 Mesh c_hook(Dice& dice, double size) {
-    const double thick = dice.between(0.05, 0.12) * size, gap = dice.between(0.1, 0.4);
+    const double thick = dice.between(0.04, 0.09) * size, gap = dice.between(0.1, 0.4);
     return sweep(flat_path(arc({}, size / 2 - thick, gap / 2, 1 - gap / 2, 40)), false, circle(thick, kAround));
 }
 
 Mesh j_hook(Dice& dice, double size) {
-    const double thick = dice.between(0.03, 0.07) * size, radius = dice.between(0.12, 0.25) * size;
+    const double thick = dice.between(0.02, 0.045) * size, radius = dice.between(0.12, 0.25) * size;
     const double length = size - radius - thick;
     return sweep(flat_path(joined({{radius, -length}, {radius, -length / 2}},
                                   arc({}, radius, 0, dice.between(0.45, 0.65), 24))),
@@ -60,7 +60,7 @@ Mesh j_hook(Dice& dice, double size) {
 }
 
 Mesh s_hook(Dice& dice, double size) {
-    const double thick = dice.between(0.03, 0.06) * size, radius = (size / 2 - thick) / 2;
+    const double thick = dice.between(0.025, 0.05) * size, radius = (size / 2 - thick) / 2;
     const double open = dice.between(0.1, 0.3);
     const Outline upper = arc({0, radius}, radius, open, 0.75, 24);
     Outline lower = arc({0, -radius}, radius, 0.25, -0.5 + open, 24);
@@ -82,7 +82,7 @@ Mesh clip(Dice& dice, double size) {
 }
 
 Mesh handle(Dice& dice, double size) {
-    const double thick = dice.between(0.04, 0.07) * size, radius = dice.between(0.1, 0.25) * size;
+    const double thick = dice.between(0.025, 0.05) * size, radius = dice.between(0.1, 0.25) * size;
     const double half = size / 2 - thick, deep = radius + dice.between(0.05, 0.3) * size;
     const Outline line = joined(joined({{half, -deep}}, arc({half - radius, -radius}, radius, 0, 0.25, 8)),
                                 joined(arc({radius - half, -radius}, radius, 0.25, 0.5, 8), {{-half, -deep}}));
@@ -140,7 +140,7 @@ Mesh elbow(Dice& dice, double size) {
 }
 
 Mesh distorted_torus(Dice& dice, double size) {
-    const double stretch = dice.between(0.65, 1), sway = dice.between(0, 0.25), dent = dice.between(0, 0.06);
+    const double stretch = dice.between(0.65, 1), sway = dice.between(0, 0.15), dent = dice.between(0, 0.06);
     const double thick = dice.between(0.12, 0.19), flat = dice.between(0.8, 1.2);
     const double phase = dice.between(0, 1), other = dice.between(0, 1);
     const int waves = dice.number(2, 3), dents = dice.number(2, 4);

@@ -132,7 +132,7 @@ Mesh wedge(Dice& dice, double size) {
 }
 
 Mesh flat_frame(Dice& dice, double size) {
-    const double bar = dice.mm(0.05 * size, 0.11 * size), width = dice.mm(0.5 * size, size);
+    const double bar = dice.mm(0.035 * size, 0.08 * size), width = dice.mm(0.5 * size, size);
     Blocks blocks;
     blocks.add({0, 0, 0}, {size, width, bar});
     blocks.cut({bar, bar, -kThrough}, {size - bar, width - bar, bar + kThrough});
@@ -140,7 +140,7 @@ Mesh flat_frame(Dice& dice, double size) {
 }
 
 Mesh ladder(Dice& dice, double size) {
-    const double bar = dice.mm(0.04 * size, 0.07 * size), width = dice.mm(0.3 * size, 0.5 * size);
+    const double bar = dice.mm(0.03 * size, 0.05 * size), width = dice.mm(0.3 * size, 0.5 * size);
     const int rungs = dice.number(2, 5);
     Blocks blocks;
     blocks.add({0, 0, 0}, {size, bar, bar});

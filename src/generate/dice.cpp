@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-
-#include "generate/outline.hpp"
+#include <utility>
 
 namespace spectralpack {
 
@@ -30,19 +29,6 @@ Mat3 Dice::cube_rotation() {
         matrix.rows[i][to[i]] = signs[i];
     }
     return matrix;
-}
-
-Mat3 Dice::rotation() {
-    Mat3 product;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Vec2 d = direction(random_.unit());
-        const auto u = static_cast<std::size_t>((axis + 1) % 3), v = static_cast<std::size_t>((axis + 2) % 3);
-        Mat3 turn;
-        turn.rows[u][static_cast<int>(u)] = d.x, turn.rows[u][static_cast<int>(v)] = -d.y;
-        turn.rows[v][static_cast<int>(u)] = d.y, turn.rows[v][static_cast<int>(v)] = d.x;
-        product = turn * product;
-    }
-    return product;
 }
 
 }  // namespace spectralpack

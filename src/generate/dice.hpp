@@ -31,9 +31,6 @@ class Dice {
     /// One of the 24 rotations of the cube: exact.
     Mat3 cube_rotation();
 
-    /// A rotation by any angles, the same bits on every machine.
-    Mat3 rotation();
-
   private:
     RandomStream random_;
 };

@@ -15,34 +15,36 @@ namespace {
 struct Kind {
     const char* name;
     Mesh (*make)(Dice& dice, double size);
+    bool round = false;  ///< about z
 };
 
 // The longest sides in mm at evenly spaced quantiles follow the sets of real parts in docs/benchmarks.md.
 const std::vector<double> kPiecesSizes{8, 18, 25, 31, 39, 48, 62, 85, 105, 127};
-const std::vector<double> kMixturesSizes{9, 20, 30, 42, 61, 72, 86, 120, 400};
+const std::vector<double> kMixturesSizes{9,  14, 20, 24, 29, 34, 40, 46,  52,  57, 61,
+                                         66, 72, 78, 81, 83, 90, 105, 120, 150, 400};
 const std::vector<double> kLocksSizes{21, 42, 54, 66, 78, 90, 102, 118, 146};
 const std::vector<double> kToriSizes{38, 45, 52, 60, 68, 75, 85};
 
 constexpr Vec3 kTray{480, 245, 200};  // mm; whatever is generated fits it as it lies
 
-constexpr double kLarge = 66;  // mm; in mixtures, what is longer is mostly hollow
+constexpr double kLarge = 60;  // mm; what is longer is mostly hollow
 
 const std::vector<Kind>& compact_kinds() {
     static const std::vector<Kind> kinds{
         {"bracket", bracket}, {"channel", channel}, {"l-block", l_block},
         {"tee", tee},         {"steps", steps},     {"drilled-block", drilled_block},
-        {"wedge", wedge},     {"washer", washer},   {"bushing", bushing},
-        {"pin", pin},         {"knob", knob},       {"gear", gear}};
+        {"wedge", wedge},     {"washer", washer, true},   {"bushing", bushing, true},
+        {"pin", pin, true},         {"knob", knob, true},       {"gear", gear, true}};
     return kinds;
 }
 
 const std::vector<Kind>& hollow_kinds() {
     static const std::vector<Kind> kinds{{"tray", tray},
                                          {"window-plate", window_plate},
-                                         {"cup", cup},
-                                         {"bowl", bowl},
-                                         {"funnel", funnel},
-                                         {"pipe", pipe},
+                                         {"cup", cup, true},
+                                         {"bowl", bowl, true},
+                                         {"funnel", funnel, true},
+                                         {"pipe", pipe, true},
                                          {"elbow", elbow},
                                          {"basket", basket},
                                          {"flat-frame", flat_frame},
@@ -51,7 +53,7 @@ const std::vector<Kind>& hollow_kinds() {
 }
 
 const std::vector<Kind>& shell_kinds() {
-    static const std::vector<Kind> kinds{{"tray", tray}, {"window-plate", window_plate}, {"cup", cup},
+    static const std::vector<Kind> kinds{{"tray", tray}, {"window-plate", window_plate}, {"cup", cup, true},
                                          {"clip", clip}, {"elbow", elbow},               {"c-hook", c_hook}};
     return kinds;
 }
@@ -62,13 +64,26 @@ const std::vector<Kind>& lock_kinds() {
         {"poly-ring", poly_ring}, {"c-hook", c_hook}, {"j-hook", j_hook},
         {"s-hook", s_hook},       {"handle", handle}, {"flat-frame", flat_frame},
         {"ladder", ladder},       {"cage", cage},     {"basket", basket},
-        {"spring", spring},       {"knot", knot},     {"window-plate", window_plate},
-        {"clip", clip}};
+        {"spring", spring},       {"knot", knot},     {"clip", clip}};
     return kinds;
 }
 
 const Kind& one_of(Dice& dice, const std::vector<Kind>& kinds) {
     return kinds[static_cast<std::size_t>(dice.number(0, static_cast<int>(kinds.size()) - 1))];
+}
+
+/// The two shorter sides made shorter still, as real parts are mostly flat or long; of a round part only its
+/// height, where that is not what is longest.
+Mesh flattened(const Mesh& mesh, bool round, Dice& dice) {
+    const Vec3 sides = bounding_box(mesh).size();
+    const double most = std::max({sides.x, sides.y, sides.z}), least = std::min({sides.x, sides.y, sides.z});
+    const double middle = dice.between(0.55, 1), shortest = dice.between(0.35, 0.9);
+    Mat3 scale;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (sides[axis] == most || (round && axis != 2)) continue;
+        scale.rows[static_cast<std::size_t>(axis)][axis] = sides[axis] == least ? shortest : middle;
+    }
+    return transformed(mesh, {scale, {}});
 }
 
 /// Turned, its longest side `size` or as long as fits the tray, its box minimum at the origin.
@@ -99,31 +114,29 @@ Recipe recipe_of(GeneratedSet set) {
 
 /// One part of a set; its name is that of its kind.
 GeneratedPart roll(GeneratedSet set, Dice& dice) {
-    const auto made = [&](const Kind& kind, double size, const Mat3& rotation, int count) {
-        return GeneratedPart{kind.name, finished(kind.make(dice, size), rotation, size), count};
-    };
-    if (set == GeneratedSet::pieces) {
-        const double size = dice.quantile(kPiecesSizes);
-        const Mat3 rotation = dice.cube_rotation();
-        const int count = dice.number(4, 18);
-        return made(one_of(dice, dice.chance(0.6) ? compact_kinds() : shell_kinds()), size, rotation, count);
+    const Mat3 rotation = dice.cube_rotation();
+    switch (set) {
+        case GeneratedSet::pieces:
+        case GeneratedSet::mixtures: {
+            const bool pieces = set == GeneratedSet::pieces;
+            const double size = dice.quantile(pieces ? kPiecesSizes : kMixturesSizes);
+            const int count = pieces ? dice.number(4, 18) : dice.chance(0.83) ? 1 : dice.number(2, 3);
+            const bool hollow = dice.chance(size > kLarge ? 0.8 : 0.3);
+            const Kind& kind = one_of(dice, !hollow ? compact_kinds() : pieces ? shell_kinds() : hollow_kinds());
+            const Mesh mesh = flattened(kind.make(dice, size), kind.round, dice);
+            return {kind.name, finished(mesh, rotation, size), count};
+        }
+        case GeneratedSet::locks: {
+            const double size = dice.quantile(kLocksSizes);
+            const int count = dice.chance(0.7) ? 2 : 2 * dice.number(2, 3);
+            const Kind& kind = one_of(dice, lock_kinds());
+            return {kind.name, finished(kind.make(dice, size), rotation, size), count};
+        }
+        default: {
+            const double size = dice.quantile(kToriSizes);
+            return {"torus", finished(distorted_torus(dice, size), rotation, size), 1};
+        }
     }
-    if (set == GeneratedSet::mixtures) {
-        const double size = dice.quantile(kMixturesSizes);
-        const Mat3 rotation = dice.cube_rotation();
-        const int count = dice.chance(0.83) ? 1 : dice.number(2, 3);
-        const bool hollow = dice.chance(size > kLarge ? 0.75 : 0.2);
-        return made(one_of(dice, hollow ? hollow_kinds() : compact_kinds()), size, rotation, count);
-    }
-    if (set == GeneratedSet::locks) {
-        const double size = dice.quantile(kLocksSizes);
-        const Mat3 rotation = dice.cube_rotation();
-        const int count = dice.chance(0.7) ? 2 : dice.number(2, 3) * 2;
-        return made(one_of(dice, lock_kinds()), size, rotation, count);
-    }
-    const double size = dice.quantile(kToriSizes);
-    const Mat3 rotation = dice.rotation();
-    return made({"torus", distorted_torus}, size, rotation, 1);
 }
 
 std::vector<GeneratedPart> letters() {

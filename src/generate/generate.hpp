@@ -15,7 +15,7 @@ enum class GeneratedSet {
     pieces,    ///< many small and medium, mostly axis-aligned parts, each several times
     mixtures,  ///< large, mostly hollow ones and small, mostly solid ones
     locks,     ///< rings, links, hooks, frames, cages: what catches in one another
-    tori,      ///< distorted tori in any orientation (figure 22)
+    tori,      ///< distorted tori (figure 22)
     letters,   ///< S, I, G, R, A, P, H as containers (appendix B.4)
 };
 

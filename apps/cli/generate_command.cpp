@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "commands.hpp"
+#include "exit_status.hpp"
+#include "progress_display.hpp"
+#include "text.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+struct GenerateArguments {
+    std::string set;
+    std::string folder;
+    GenerateOptions options;
+};
+
+/// mm^3; what a set comes to is said as a share of the paper's tray.
+constexpr double kTray = 480.0 * 245 * 200;
+
+GeneratedSet set_of(const std::string& name) {
+    constexpr std::array kSets{GeneratedSet::pieces, GeneratedSet::mixtures, GeneratedSet::locks,
+                               GeneratedSet::tori, GeneratedSet::letters};
+    std::string known;
+    for (const GeneratedSet set : kSets) {
+        if (name == generated_set_name(set)) return set;
+        known += (known.empty() ? "" : ", ") + std::string(generated_set_name(set));
+    }
+    throw UsageError(fmt::format("there is no set '{}'; one of {}", printable(name), known));
+}
+
+int run_generate(GenerateArguments arguments) {
+    arguments.options.set = set_of(arguments.set);
+    ProgressDisplay display(ProgressStyle::automatic);
+    const GeneratedFiles files = generate(arguments.options, arguments.folder, display);
+    display.finish();
+    fmt::print("wrote {}: {} copies of {} meshes, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(), files.copies,
+               files.meshes, files.volume / 1000, files.box_volume / 1000);
+    if (arguments.options.set == GeneratedSet::letters) {
+        fmt::print("\nuse one like: pack parts/ --container {}\n",
+                   (std::filesystem::path(arguments.folder) / "letter-S.stl").string());
+    } else {
+        fmt::print(" ({:.3f} and {:.3f} of a tray of 480x245x200 mm)\n", files.volume / kTray,
+                   files.box_volume / kTray);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+Command add_generate_command(CLI::App& app) {
+    auto* sub = app.add_subcommand("generate", "Make sets of parts to try packing with");
+    sub->footer(
+        "pieces    many small and medium parts, each several times\n"
+        "mixtures  large, mostly hollow parts and small, mostly solid ones\n"
+        "locks     rings, links, hooks, frames, cages: what catches in one another\n"
+        "tori      distorted rings\n"
+        "letters   S, I, G, R, A, P, H as containers of 322x322x80 mm\n"
+        "The same seed makes the same files on every machine.");
+    auto arguments = std::make_shared<GenerateArguments>();
+    GenerateArguments& a = *arguments;
+    sub->add_option("SET", a.set, "pieces, mixtures, locks, tori or letters")->required();
+    sub->add_option("-o,--output", a.folder, "folder for the STL files and SET.csv")->required();
+    sub->add_option("--seed", a.options.seed, "which set of its kind [0]");
+    sub->add_option("--count", a.options.copies, "copies in all [1446, 286, 468, 48]");
+    return {sub, [arguments] { return run_generate(*arguments); }};
+}
+
+}  // namespace spectralpack::cli
