@@ -64,9 +64,9 @@ const VoxelBox kBox{kPlace, kPlace + VoxelIndex{24, 24, 24}};
 
 void dilated_bits(benchmark::State& state) {
     Scene scene;
-    BitTables tables(scene.tray.extent(), 0, 1);
+    BitTables tables(scene.tray.extent(), 0, 1, 1, 0);
     for (auto _ : state) {
-        tables.refresh(0, scene.tray.occupied(0), kBox);
+        tables.refresh(0, {&scene.tray.occupied(0)}, kBox);
     }
 }
 BENCHMARK(dilated_bits)->Unit(benchmark::kMicrosecond);
@@ -105,7 +105,7 @@ void runs_and_depths(benchmark::State& state) {
     const BitGrid solid = sphere(static_cast<int>(state.range(0)));
     for (auto _ : state) {
         const Runs runs = fewest_runs(solid);
-        benchmark::DoNotOptimize(depth_sums(solid, runs));
+        benchmark::DoNotOptimize(depth_sums(solid, runs, runs));
     }
 }
 BENCHMARK(runs_and_depths)->Arg(24)->Arg(60)->Unit(benchmark::kMicrosecond);

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kSamples = (source_dir() / "data/samples").string();
+const std::string kSamples = samples().string();
 
 /// Two tori of 24 mm, a standing and a lying one, `apart` mm along y.
 std::string two_tori(const TemporaryFolder& folder, double apart) {

@@ -10,22 +10,20 @@ namespace {
 /// Parts by index, each standing where it is put.
 class Interlocking : public testing::Test {
   protected:
-    Interlocking() : tray_(TraySetup{{80, 60, 60}, 1, {0}, Ceiling::closed, 0, {}, false}) {
+    Interlocking() : tray_(TraySetup{{80, 60, 60}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {
         setup_.voxel_size = 1;
-        setup_.orientations = {Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}};
-        setup_.mesh_of = [this](int part) { return meshes_[static_cast<std::size_t>(part)]; };
-        setup_.make_shapes = [this](const std::vector<PackItem>& items) {
-            return ShapeStore(
-                items, [this](int part) { return shape(part); }, Workers(1), [](double) {});
+        setup_.part_of = [this](int part) {
+            return RefinedPart{meshes_[static_cast<std::size_t>(part)], 0, &orientations_, 0};
         };
+        setup_.shapes = &shapes_;
         setup_.left = [](int) {};
         search_ = make_cpu_search({}, Workers(1));
     }
 
     std::shared_ptr<const Shape> shape(int part) const {
         return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
-                                                        meshes_[static_cast<std::size_t>(part)], setup_.orientations,
-                                                        1, 0, {0}, Workers(1)));
+                                                        meshes_[static_cast<std::size_t>(part)], orientations_,
+                                                        1, 1, 0, {0}, Workers(1)));
     }
 
     void put(Mesh mesh, int orientation, const VoxelIndex& position) {
@@ -37,7 +35,7 @@ class Interlocking : public testing::Test {
         for (std::size_t i = 0; i < made->orientations.size(); ++i) {
             if (made->orientations[i].orientation == orientation) best.index = static_cast<int>(i);
         }
-        Standing standing = stand_on_grid(*made, best, 1, 0);
+        Standing standing = stand_on_grid(*made, best, 1, 1, 0);
         placed_.push_back({{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
     }
 
@@ -59,7 +57,9 @@ class Interlocking : public testing::Test {
     }
 
     Tray tray_;
+    std::vector<Mat3> orientations_{Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}};
     std::vector<Mesh> meshes_;
+    ShapeStore shapes_{[this](int part) { return shape(part); }, Workers(1), [](double) {}};
     std::vector<PlacedItem> placed_;
     InterlockSetup setup_;
     std::unique_ptr<PlacementSearch> search_;
@@ -84,7 +84,7 @@ TEST_F(Interlocking, PutsBackWhatItTookOutAndTakesItOutFirst) {
 }
 
 TEST_F(Interlocking, LeavesOutWhatFindsNoPlaceThatItCanLeave) {
-    tray_ = Tray(TraySetup{{32, 26, 26}, 1, {0}, Ceiling::closed, 0, {}, false});
+    tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
     const Untangled result = untangle_all();
