@@ -27,6 +27,8 @@ const std::vector<double> kToriSizes{38, 45, 52, 60, 68, 75, 85};
 
 constexpr Vec3 kTray{480, 245, 200};  // mm; whatever is generated fits it as it lies
 
+constexpr double kThinnest = 1.5;  // mm; what is flattened is left at least as thick
+
 constexpr double kLarge = 60;  // mm; what is longer is mostly hollow
 
 const std::vector<Kind>& compact_kinds() {
@@ -77,7 +79,9 @@ const Kind& one_of(Dice& dice, const std::vector<Kind>& kinds) {
 Mesh flattened(const Mesh& mesh, bool round, Dice& dice) {
     const Vec3 sides = bounding_box(mesh).size();
     const double most = std::max({sides.x, sides.y, sides.z}), least = std::min({sides.x, sides.y, sides.z});
-    const double middle = dice.between(0.55, 1), shortest = dice.between(0.35, 0.9);
+    const double middle = dice.between(0.55, 1);
+    const double flat = most > kLarge ? dice.between(0.2, 0.6) : dice.between(0.35, 0.9);
+    const double shortest = std::max(flat, kThinnest / least);
     Mat3 scale;
     for (int axis = 0; axis < 3; ++axis) {
         if (sides[axis] == most || (round && axis != 2)) continue;

@@ -57,7 +57,7 @@ bool like(const Mesh& simple, const Mesh& original) {
 
 /// The mesh with the fewest triangles that is still like the original.
 Mesh simplified_like(const Mesh& mesh, std::size_t triangles) {
-    for (std::size_t target = triangles; target < mesh.triangles.size(); target *= 2) {
+    for (std::size_t target = triangles; target < mesh.triangles.size(); target += target / 4 + 1) {
         Mesh simple = simplified(mesh, target, kSurfaceError);
         const MeshRepair repair = repair_mesh(simple, true);
         if (!repair.unusable && simple.triangles.size() < mesh.triangles.size() && like(simple, mesh)) return simple;
