@@ -193,7 +193,7 @@ class Untangling {
     }
 
     std::optional<double> least_gap() {
-        Refiner refiner(RefineSetup{Vec3{Box::kInfinity, Box::kInfinity, Box::kInfinity}});
+        Refiner refiner(RefineSetup{tray_.setup().size});
         double least = Box::kInfinity;
         std::vector<StandingPart> parts = standing();
         add_fixed(parts);

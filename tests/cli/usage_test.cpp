@@ -36,7 +36,7 @@ const std::string kPart = (samples() / "samples.csv").string();
 INSTANTIATE_TEST_SUITE_P(
     Calls, Refuses,
     testing::Values(
-        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "not built yet"},
+        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "--output"}, BadCall{{"bench"}, "not built yet"},
         BadCall{{"pack"}, "PART"}, BadCall{{"pack", "-rf.stl"}, "-rf.stl"},
         BadCall{{"pack", kPart, "--tray", "480x245"}, "--tray"},
         BadCall{{"pack", kPart, "--tray", "0x1x1"}, "--tray"},
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--interlock", "never"}, "--interlock"},
         BadCall{{"pack", kPart, "--trays", "few"}, "--trays"},
         BadCall{{"pack", kPart, "--printer", "typewriter"}, "--printer list"},
-        BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"}, BadCall{{"pack", kPart, "--fill"}, "--fill"},
+        BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"},
         BadCall{{"pack", kPart + ":0"}, "count"}, BadCall{{"pack", kPart + ":2@-1"}, "scale"},
         BadCall{{"pack", kPart, "-o", "build.xyz"}, "ending"},
         BadCall{{"pack", kPart, "-o", "no/such/folder/build.json"}, "no folder"},
