@@ -26,16 +26,25 @@ FloodFill::Row& FloodFill::row(int y, int z) {
     if (index < 0) {
         index = static_cast<std::int32_t>(known_.size());
         const auto nx = static_cast<std::size_t>(rows_.extent().x);
-        known_.push_back({std::vector<std::uint64_t>((nx + 63) / 64), std::vector<std::uint8_t>(nx, 0)});
-        rows_.row(y, z, known_.back().free.data());
+        const std::size_t words = (nx + 63) / 64;
+        known_.push_back({std::vector<std::uint64_t>(words), std::vector<bool>(words), std::vector<std::uint8_t>(nx, 0)});
     }
     return known_[static_cast<std::size_t>(index)];
+}
+
+bool FloodFill::is_free(Row& row, const VoxelIndex& at) {
+    const auto word = static_cast<std::size_t>(at.x / 64);
+    if (!row.computed[word]) {
+        rows_.words(at.y, at.z, at.x / 64, 1, &row.free[word]);
+        row.computed[word] = true;
+    }
+    return row.free[word] >> (at.x % 64) & 1;
 }
 
 bool FloodFill::free(const VoxelIndex& position) {
     const VoxelIndex at = position - rows_.origin();
     if (!rows_.extent().contains(at)) return true;
-    return row(at.y, at.z).free[static_cast<std::size_t>(at.x / 64)] >> (at.x % 64) & 1;
+    return is_free(row(at.y, at.z), at);
 }
 
 bool FloodFill::visited(const VoxelIndex& position) {
@@ -78,8 +87,8 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
                 const int move = i == 0 ? ahead : i <= ahead ? i - 1 : i;
                 const VoxelIndex next = step(entry.at, move);
                 if (!rows_.extent().contains(next)) continue;
-                const Row& there = row(next.y, next.z);
-                if (!(there.free[static_cast<std::size_t>(next.x / 64)] >> (next.x % 64) & 1)) continue;
+                Row& there = row(next.y, next.z);
+                if (!is_free(there, next)) continue;
                 if (there.came[static_cast<std::size_t>(next.x)] != 0) continue;
                 push({next, entry.gone + 1, static_cast<std::uint8_t>(move + 1)});
             }

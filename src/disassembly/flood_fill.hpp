@@ -21,7 +21,7 @@ class FloodFill {
 
     /// A shortest way from `start`, which is free, to outside: its ends and corners, axis-parallel from one to the
     /// next. Empty when there is none; then all that can be reached from `start` has been visited. Best-first by
-    /// steps gone and steps at least to go, which are exact (A*); each row is computed when first touched.
+    /// steps gone and steps at least to go, which are exact (A*); each word of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
     /// Sets the bits of all positions visited; those outside of `positions` are left out.
@@ -33,6 +33,7 @@ class FloodFill {
   private:
     struct Row {
         std::vector<std::uint64_t> free;
+        std::vector<bool> computed;        ///< which words of `free` are
         std::vector<std::uint8_t> came;  ///< 0: not visited; kStart; else 1 + the move that led here
     };
     struct Entry {
@@ -43,6 +44,7 @@ class FloodFill {
     static constexpr std::uint8_t kStart = 7;
 
     Row& row(int y, int z);
+    bool is_free(Row& row, const VoxelIndex& at);
     /// Steps at least to go; 0 is outside.
     int to_go(const VoxelIndex& at) const;
     std::vector<VoxelIndex> trace(VoxelIndex at);

@@ -164,8 +164,7 @@ class HtmlReport {
             kStyle);
         add("<h1>{} of {} copies in {:g} × {:g} × {:g} mm</h1>\n", packing_.metrics.placed,
             packing_.metrics.copies, size.x, size.y, size.z);
-        add("<p class=\"warn\">Interlocking was not checked: some parts may not come apart after "
-            "printing.</p>\n");
+        interlocking();
         if (packing_.trays.size() > 1) all_trays();
         for (std::size_t i = 0; i < packing_.trays.size(); ++i) {
             tray(i);
@@ -182,6 +181,22 @@ class HtmlReport {
     }
 
   private:
+    void interlocking() {
+        std::size_t steps = 0;
+        bool planned = true, complete = true;
+        for (const TrayPacking& tray : packing_.trays) {
+            planned = planned && tray.disassembly;
+            complete = complete && tray.disassembly && tray.disassembly->complete;
+            steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+        }
+        if (complete) {
+            add("<p>Comes apart in {} steps; the packing file has the plan.</p>\n", steps);
+        } else {
+            add("<p class=\"warn\">Interlocking was {} checked: some parts may not come apart after printing.</p>\n",
+                planned ? "only partly" : "not");
+        }
+    }
+
     template <class... Arguments>
     void add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
         fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);

@@ -30,7 +30,9 @@ Mesh Blocks::mesh() const {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
-    const auto& [xs, ys, zs] = planes;
+    const auto& xs = planes[0];
+    const auto& ys = planes[1];
+    const auto& zs = planes[2];
     // Cells with an empty layer all round, so that neighbours need no test.
     const std::size_t nx = xs.size() + 1, ny = ys.size() + 1, nz = zs.size() + 1;
     const std::array<std::size_t, 3> stride{1, nx, nx * ny};

@@ -14,6 +14,8 @@
 
 #include "geometry/slide.hpp"
 
+#include <cmath>
+
 #include "geometry/triangle_distance.hpp"
 
 namespace spectralpack {
@@ -129,8 +131,9 @@ class Slide {
                 for (const Vec3& corner : two) {
                     other.add(corner);
                 }
-                if (earliest(swept, sweep(other, {})) >= best_) continue;
-                best_ = std::min(best_, touching_ ? touch(one, two) : approach(one, two));
+                const Sweep ahead = sweep(other, {});
+                if (earliest(swept, ahead) >= best_) continue;
+                best_ = std::min(best_, touching_ ? touch(one, two, swept, ahead) : approach(one, two));
             }
         }
     }
@@ -180,9 +183,10 @@ class Slide {
         return fall.found ? stop.way : best_;
     }
 
-    /// gap 0: likewise.
-    double touch(const Corners& a, const Corners& b) const {
+    /// gap 0: likewise. `swept` and `ahead` are their boxes.
+    double touch(const Corners& a, const Corners& b, const Sweep& swept, const Sweep& ahead) const {
         if (overlap_across(a, b) <= graze_) return best_;
+        if (ahead.low - swept.high > kRecovery) return first_touch(a, b);
         if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
         const double far = 1 + size_along(a, b);
         const Contact leave = first_contact(a, b, far, -far, 0, kReached, -1);
@@ -227,7 +231,7 @@ class Slide {
         for (const Corners* t : {&a, &b}) {
             for (std::size_t i = 0; i < 3; ++i) {
                 const Vec3 edge = (*t)[(i + 1) % 3] - (*t)[i];
-                const double length = std::hypot(edge[u], edge[v]);
+                const double length = std::sqrt(edge[u] * edge[u] + edge[v] * edge[v]);
                 if (!(length > 0)) continue;
                 const double nu = -edge[v] / length, nv = edge[u] / length;
                 double a0 = Box::kInfinity, a1 = -a0, b0 = a0, b1 = -a0;

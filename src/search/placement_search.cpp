@@ -12,8 +12,8 @@ class WholeGrid final : public FreeRowReader {
 
     const VoxelIndex& origin() const override { return positions_.origin; }
     const Extent& extent() const override { return positions_.free.extent(); }
-    void row(int y, int z, std::uint64_t* free) const override {
-        std::copy_n(positions_.free.row(y, z), positions_.free.words_per_row(), free);
+    void words(int y, int z, int first, int count, std::uint64_t* free) const override {
+        std::copy_n(positions_.free.row(y, z) + first, count, free);
     }
 
   private:

@@ -55,14 +55,14 @@ struct FreeQuery {
     int padding = 1;
 };
 
-/// Free positions a row at a time, for who needs few of them: what free_positions() would give.
+/// Free positions by words of bits along x, for who needs few of them: what free_positions() would give.
 class FreeRowReader {
   public:
     virtual ~FreeRowReader() = default;
     virtual const VoxelIndex& origin() const = 0;
     virtual const Extent& extent() const = 0;
-    /// Writes the row (y, z) in whole words; bits beyond the extent are 0.
-    virtual void row(int y, int z, std::uint64_t* free) const = 0;
+    /// Writes words first .. first + count - 1 of the row (y, z), 64 positions each; bits beyond the extent are 0.
+    virtual void words(int y, int z, int first, int count, std::uint64_t* free) const = 0;
 };
 
 class PlacementSearch {

@@ -204,7 +204,7 @@ TEST_P(EngineTest, TellsFreePositionsInRowsOfAnyVoxels) {
             BitGrid again(rows->extent());
             for (int z = 0; z < again.extent().z; ++z) {
                 for (int y = 0; y < again.extent().y; ++y) {
-                    rows->row(y, z, again.row(y, z));
+                    rows->words(y, z, 0, again.words_per_row(), again.row(y, z));
                 }
             }
             EXPECT_EQ(again, all.free);

@@ -83,7 +83,7 @@ class CpuSearch final : public PlacementSearch {
         workers_.for_ranges(rows.extent().z, 4, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t z = begin; z < end; ++z) {
                 for (int y = 0; y < rows.extent().y; ++y) {
-                    rows.row(y, static_cast<int>(z), result.free.row(y, static_cast<int>(z)));
+                    rows.words(y, static_cast<int>(z), 0, result.free.words_per_row(), result.free.row(y, static_cast<int>(z)));
                 }
             }
         });

@@ -50,9 +50,8 @@ FreeRows::FreeRows(const BitGrid& omega, const BitGrid& solid, int padding)
     }
 }
 
-void FreeRows::row(int y, int z, std::uint64_t* free) const {
-    const int words = (extent_.x + 63) / 64;
-    std::fill_n(free, words, Word{0});
+void FreeRows::words(int y, int z, int first, int count, std::uint64_t* free) const {
+    std::fill_n(free, count, Word{0});
     for (const Run& run : runs_.runs) {
         const int at_y = y + origin_.y + run.start.y, at_z = z + origin_.z + run.start.z;
         if (at_y < 0 || at_y >= grid_.y || at_z < 0 || at_z >= grid_.z) continue;
@@ -61,15 +60,16 @@ void FreeRows::row(int y, int z, std::uint64_t* free) const {
             ++level;
         const BitGrid& table = dilated_[static_cast<std::size_t>(level)];
         const Word* in = table.row(at_y, at_z);
-        const int first = origin_.x + run.start.x + shift_;
-        or_shifted(free, words, in, table.words_per_row(), first);
-        const int second = first + run.length - (1 << level);
-        if (second != first) or_shifted(free, words, in, table.words_per_row(), second);
+        const int begin = 64 * first + origin_.x + run.start.x + shift_;
+        or_shifted(free, count, in, table.words_per_row(), begin);
+        const int end = begin + run.length - (1 << level);
+        if (end != begin) or_shifted(free, count, in, table.words_per_row(), end);
     }
-    for (int i = 0; i < words; ++i) {
+    for (int i = 0; i < count; ++i) {
         free[i] = ~free[i];
     }
-    if (extent_.x % 64 != 0) free[words - 1] &= (Word{1} << (extent_.x % 64)) - 1;
+    const bool last = first + count == (extent_.x + 63) / 64;
+    if (last && extent_.x % 64 != 0) free[count - 1] &= (Word{1} << (extent_.x % 64)) - 1;
 }
 
 }  // namespace spectralpack

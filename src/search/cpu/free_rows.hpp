@@ -20,8 +20,8 @@ class FreeRows final : public FreeRowReader {
     const VoxelIndex& origin() const override { return origin_; }
     const Extent& extent() const override { return extent_; }
 
-    /// O(runs x words).
-    void row(int y, int z, std::uint64_t* free) const override;
+    /// O(runs x count).
+    void words(int y, int z, int first, int count, std::uint64_t* free) const override;
 
   private:
     Extent grid_;
