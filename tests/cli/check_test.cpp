@@ -152,7 +152,7 @@ TEST_F(Check, NamesTheStepThatFails) {
     const json report = json::parse(spectralpack({"check", "--json", (folder_ / "b.json").string()}).out);
     EXPECT_EQ(report["findings"][0]["kind"], "plan");
     EXPECT_EQ(report["findings"][0]["placements"], json({1, 2}));
-    EXPECT_EQ(report["plans"][0]["failed_steps"], json({0}));
+    EXPECT_EQ(report["plans"][0]["failed_steps"], json::array({0}));
 }
 
 TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
