@@ -237,10 +237,7 @@ struct Settings {
 
 void check_files(const Settings& settings) {
     for (const std::string& output : settings.outputs) {
-        if (!is_output_file(output)) {
-            throw UsageError(fmt::format("-o {}: cannot tell the kind of file by its ending; use one of {}", output,
-                                         output_endings()));
-        }
+        require_output_file(output);
         require_folder(output, "-o");
     }
     if (settings.report) {

@@ -16,4 +16,10 @@ void require_folder(const std::string& path, const char* option) {
     }
 }
 
+void require_output_file(const std::string& path) {
+    if (is_output_file(path)) return;
+    throw UsageError(
+        fmt::format("-o {}: cannot tell the kind of file by its ending; use one of {}", path, output_endings()));
+}
+
 }  // namespace spectralpack::cli

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
+#include "paths.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
 
@@ -57,10 +58,7 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
 
 int run_plan(const PlanArguments& arguments) {
     for (const std::string& output : arguments.outputs) {
-        if (!is_output_file(output)) {
-            throw UsageError(fmt::format("-o {}: cannot tell the kind of file by its ending; use one of {}", output,
-                                         output_endings()));
-        }
+        require_output_file(output);
     }
     const Interrupts interrupts(arguments.time_limit);
     ProgressDisplay display(ProgressStyle::automatic);

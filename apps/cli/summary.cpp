@@ -117,21 +117,22 @@ std::int64_t fixed_copies(const Packing& packing) {
 }
 
 void print_interlocking(const Packing& packing) {
-    std::size_t steps = 0;
-    bool planned = true, complete = true;
-    for (const TrayPacking& tray : packing.trays) {
-        planned = planned && tray.disassembly;
-        complete = complete && tray.disassembly && tray.disassembly->complete;
-        steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
-    }
-    if (!planned) {
+    const PlansOverview plans = plans_of(packing);
+    const InterlockCounts counts = packing.metrics.interlock.value_or(InterlockCounts{});
+    if (!plans.planned) {
         fmt::print("  INTERLOCKING IS NOT CHECKED: some parts may not come apart after printing.\n");
-    } else if (!complete) {
+    } else if (!plans.complete) {
         fmt::print("  INTERLOCKING IS ONLY PARTLY CHECKED: there was time to plan {} of {} removals; the rest may not "
-                   "come apart.\n", steps, packing.metrics.placed);
+                   "come apart.\n", plans.steps, packing.metrics.placed);
     } else {
-        fmt::print("  interlock  none: comes apart in {} steps (planning {}, putting back {})\n", steps,
-                   duration_text(packing.metrics.seconds.disassemble), duration_text(packing.metrics.seconds.reinsert));
+        const PhaseSeconds& seconds = packing.metrics.seconds;
+        fmt::print("  interlock  none: comes apart in {} steps (planning {}", plans.steps,
+                   duration_text(seconds.disassemble));
+        if (counts.removed > 0) {
+            fmt::print("; {} taken out, {} of them put back elsewhere, {}", counts.removed, counts.reinserted,
+                       duration_text(seconds.reinsert));
+        }
+        fmt::print(")\n");
     }
 }
 

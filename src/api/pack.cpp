@@ -16,11 +16,10 @@
 #include "api/fixed_copies.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
-#include "api/machine.hpp"
 #include "api/plan.hpp"
+#include "api/record.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
-#include "packing/measure.hpp"
 #include "packing/walls.hpp"
 #include "search/verifying_search.hpp"
 
@@ -71,22 +70,6 @@ void check_together(const Job& job) {
     }
 }
 
-/// A plan of copies that stand after `first` others.
-Disassembly shifted(Disassembly plan, int first) {
-    const auto shift = [&](std::vector<int>& placements) {
-        for (int& placement : placements) {
-            placement += first;
-        }
-    };
-    for (RemovalStep& step : plan.steps) {
-        shift(step.placements);
-    }
-    for (std::vector<int>& set : plan.interlocked) {
-        shift(set);
-    }
-    return plan;
-}
-
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
 class Run {
   public:
@@ -115,10 +98,11 @@ class Run {
         } catch (const Error& error) {
             result.failure = error;
         }
-        if (trays.stuck) result.failure = stuck(trays);
+        if (trays.stuck) result.failure = stuck_error(loaded_, trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         result.stopped = stop_.reason();
-        result.packing = packing_of(trays);
+        result.packing =
+            packing_of({loaded_, container_, options_, plan_, trays, base_, seconds_, verified_}, workers_);
         result.packing.metrics.seconds.total = seconds_since(start);
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
@@ -160,10 +144,9 @@ class Run {
         setup.max_density = options.max_density;
         setup.max_layer_fill = options.max_layer_fill;
         setup.interlock = options.interlock;
-        setup.left = [this, most = std::int64_t{0}](int left) mutable {
-            most = std::max<std::int64_t>(most, left + 1);
-            const double work = static_cast<double>(most - left) / static_cast<double>(most);
-            listener_.on_progress({Phase::disassemble, most - left, most, 0, work});
+        setup.left = [this](int left, int all) {
+            const double work = static_cast<double>(all - left) / static_cast<double>(all);
+            listener_.on_progress({Phase::disassemble, all - left, all, 0, work});
         };
         if (is_open(options)) {
             setup.tray.ceiling = Ceiling::open;
@@ -233,7 +216,7 @@ class Run {
             setup, engine,
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
-                return RefinedPart{scaled_mesh(i), loaded_.parts[i].gap, plan_.orientations[i].get(),
+                return ScaledPart{scaled_mesh(i), loaded_.parts[i].gap, plan_.orientations[i].get(),
                                    loaded_.parts[i].volume};
             },
             workers_);
@@ -244,7 +227,7 @@ class Run {
                 std::shared_ptr<const Shape> shape = kept_[i];
                 if (!shape) {
                     shape = std::make_shared<const Shape>(
-                        make_shape(ids[i], scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
+                        make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
                                    loaded_.parts[i].gap, plan_.gap_classes, workers_));
                     if (keep_shapes_) kept_[i] = shape;
                 }
@@ -313,7 +296,7 @@ class Run {
             Box box;
             for (const PlacedItem& placed : trays.trays.front().placed) {
                 const auto i = static_cast<std::size_t>(placed.item.part);
-                box.add(bounding_box(transformed(*loaded_.meshes[i], transform_of(placed))));
+                box.add(bounding_box(transformed(*loaded_.meshes[i], transform_of(loaded_, plan_, placed))));
             }
             const BoxScore score{static_cast<std::int64_t>(trays.left_over.size()), box.volume()};
             if (!least || (!stopped && score < *least)) {
@@ -350,128 +333,10 @@ class Run {
     }
 
     /// A part's mesh in millimetres, not turned.
-    Mesh scaled_mesh(std::size_t part) const {
-        return transformed(*loaded_.meshes[part], {loaded_.parts[part].to_mm() * Mat3{}, {}});
-    }
-
-    /// The transform from the mesh file's own coordinates to where the copy stands.
-    Transform transform_of(const PlacedItem& placed) const {
-        const double mm = loaded_.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
-        const std::vector<Mat3>& turns = *plan_.orientations[static_cast<std::size_t>(placed.item.part)];
-        return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
-    }
-
-    /// `tray` holds its fixed copies.
-    void add_placed(const FilledTray& filled, TrayPacking& tray, std::set<std::pair<int, int>>& settled) const {
-        if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
-        for (const PlacedItem& placed : filled.placed) {
-            settled.emplace(placed.item.part, placed.item.copy);
-            tray.placements.push_back(
-                {placed.item.part, placed.item.copy, placed.orientation, false, transform_of(placed)});
-        }
-    }
-
-    /// Several trays were allowed, and one stayed empty of what is left.
-    Error stuck(const TraysResult& trays) const {
-        const Part& first = loaded_.parts[static_cast<std::size_t>(trays.left_over.front().part)];
-        return Error(ErrorKind::input,
-                     "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
-                         std::to_string(trays.left_over.size()) +
-                         (trays.left_over.size() == 1 ? " copy" : " copies") +
-                         " tried none finds a place in it, the first being " + first.name +
-                         (trays.trays.empty() ? "" : "; the trays before are kept"));
-    }
-
-    Packing packing_of(const TraysResult& trays) {
-        Packing packing;
-        packing.program = "spectralpack " SPECTRALPACK_VERSION;
-        packing.input_hash = input_hash(loaded_, container_, options_);
-        packing.container = container_;
-        packing.container.size = tray_size(options_);
-        packing.container.open_height = is_open(options_);
-        if (base_) {
-            packing.container.size.x = base_->x * options_.voxel + 2 * options_.wall_gap;
-            packing.container.size.y = base_->y * options_.voxel + 2 * options_.wall_gap;
-        }
-        packing.options = options_;
-        packing.options.tray = tray_size(options_);
-        packing.options.height_at = height_reference(options_);
-        packing.options.height_penalty = plan_.height_penalty;
-        packing.options.engine = plan_.engine;
-        packing.parts = loaded_.parts;
-
-        if (options_.fill) count_what_came_of_shares(trays, packing.parts);
-
-        std::set<std::pair<int, int>> settled;  // part and copy
-        packing.trays = fixed_trays(loaded_);
-        packing.trays.resize(std::max(packing.trays.size(), trays.trays.size()));
-        for (std::size_t t = 0; t < packing.trays.size(); ++t) {
-            TrayPacking& tray = packing.trays[t];
-            if (t < trays.trays.size()) add_placed(trays.trays[t], tray, settled);
-            if (packing.container.open_height && !tray.placements.empty()) {
-                packing.container.size.z = reached_height(tray, loaded_.meshes);
-            }
-            measure_tray(tray, packing.container, packing.parts, loaded_.meshes, options_.voxel, workers_);
-            packing.metrics.density += tray.density / static_cast<double>(packing.trays.size());
-        }
-
-        for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
-            const bool unusable = !loaded_.meshes[i];
-            if (!unusable && plan_.too_large[i].empty()) continue;
-            for (int copy = 0; copy < loaded_.parts[i].count; ++copy) {
-                packing.unplaced.push_back(
-                    {static_cast<int>(i), copy,
-                     unusable ? UnplacedReason::unusable : UnplacedReason::too_large,
-                     unusable ? loaded_.problem[i] : plan_.too_large[i]});
-            }
-        }
-        for (const FilledTray& filled : trays.trays) {
-            seconds_.disassemble += filled.report.disassemble_seconds;
-            seconds_.reinsert += filled.report.reinsert_seconds;
-        }
-        for (const PackItem& item : trays.trays.back().interlocked) {
-            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
-            settled.emplace(item.part, item.copy);
-        }
-        for (const PackItem& item : trays.left_over) {
-            if (settled.contains({item.part, item.copy})) continue;
-            const auto& reasons = trays.trays.back().why;
-            const auto why = reasons.find(item.part);
-            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full,
-                                        why == reasons.end() ? "" : why->second});
-            settled.emplace(item.part, item.copy);
-        }
-        for (const PackItem& item : plan_.items) {
-            if (options_.fill || settled.contains({item.part, item.copy})) continue;
-            packing.unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
-        }
-
-        Metrics& metrics = packing.metrics;
-        for (const Part& part : packing.parts) {
-            metrics.copies += part.count;
-        }
-        metrics.placed = trays.placed() + static_cast<std::int64_t>(loaded_.fixed.size());
-        metrics.seconds = seconds_;
-        metrics.min_gap = trays.least_gap;
-        metrics.searches = trays.searches();
-        metrics.verified = verified_;
-        metrics.peak_memory = peak_memory();
-        metrics.engine = engine_name(plan_.engine);
-        metrics.threads = workers_.threads();
-        return packing;
-    }
-
-    /// A packing in shares has as many copies as were placed of each part.
-    void count_what_came_of_shares(const TraysResult& trays, std::vector<Part>& parts) const {
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (i < loaded_.fixed_parts || !loaded_.meshes[i] || !plan_.too_large[i].empty()) continue;
-            parts[i].share = std::exchange(parts[i].count, 0);
-        }
-        for (const FilledTray& tray : trays.trays) {
-            for (const PlacedItem& placed : tray.placed) {
-                ++parts[static_cast<std::size_t>(placed.item.part)].count;
-            }
-        }
+    std::shared_ptr<const Mesh> scaled_mesh(std::size_t part) const {
+        const double mm = loaded_.parts[part].to_mm();
+        if (mm == 1) return loaded_.meshes[part];
+        return std::make_shared<const Mesh>(transformed(*loaded_.meshes[part], {mm * Mat3{}, {}}));
     }
 
     const Job& job_;

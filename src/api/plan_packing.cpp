@@ -118,9 +118,10 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
         StandingTray standing(tray, scene.meshes, voxel, scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
-        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), [&](int) {
+        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), [&](int, int) {
             ++done;
-            listener.on_progress({Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
+            const double work = static_cast<double>(done) / static_cast<double>(total);
+            listener.on_progress({Phase::disassemble, done, total, 0, work});
         }));
     }
     return plans;

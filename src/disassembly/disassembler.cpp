@@ -76,7 +76,7 @@ class Disassembler::Yard {
         owner_.steps_.push_back(std::move(step));
         if (members.size() == 1) {
             --owner_.standing_;
-            owner_.left_(owner_.standing_);
+            owner_.left_(owner_.standing_, owner_.all_);
         }
     }
 
@@ -199,7 +199,7 @@ Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPa
     std::vector<int> names(parts.size());
     std::iota(names.begin(), names.end(), 0);
     yards_.emplace_back(*this, std::move(names), std::move(parts));
-    standing_ = static_cast<int>(yards_.front().company().movable().size());
+    all_ = standing_ = static_cast<int>(yards_.front().company().movable().size());
 }
 
 Disassembler::~Disassembler() = default;

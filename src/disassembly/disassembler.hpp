@@ -13,13 +13,7 @@ namespace spectralpack {
 
 class Disassembler {
   public:
-    /// How copies left, for the record.
-    struct Counts {
-        int straight = 0, flooded = 0;
-        int groups = 0;      ///< steps of several
-        int fills = 0;       ///< flood fills, those that found no way included
-    };
-    using Left = std::function<void(int copies_left)>;  ///< told how many movable copies still stand
+    using Left = std::function<void(int left, int all)>;  ///< told how many movable copies still stand
 
     /// `parts` are named by their index. `setup` is referred to.
     Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left);
@@ -36,7 +30,7 @@ class Disassembler {
     std::vector<std::vector<int>> stuck() const;
     /// The copy is not part of the tray any more, without a step.
     void discard(int part);
-    const Counts& counts() const { return counts_; }
+    const InterlockCounts& counts() const { return counts_; }
 
   private:
     class Yard;
@@ -45,8 +39,8 @@ class Disassembler {
     Left left_;
     std::list<Yard> yards_;
     std::vector<RemovalStep> steps_;
-    Counts counts_;
-    int standing_ = 0;
+    InterlockCounts counts_;
+    int all_ = 0, standing_ = 0;  // movable copies
 };
 
 }  // namespace spectralpack

@@ -239,6 +239,15 @@ class PackingReader {
                 if (const auto phase = v->find(key)) *seconds = phase->number();
             }
         }
+        if (const auto v = node.find("interlock")) {
+            InterlockCounts& counts = m.interlock.emplace();
+            const std::pair<const char*, int*> fields[] = {
+                {"straight", &counts.straight}, {"flooded", &counts.flooded}, {"groups", &counts.groups},
+                {"fills", &counts.fills},       {"removed", &counts.removed}, {"reinserted", &counts.reinserted}};
+            for (const auto& [key, count] : fields) {
+                if (const auto field = v->find(key)) *count = field->integer<int>(0);
+            }
+        }
         if (const auto v = node.find("searches")) m.searches = v->integer<std::int64_t>(0);
         if (const auto v = node.find("verified")) m.verified = v->integer<std::int64_t>(0);
         if (const auto v = node.find("peak_memory")) m.peak_memory = v->integer<std::int64_t>(0);

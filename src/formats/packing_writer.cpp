@@ -213,6 +213,11 @@ class PackingWriter {
                 {"disassembly", tray.disassembly ? plan_json(*tray.disassembly) : Json(nullptr)}};
     }
 
+    static Json interlock_json(const InterlockCounts& counts) {
+        return {{"straight", counts.straight}, {"flooded", counts.flooded}, {"groups", counts.groups},
+                {"fills", counts.fills},       {"removed", counts.removed}, {"reinserted", counts.reinserted}};
+    }
+
     Json metrics_json() const {
         const Metrics& m = packing_.metrics;
         const PhaseSeconds& s = m.seconds;
@@ -228,6 +233,7 @@ class PackingWriter {
                   {"refine", s.refine},
                   {"disassemble", s.disassemble},
                   {"reinsert", s.reinsert}}},
+                {"interlock", m.interlock ? interlock_json(*m.interlock) : Json(nullptr)},
                 {"searches", m.searches},
                 {"verified", m.verified},
                 {"peak_memory", m.peak_memory},

@@ -182,18 +182,12 @@ class HtmlReport {
 
   private:
     void interlocking() {
-        std::size_t steps = 0;
-        bool planned = true, complete = true;
-        for (const TrayPacking& tray : packing_.trays) {
-            planned = planned && tray.disassembly;
-            complete = complete && tray.disassembly && tray.disassembly->complete;
-            steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
-        }
-        if (complete) {
-            add("<p>Comes apart in {} steps; the packing file has the plan.</p>\n", steps);
+        const PlansOverview plans = plans_of(packing_);
+        if (plans.complete) {
+            add("<p>Comes apart in {} steps; the packing file has the plan.</p>\n", plans.steps);
         } else {
             add("<p class=\"warn\">Interlocking was {} checked: some parts may not come apart after printing.</p>\n",
-                planned ? "only partly" : "not");
+                plans.planned ? "only partly" : "not");
         }
     }
 

@@ -21,6 +21,21 @@ struct RemovalStep {
     std::vector<Vec3> path;
 };
 
+/// How the copies of a packing came apart, for the record.
+struct InterlockCounts {
+    int straight = 0;    ///< copies that left by a straight way
+    int flooded = 0;     ///< by a way with corners, found by flood fill
+    int groups = 0;      ///< several that left as one rigid body
+    int fills = 0;       ///< flood fills, those that found no way included
+    int removed = 0;     ///< copies taken out of the packing because they were interlocked
+    int reinserted = 0;  ///< of those, put back where they can be taken out
+
+    InterlockCounts operator+(const InterlockCounts& other) const {
+        return {straight + other.straight, flooded + other.flooded, groups + other.groups, fills + other.fills,
+                removed + other.removed,   reinserted + other.reinserted};
+    }
+};
+
 struct Disassembly {
     /// Every copy that is not fixed has one step of its own, also after it left in a group, and also where it is the
     /// last of its company. Fixed ones never move and have none; the container's walls hold nothing.

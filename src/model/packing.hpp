@@ -88,6 +88,7 @@ struct Metrics {
     double density = 0;              ///< over all trays
     std::optional<double> min_gap;   ///< measured, mm; none where it was not measured
     PhaseSeconds seconds;
+    std::optional<InterlockCounts> interlock;  ///< over all trays; none where interlocking was not looked at
     std::int64_t searches = 0;       ///< copies searched for, skipped copies not counted
     std::int64_t verified = 0;       ///< placements answered alike by the verifying engine
     std::int64_t peak_memory = 0;
@@ -105,5 +106,22 @@ struct Packing {
     std::vector<Unplaced> unplaced;
     Metrics metrics;
 };
+
+/// What the plans of all trays come to.
+struct PlansOverview {
+    bool planned = true;   ///< every tray has a plan
+    bool complete = true;  ///< that takes out all copies
+    std::size_t steps = 0;
+};
+
+inline PlansOverview plans_of(const Packing& packing) {
+    PlansOverview plans;
+    for (const TrayPacking& tray : packing.trays) {
+        plans.planned = plans.planned && tray.disassembly;
+        plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
+        plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+    }
+    return plans;
+}
 
 }  // namespace spectralpack

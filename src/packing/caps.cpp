@@ -80,22 +80,17 @@ bool Caps::may_stand(int part, int orientation, const Vec3& offset) const {
     return true;
 }
 
-void Caps::add(int part, int orientation, const Vec3& offset) {
-    volume_ += parts_.volume(part);
+void Caps::add(int part, int orientation, const Vec3& offset) { count(1, part, orientation, offset); }
+
+void Caps::remove(int part, int orientation, const Vec3& offset) { count(-1, part, orientation, offset); }
+
+void Caps::count(int copies, int part, int orientation, const Vec3& offset) {
+    volume_ += copies * parts_.volume(part);
     if (!setup_.layer_fill) return;
     const std::vector<double> areas = sections(part, orientation, offset);
     if (area_.size() < areas.size()) area_.resize(areas.size(), 0);
     for (std::size_t k = 0; k < areas.size(); ++k) {
-        area_[k] += areas[k];
-    }
-}
-
-void Caps::remove(int part, int orientation, const Vec3& offset) {
-    volume_ -= parts_.volume(part);
-    if (!setup_.layer_fill) return;
-    const std::vector<double> areas = sections(part, orientation, offset);
-    for (std::size_t k = 0; k < areas.size(); ++k) {
-        area_[k] -= areas[k];
+        area_[k] += copies * areas[k];
     }
 }
 

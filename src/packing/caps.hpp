@@ -55,6 +55,7 @@ class Caps {
     std::string no_layer_left() const;
 
   private:
+    void count(int copies, int part, int orientation, const Vec3& offset);
     const std::vector<double>& profile(int part, int orientation, const Vec3& min);
     std::vector<double> sections(int part, int orientation, const Vec3& offset) const;
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <map>
 #include <numeric>
 #include <unordered_set>
 #include <utility>
 
 #include "disassembly/blocking_graph.hpp"
 #include "packing/reachable_search.hpp"
+#include "refine/refiner.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -86,75 +85,19 @@ std::vector<RemovalStep> remaining_steps(const std::vector<RemovalStep>& steps, 
     return result;
 }
 
-/// The grid of the voxels that collisions are decided on. Containers and keep-outs are virtual: nothing is blocked.
-TraySetup finest_grid(TraySetup setup) {
-    setup.voxel_size /= setup.detail;
-    setup.detail = 1;
-    setup.reference_layers = 0;
-    setup.blocked = {};
-    return setup;
-}
-
-TrayObject on_finest(TrayObject object) {
-    if (!object.fine) return object;
-    object.solid = std::move(object.fine);
-    object.position = object.fine_position;
-    object.fine = nullptr;
-    return object;
-}
-
-/// Where copies stand, with their surfaces; a surface is made once for a part and orientation.
-class Surfaces {
-  public:
-    explicit Surfaces(const InterlockSetup& setup) : setup_(setup) {}
-
-    /// Makes what is missing for `items`, in parallel by part.
-    void make(const std::vector<PlacedItem>& items) {
-        std::map<int, std::vector<int>> wanted;  // orientations by part
-        for (const PlacedItem& item : items) {
-            auto& surface = made_[{item.item.part, item.orientation}];
-            std::vector<int>& of_part = wanted[item.item.part];
-            if (!surface && std::find(of_part.begin(), of_part.end(), item.orientation) == of_part.end()) {
-                of_part.push_back(item.orientation);
-            }
-        }
-        const std::vector<std::pair<int, std::vector<int>>> parts(wanted.begin(), wanted.end());
-        setup_.workers.for_each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t k) {
-            const auto& [part, orientations] = parts[static_cast<std::size_t>(k)];
-            if (orientations.empty()) return;
-            const RefinedPart plain_part = setup_.part_of(part);
-            const Bvh plain(plain_part.mesh);
-            for (const int orientation : orientations) {
-                const Mat3& turn = (*plain_part.orientations)[static_cast<std::size_t>(orientation)];
-                made_.find({part, orientation})->second = std::make_shared<const Bvh>(plain.turned(turn));
-            }
-        });
-    }
-
-    StandingPart standing(const PlacedItem& item, const Tray& tray) const {
-        return {made_.at({item.item.part, item.orientation}), item.offset, on_finest(tray.object(item.object))};
-    }
-
-  private:
-    const InterlockSetup& setup_;
-    std::map<std::pair<int, int>, std::shared_ptr<const Bvh>> made_;
-};
-
 class Untangling {
   public:
     Untangling(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                const StopToken& stop)
-        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop), surfaces_(setup) {
+        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop) {
         disassembly_.search = &search;
-        disassembly_.grid = finest_grid(tray.setup());
+        disassembly_.grid = finest_setup(tray.setup());
         disassembly_.corner = {setup.wall_gap, setup.wall_gap, setup.wall_gap};
         disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
         disassembly_.on_grid = [this](int i) {
             const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
-            const RefinedPart part = setup_.part_of(item.item.part);
-            const Mat3& turn = (*part.orientations)[static_cast<std::size_t>(item.orientation)];
-            return std::make_shared<const BitGrid>(
-                voxelize(transformed(part.mesh, {turn, {}}), disassembly_.grid.voxel_size, setup_.workers));
+            const Mesh mesh = setup_.surfaces->turned_mesh(item.item.part, item.orientation);
+            return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, setup_.workers));
         };
         disassembly_.workers = setup.workers;
         disassembly_.stop = stop;
@@ -175,12 +118,21 @@ class Untangling {
 
   private:
     std::vector<StandingPart> standing() {
-        surfaces_.make(placed_);
+        std::vector<TurnedPart> wanted;
+        for (const PlacedItem& item : placed_) {
+            wanted.push_back({item.item.part, item.orientation});
+        }
+        setup_.surfaces->make(wanted);
         std::vector<StandingPart> parts;
         for (const PlacedItem& item : placed_) {
-            parts.push_back(surfaces_.standing(item, tray_));
+            parts.push_back(as_standing(item));
         }
         return parts;
+    }
+
+    StandingPart as_standing(const PlacedItem& item) {
+        return {setup_.surfaces->at(item.item.part, item.orientation), item.offset,
+                on_finest(tray_.object(item.object))};
     }
 
     /// The fixed ones come after all others, so that names are indices into `placed`.
@@ -194,15 +146,12 @@ class Untangling {
 
     std::optional<double> least_gap() {
         Refiner refiner(RefineSetup{tray_.setup().size});
-        double least = Box::kInfinity;
         std::vector<StandingPart> parts = standing();
         add_fixed(parts);
         for (const StandingPart& part : parts) {
-            const StandingCopy copy{part.surface, part.offset};
-            least = refiner.clearance(copy, least);
-            refiner.add(copy);
+            refiner.add({part.surface, part.offset});
         }
-        return std::isfinite(least) ? std::optional(least) : std::nullopt;
+        return refiner.least_gap();
     }
 
     /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.
@@ -211,22 +160,23 @@ class Untangling {
         const std::size_t movable = parts.size();
         add_fixed(parts);
         std::vector<bool> removed(parts.size(), false);
-        std::vector<std::vector<int>> stuck;
+        int removed_count = 0;
         Disassembler disassembler(disassembly_, parts, setup_.left);
         for (;;) {
             disassembler.run();
             if (stop_.stopped()) break;
-            if (result_.report.removed == 0) result_.report.counts = disassembler.counts();
             const std::vector<std::vector<int>> sets = disassembler.stuck();
             if (sets.empty()) break;
             for (const std::vector<int>& set : sets) {
                 for (const int i : select_remove(set, parts)) {
                     disassembler.discard(i);
                     removed[static_cast<std::size_t>(i)] = true;
-                    ++result_.report.removed;
+                    ++removed_count;
                 }
             }
         }
+        result_.report.counts = disassembler.counts();
+        result_.report.counts.removed = removed_count;
         result_.plan.complete = !stop_.stopped();
         std::vector<PlacedItem> kept, out;
         std::vector<int> renumbered(parts.size(), -1);
@@ -250,7 +200,7 @@ class Untangling {
     void reinsert(const std::vector<PlacedItem>& removed) {
         // Largest first. Copies whose part has found no place are not tried again: the tray only fills up.
         std::vector<PlacedItem> order = removed;
-        const auto volume = [&](const PlacedItem& item) { return surfaces_.standing(item, tray_).box().volume(); };
+        const auto volume = [&](const PlacedItem& item) { return as_standing(item).box().volume(); };
         std::stable_sort(order.begin(), order.end(),
                          [&](const PlacedItem& a, const PlacedItem& b) { return volume(a) > volume(b); });
         std::vector<PackItem> items;
@@ -273,7 +223,7 @@ class Untangling {
                                put_back(items[i], shapes.at(i), reachable, company, steps);
             if (!again) {
                 hopeless.insert(items[i].part);
-                result_.interlocked.push_back(items[i]);
+                if (!stop_.stopped()) result_.interlocked.push_back(items[i]);
             }
             shapes.release(i, again);
         }
@@ -296,9 +246,8 @@ class Untangling {
         PlacedItem placed{item, orientation, found.best->position, standing.offset, 0, found.best->cost};
         placed.object = tray_.add(std::move(standing.object));
         placed_.push_back(placed);
-        surfaces_.make({placed});
         const int name = static_cast<int>(placed_.size()) - 1;
-        const std::size_t i = company.add(name, surfaces_.standing(placed, tray_));
+        const std::size_t i = company.add(name, as_standing(placed));
         std::optional<Company::Path> path = way_out(company, i);
         if (!path) {
             company.remove(i);
@@ -308,7 +257,7 @@ class Untangling {
         }
         if (caps) caps->add(item.part, orientation, placed.offset);
         steps.push_back({{name}, std::move(*path)});
-        ++result_.report.reinserted;
+        ++result_.report.counts.reinserted;
         return true;
     }
 
@@ -325,7 +274,6 @@ class Untangling {
     std::vector<PlacedItem>& placed_;
     const InterlockSetup& setup_;
     StopToken stop_;
-    Surfaces surfaces_;
     DisassemblySetup disassembly_;
     Untangled result_;
 };

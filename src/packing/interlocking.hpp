@@ -10,7 +10,7 @@
 #include "disassembly/disassembler.hpp"
 #include "model/disassembly.hpp"
 #include "packing/greedy.hpp"
-#include "packing/refinement.hpp"
+#include "packing/part_surfaces.hpp"
 #include "packing/shape_store.hpp"
 
 namespace spectralpack {
@@ -19,19 +19,17 @@ struct InterlockSetup {
     double voxel_size = 2;           ///< mm
     double wall_gap = 0;             ///< mm
     CostModel model;
-    Refinement::PartOf part_of;      ///< called from several threads
+    PartSurfaces* surfaces = nullptr;
     std::vector<StandingPart> fixed; ///< what stands in the tray besides `placed`, and never moves
     ShapeStore* shapes = nullptr;    ///< free to start a tray
     GreedyLimits limits;
-    Disassembler::Left left;         ///< told how many copies still stand, while planning
+    Disassembler::Left left;         ///< told while planning
     Workers workers;
 };
 
 /// What was done about interlocking, for the record.
 struct InterlockReport {
-    Disassembler::Counts counts;  ///< of the packing's first disassembly
-    int removed = 0;              ///< because they were interlocked
-    int reinserted = 0;           ///< of those
+    InterlockCounts counts;
     std::optional<double> least_gap;  ///< between two copies, mm, in the end; only where copies were removed
     double disassemble_seconds = 0, reinsert_seconds = 0;
 };
@@ -46,7 +44,8 @@ struct Untangled {
 /// SelectRemove, the smallest first until their box volumes exceed a tenth of the set's, and goes on. Then puts back
 /// what was taken out, largest first, each at its best reachable placement on the grid, if it does come out from there.
 /// Those come out first in the plan. `placed` and `tray` end as the packing that the plan is of. When stopped, the
-/// plan is not complete, and what has been found interlocked until then is out.
+/// plan is not complete, and what has been found interlocked until then is out; what had not been tried by then is not
+/// among `interlocked`.
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 

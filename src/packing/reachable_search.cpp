@@ -70,12 +70,7 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
 const Tray& ReachableSearch::finest(const Tray& tray) {
     if (tray.detail() == 1) return tray;
     if (!finest_ || followed_ != tray.instance()) {
-        TraySetup setup = tray.setup();
-        setup.voxel_size /= setup.detail;
-        setup.detail = 1;
-        setup.reference_layers = 0;
-        setup.blocked = {};  // virtual: in nobody's way
-        finest_.emplace(std::move(setup));
+        finest_.emplace(finest_setup(tray.setup()));
         followed_ = tray.instance();
     }
     // Ids are given in the order of the journal.
@@ -85,8 +80,7 @@ const Tray& ReachableSearch::finest(const Tray& tray) {
             finest_->remove(change.id);
             continue;
         }
-        const TrayObject& object = tray.object(change.id);
-        finest_->add({object.fine, object.fine_position, object.gap_class, object.fixed});
+        finest_->add(on_finest(tray.object(change.id)));
     }
     return *finest_;
 }

@@ -20,7 +20,6 @@ std::int64_t bytes_of(const Shape& shape) {
 
 }  // namespace
 
-
 ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep)
     : make_(std::move(make)), workers_(workers), timed_(std::move(timed)), keep_(keep) {}
 

@@ -18,7 +18,7 @@ constexpr int kRefineRounds = 3;
 
 }  // namespace
 
-TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::PartOf part_of,
+TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of,
                        const Workers& workers)
     : setup_(std::move(setup)), search_(search), part_of_(std::move(part_of)), workers_(workers) {
     if (setup_.refine) walls_ = wall_surfaces(setup_.container, setup_.wall_gap);
@@ -55,22 +55,19 @@ void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop,
     Tray tray(setup_.tray);
     const double dx = setup_.tray.voxel_size;
     const int detail = setup_.tray.detail;
+    PartSurfaces surfaces(part_of_, workers_);
     std::optional<Caps> caps;
     if (setup_.max_density || setup_.max_layer_fill) {
         caps.emplace(CapSetup{setup_.max_density, setup_.max_layer_fill, setup_.container.size,
                               setup_.wall_gap, dx},
-                     CapParts{[&](int part) { return part_of_(part).volume; },
-                              [&](int part, int orientation) {
-                                  const RefinedPart wanted = part_of_(part);
-                                  const auto i = static_cast<std::size_t>(orientation);
-                                  return transformed(wanted.mesh, {(*wanted.orientations)[i], {}});
-                              }});
+                     CapParts{[&](int part) { return surfaces.part(part).volume; },
+                              [&](int part, int orientation) { return surfaces.turned_mesh(part, orientation); }});
     }
     std::unique_ptr<Refinement> refinement;
     if (setup_.refine) {
         refinement = std::make_unique<Refinement>(
             RefineSetup{setup_.container.size, setup_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
-            part_of_,
+            surfaces,
             [&](int part, int orientation, const Vec3& offset) {
                 return !caps || caps->may_stand(part, orientation, offset);
             },
@@ -97,19 +94,20 @@ void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop,
     double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
     if (setup_.interlock != Interlock::off) {
-        make_removable(tray, std::move(fixed), shapes, limits, stop, result);
-        if (result.report.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
+        make_removable(tray, std::move(fixed), surfaces, shapes, limits, stop, result);
+        if (result.report.counts.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
     if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }
 
-void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, ShapeStore& shapes,
-                                const GreedyLimits& limits, const StopToken& stop, FilledTray& result) {
+void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
+                                ShapeStore& shapes, const GreedyLimits& limits, const StopToken& stop,
+                                FilledTray& result) {
     InterlockSetup setup;
     setup.voxel_size = setup_.tray.voxel_size;
     setup.wall_gap = setup_.wall_gap;
     setup.model = setup_.model;
-    setup.part_of = part_of_;
+    setup.surfaces = &surfaces;
     setup.fixed = std::move(fixed);
     setup.shapes = &shapes;
     setup.limits = limits;

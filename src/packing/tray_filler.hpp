@@ -33,7 +33,7 @@ struct FillSetup {
     int most_layers = 0;                                ///< open height: the grid may grow to so many
     bool refine = false;  ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
-    Disassembler::Left left;  ///< told how many copies still stand, while a tray is taken apart
+    Disassembler::Left left;  ///< told while a tray is taken apart
 };
 
 /// What became of one tray.
@@ -45,8 +45,8 @@ struct FilledTray : GreedyResult {
 
 class TrayFiller {
   public:
-    /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that refinement moves.
-    TrayFiller(FillSetup setup, PlacementSearch& search, Refinement::PartOf part_of, const Workers& workers);
+    /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that are moved.
+    TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
 
     /// Fills a new tray, the one with this number, with what finds a place of `items`, tried in this order; `shapes`
     /// makes their voxels. `result` as in pack_greedily(); in the end it is a packing that comes apart, unless
@@ -72,12 +72,12 @@ class TrayFiller {
     void fill_one(int number, ShapeStore& shapes, const StopToken& stop, FilledTray& result, const Pack& pack);
 
     std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement) const;
-    void make_removable(Tray& tray, std::vector<StandingPart> fixed, ShapeStore& shapes, const GreedyLimits& limits,
-                        const StopToken& stop, FilledTray& result);
+    void make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces, ShapeStore& shapes,
+                        const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
 
     FillSetup setup_;
     PlacementSearch& search_;
-    Refinement::PartOf part_of_;
+    PartSurfaces::PartOf part_of_;
     Workers workers_;
     std::vector<StandingCopy> walls_;  // for refinement
     int trays_with_fixed_ = 0;

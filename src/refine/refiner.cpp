@@ -238,4 +238,13 @@ double Refiner::clearance(const StandingCopy& copy, double upper_bound,
     return least;
 }
 
+std::optional<double> Refiner::least_gap() const {
+    double least = Box::kInfinity;
+    for (CopyId id = 0; id < static_cast<CopyId>(copies_.size()); ++id) {
+        const StandingCopy* copy = find(id);
+        if (copy && !copy->wall) least = clearance(*copy, least, id);
+    }
+    return std::isfinite(least) ? std::optional(least) : std::nullopt;
+}
+
 }  // namespace spectralpack

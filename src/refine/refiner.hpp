@@ -74,6 +74,8 @@ class Refiner {
     /// below `upper_bound`; else upper_bound.
     double clearance(const StandingCopy& copy, double upper_bound,
                      std::optional<CopyId> except = std::nullopt) const;
+    /// Least distance between the surfaces of two copies that stand here, walls left out; none with fewer than two.
+    std::optional<double> least_gap() const;
 
   private:
     RefineSetup setup_;

@@ -34,6 +34,22 @@ TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fi
             std::move(fine), fine_position};
 }
 
+TraySetup finest_setup(TraySetup setup) {
+    setup.voxel_size /= setup.detail;
+    setup.detail = 1;
+    setup.reference_layers = 0;
+    setup.blocked = {};
+    return setup;
+}
+
+TrayObject on_finest(TrayObject object) {
+    if (!object.fine) return object;
+    object.solid = std::move(object.fine);
+    object.position = object.fine_position;
+    object.fine = nullptr;
+    return object;
+}
+
 TrayIdentity::TrayIdentity() {
     static std::atomic<std::uint64_t> counter{0};  // an identity: nothing depends on its value
     value_ = ++counter;

@@ -52,6 +52,12 @@ struct TrayObject {
 /// The object whose voxels of dx / detail are `fine` at `fine_position`.
 TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail, int gap_class);
 
+/// The same tray in the voxels that collisions are decided on, dx / s. Containers and keep-outs are virtual, in nobody's
+/// way: nothing is blocked in it.
+TraySetup finest_setup(TraySetup setup);
+/// An object of such a tray.
+TrayObject on_finest(TrayObject object);
+
 /// One entry of the journal: object `id` was added or removed when the version became `version`.
 struct TrayChange {
     std::uint64_t version = 0;

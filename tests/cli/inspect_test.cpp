@@ -14,11 +14,7 @@ class Inspect : public testing::Test {
   protected:
     /// `mesh` as a binary STL.
     std::string stl(const std::string& name, const Mesh& mesh) {
-        Packing packing;
-        packing.parts.resize(1);
-        packing.trays.resize(1);
-        packing.trays[0].placements = {{0, 0, 0, false, {}}};
-        write_stl(packing, {std::make_shared<const Mesh>(mesh)}, folder_ / name);
+        write_stl(mesh, folder_ / name);
         return (folder_ / name).string();
     }
 

@@ -19,13 +19,7 @@ class JobFile : public testing::Test {
         stl("box.stl", box_mesh({0, 0, 0}, {20, 10, 10}));
     }
 
-    void stl(const std::string& name, const Mesh& mesh) {
-        Packing packing;
-        packing.parts.resize(1);
-        packing.trays.resize(1);
-        packing.trays[0].placements = {{0, 0, 0, false, {}}};
-        write_stl(packing, {std::make_shared<const Mesh>(mesh)}, folder_ / "parts" / name);
-    }
+    void stl(const std::string& name, const Mesh& mesh) { write_stl(mesh, folder_ / "parts" / name); }
 
     Ran pack(const std::vector<std::string>& more = {}) {
         std::ofstream(file()) << job_;

@@ -19,13 +19,7 @@ const std::string kSamples = (samples() / "samples.csv").string();
 
 class PackModes : public testing::Test {
   protected:
-    void stl(const std::string& name, const Mesh& mesh) {
-        Packing packing;
-        packing.parts.resize(1);
-        packing.trays.resize(1);
-        packing.trays[0].placements = {{0, 0, 0, false, {}}};
-        write_stl(packing, {std::make_shared<const Mesh>(mesh)}, folder_ / name);
-    }
+    void stl(const std::string& name, const Mesh& mesh) { write_stl(mesh, folder_ / name); }
 
     std::string at(const std::string& name) const { return (folder_ / name).string(); }
 

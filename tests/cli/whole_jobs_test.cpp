@@ -19,13 +19,7 @@ class WholeJob : public testing::Test {
         stl("slab.stl", box_mesh({0, 0, 0}, {40, 40, 10}));
     }
 
-    void stl(const std::string& name, const Mesh& mesh) {
-        Packing packing;
-        packing.parts.resize(1);
-        packing.trays.resize(1);
-        packing.trays[0].placements = {{0, 0, 0, false, {}}};
-        write_stl(packing, {std::make_shared<const Mesh>(mesh)}, folder_ / name);
-    }
+    void stl(const std::string& name, const Mesh& mesh) { write_stl(mesh, folder_ / name); }
 
     std::string at(const std::string& name) const { return (folder_ / name).string(); }
 

@@ -322,7 +322,7 @@ TEST(Disassembler, TakesTheRestApartOnceOneIsDiscarded) {
     AssemblyScene scene({60, 60, 60});
     scene.add(placed(kTorus, {20, 20, 20}));
     scene.add(placed(lying(kTorus, 0), {20, 30, 20}));
-    Disassembler disassembler(scene.setup(), scene.parts(), [](int) {});
+    Disassembler disassembler(scene.setup(), scene.parts(), [](int, int) {});
     disassembler.run();
     EXPECT_TRUE(disassembler.steps().empty());
     disassembler.discard(0);

@@ -70,12 +70,12 @@ class AssemblyScene {
     struct Answer {
         std::vector<RemovalStep> steps;
         std::vector<std::vector<int>> stuck;
-        Disassembler::Counts counts;
+        InterlockCounts counts;
 
         bool complete() const { return stuck.empty(); }
     };
     Answer disassemble() const {
-        Disassembler disassembler(setup_, parts_, [](int) {});
+        Disassembler disassembler(setup_, parts_, [](int, int) {});
         disassembler.run();
         return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
     }

@@ -84,6 +84,7 @@ inline Packing small_packing() {
     packing.metrics.density = 0.05;
     packing.metrics.min_gap = 0.3;
     packing.metrics.seconds = {7, 1, 2, 3, 0.5, 0.25, 0.125};
+    packing.metrics.interlock = InterlockCounts{2, 1, 1, 3, 2, 1};
     packing.metrics.searches = 4;
     packing.metrics.verified = 3;
     packing.metrics.peak_memory = 123456789;

@@ -12,11 +12,9 @@ class Interlocking : public testing::Test {
   protected:
     Interlocking() : tray_(TraySetup{{80, 60, 60}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {
         setup_.voxel_size = 1;
-        setup_.part_of = [this](int part) {
-            return RefinedPart{meshes_[static_cast<std::size_t>(part)], 0, &orientations_, 0};
-        };
+        setup_.surfaces = &surfaces_;
         setup_.shapes = &shapes_;
-        setup_.left = [](int) {};
+        setup_.left = [](int, int) {};
         search_ = make_cpu_search({}, Workers(1));
     }
 
@@ -61,6 +59,11 @@ class Interlocking : public testing::Test {
     std::vector<Mesh> meshes_;
     ShapeStore shapes_{[this](int part) { return shape(part); }, Workers(1), [](double) {}};
     std::vector<PlacedItem> placed_;
+    PartSurfaces surfaces_{[this](int part) {
+                               return ScaledPart{std::make_shared<const Mesh>(meshes_[static_cast<std::size_t>(part)]),
+                                                 0, &orientations_, 0};
+                           },
+                           Workers(1)};
     InterlockSetup setup_;
     std::unique_ptr<PlacementSearch> search_;
 };
@@ -73,8 +76,8 @@ TEST_F(Interlocking, PutsBackWhatItTookOutAndTakesItOutFirst) {
     put(ring(), 1, {19, 19, 11});
     put(test::cube_mesh(6), 0, {60, 40, 0});
     const Untangled result = untangle_all();
-    EXPECT_EQ(result.report.removed, 1);
-    EXPECT_EQ(result.report.reinserted, 1);
+    EXPECT_EQ(result.report.counts.removed, 1);
+    EXPECT_EQ(result.report.counts.reinserted, 1);
     EXPECT_TRUE(result.interlocked.empty());
     ASSERT_EQ(placed_.size(), 3u);
     expect_complete(result);
@@ -88,8 +91,8 @@ TEST_F(Interlocking, LeavesOutWhatFindsNoPlaceThatItCanLeave) {
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
     const Untangled result = untangle_all();
-    EXPECT_EQ(result.report.removed, 2) << "the cube is less than a tenth";
-    EXPECT_EQ(result.report.reinserted, 1);
+    EXPECT_EQ(result.report.counts.removed, 2) << "the cube is less than a tenth";
+    EXPECT_EQ(result.report.counts.reinserted, 1);
     ASSERT_EQ(result.interlocked.size(), 1u);
     EXPECT_EQ(result.interlocked.front().part, 1);
     ASSERT_EQ(placed_.size(), 1u);
@@ -101,7 +104,7 @@ TEST_F(Interlocking, LeavesWhatIsFreeAsItIs) {
     put(ring(), 1, {50, 19, 11});
     const std::vector<PlacedItem> before = placed_;
     const Untangled result = untangle_all();
-    EXPECT_EQ(result.report.removed, 0);
+    EXPECT_EQ(result.report.counts.removed, 0);
     ASSERT_EQ(placed_.size(), 2u);
     EXPECT_EQ(placed_[1].position, before[1].position);
     expect_complete(result);

@@ -1,0 +1,164 @@
+#include "api/record.hpp"
+
+#include <set>
+#include <utility>
+
+#include "api/engine_factory.hpp"
+#include "api/fixed_copies.hpp"
+#include "api/machine.hpp"
+#include "packing/measure.hpp"
+
+namespace spectralpack {
+namespace {
+
+using PartCopy = std::pair<int, int>;
+
+/// A plan of copies that stand after `first` others.
+Disassembly shifted(Disassembly plan, int first) {
+    const auto shift = [&](std::vector<int>& placements) {
+        for (int& placement : placements) {
+            placement += first;
+        }
+    };
+    for (RemovalStep& step : plan.steps) {
+        shift(step.placements);
+    }
+    for (std::vector<int>& set : plan.interlocked) {
+        shift(set);
+    }
+    return plan;
+}
+
+/// `tray` holds its fixed copies.
+void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray, std::set<PartCopy>& settled) {
+    if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
+    for (const PlacedItem& placed : filled.placed) {
+        settled.emplace(placed.item.part, placed.item.copy);
+        tray.placements.push_back(
+            {placed.item.part, placed.item.copy, placed.orientation, false,
+             transform_of(run.loaded, run.plan, placed)});
+    }
+}
+
+/// A packing in shares has as many copies as were placed of each part.
+void count_what_came_of_shares(const PackRun& run, std::vector<Part>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i < run.loaded.fixed_parts || !run.loaded.meshes[i] || !run.plan.too_large[i].empty()) continue;
+        parts[i].share = std::exchange(parts[i].count, 0);
+    }
+    for (const FilledTray& tray : run.trays.trays) {
+        for (const PlacedItem& placed : tray.placed) {
+            ++parts[static_cast<std::size_t>(placed.item.part)].count;
+        }
+    }
+}
+
+/// Copies that are not placed, and why; `settled` are those that are.
+std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PartCopy> settled) {
+    std::vector<Unplaced> unplaced;
+    for (std::size_t i = 0; i < run.loaded.parts.size(); ++i) {
+        const bool unusable = !run.loaded.meshes[i];
+        if (!unusable && run.plan.too_large[i].empty()) continue;
+        for (int copy = 0; copy < run.loaded.parts[i].count; ++copy) {
+            unplaced.push_back({static_cast<int>(i), copy,
+                                unusable ? UnplacedReason::unusable : UnplacedReason::too_large,
+                                unusable ? run.loaded.problem[i] : run.plan.too_large[i]});
+        }
+    }
+    const FilledTray& last = run.trays.trays.back();
+    for (const PackItem& item : last.interlocked) {
+        unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
+        settled.emplace(item.part, item.copy);
+    }
+    for (const PackItem& item : run.trays.left_over) {
+        if (!settled.emplace(item.part, item.copy).second) continue;
+        const auto why = last.why.find(item.part);
+        unplaced.push_back(
+            {item.part, item.copy, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
+    }
+    for (const PackItem& item : run.plan.items) {
+        if (run.options.fill || settled.contains({item.part, item.copy})) continue;
+        unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
+    }
+    return unplaced;
+}
+
+Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& workers) {
+    Metrics metrics;
+    for (const Part& part : packing.parts) {
+        metrics.copies += part.count;
+    }
+    metrics.placed = run.trays.placed() + static_cast<std::int64_t>(run.loaded.fixed.size());
+    metrics.seconds = run.seconds;
+    for (const FilledTray& tray : run.trays.trays) {
+        metrics.seconds.disassemble += tray.report.disassemble_seconds;
+        metrics.seconds.reinsert += tray.report.reinsert_seconds;
+        if (tray.plan) metrics.interlock = metrics.interlock.value_or(InterlockCounts{}) + tray.report.counts;
+    }
+    for (const TrayPacking& tray : packing.trays) {
+        metrics.density += tray.density / static_cast<double>(packing.trays.size());
+    }
+    metrics.min_gap = run.trays.least_gap;
+    metrics.searches = run.trays.searches();
+    metrics.verified = run.verified;
+    metrics.peak_memory = peak_memory();
+    metrics.engine = engine_name(run.plan.engine);
+    metrics.threads = workers.threads();
+    return metrics;
+}
+
+}  // namespace
+
+Packing packing_of(const PackRun& run, const Workers& workers) {
+    Packing packing;
+    packing.program = "spectralpack " SPECTRALPACK_VERSION;
+    packing.input_hash = input_hash(run.loaded, run.container, run.options);
+    packing.container = run.container;
+    packing.container.size = tray_size(run.options);
+    packing.container.open_height = is_open(run.options);
+    if (run.base) {
+        packing.container.size.x = run.base->x * run.options.voxel + 2 * run.options.wall_gap;
+        packing.container.size.y = run.base->y * run.options.voxel + 2 * run.options.wall_gap;
+    }
+    packing.options = run.options;
+    packing.options.tray = tray_size(run.options);
+    packing.options.height_at = height_reference(run.options);
+    packing.options.height_penalty = run.plan.height_penalty;
+    packing.options.engine = run.plan.engine;
+    packing.parts = run.loaded.parts;
+
+    if (run.options.fill) count_what_came_of_shares(run, packing.parts);
+
+    std::set<PartCopy> settled;
+    packing.trays = fixed_trays(run.loaded);
+    packing.trays.resize(std::max(packing.trays.size(), run.trays.trays.size()));
+    for (std::size_t t = 0; t < packing.trays.size(); ++t) {
+        TrayPacking& tray = packing.trays[t];
+        if (t < run.trays.trays.size()) add_placed(run, run.trays.trays[t], tray, settled);
+        if (packing.container.open_height && !tray.placements.empty()) {
+            packing.container.size.z = reached_height(tray, run.loaded.meshes);
+        }
+        measure_tray(tray, packing.container, packing.parts, run.loaded.meshes, run.options.voxel, workers);
+    }
+    packing.unplaced = unplaced_of(run, std::move(settled));
+    packing.metrics = metrics_of(run, packing, workers);
+    return packing;
+}
+
+Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedItem& placed) {
+    const double mm = loaded.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
+    const std::vector<Mat3>& turns = *plan.orientations[static_cast<std::size_t>(placed.item.part)];
+    return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
+}
+
+Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
+    const Part& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
+    return Error(ErrorKind::input,
+                 "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
+                     std::to_string(trays.left_over.size()) +
+                     (trays.left_over.size() == 1 ? " copy" : " copies") +
+                     " tried none finds a place in it, the first being " + first.name +
+                     (trays.trays.empty() ? "" : "; the trays before are kept"));
+}
+
+}  // namespace spectralpack
