@@ -2,6 +2,7 @@
 /// Flood-fill disassembly of one copy (section 4.1, Algorithm 3), from the copy outwards: a walk over free positions,
 /// from face to face, that ends as soon as it is outside.
 
+#include <optional>
 #include <vector>
 
 #include "search/placement_search.hpp"
@@ -13,7 +14,7 @@ class FloodFill {
   public:
     /// `rows`: free positions of the copy's voxels of this extent, itself not in the way. Outside is where its box
     /// does not meet `rest`, the box of all other voxels (of which none may lie outside the rows' grid).
-    FloodFill(const FreeRowReader& rows, const Extent& solid, const VoxelBox& rest);
+    FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest);
 
     bool free(const VoxelIndex& position);
     /// In a pocket that a walk has found to be closed.
@@ -24,8 +25,9 @@ class FloodFill {
     /// steps gone and steps at least to go, which are exact (A*); each word of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
-    /// Sets the bits of all positions visited; those outside of `positions` are left out.
-    void mark_visited(BitGrid& positions) const;
+    /// Whether there is a way from `start`, which is free, to outside. Every position visited for that is remembered with
+    /// the answer, and a walk that meets one ends there: no position is visited twice. Not to be mixed with way_out().
+    bool reaches_outside(const VoxelIndex& start);
 
     /// The box of all positions visited.
     const VoxelBox& pocket() const { return pocket_; }
@@ -34,7 +36,8 @@ class FloodFill {
     struct Row {
         std::vector<std::uint64_t> free;
         std::vector<bool> computed;        ///< which words of `free` are
-        std::vector<std::uint8_t> came;  ///< 0: not visited; kStart; else 1 + the move that led here
+        std::vector<std::uint8_t> came;    ///< 0: not visited; kStart; else 1 + the move that led here
+        std::vector<bool> outside;         ///< visited positions from which reaches_outside() is true
     };
     struct Entry {
         VoxelIndex at;  ///< from the rows' origin
@@ -43,13 +46,16 @@ class FloodFill {
     };
     static constexpr std::uint8_t kStart = 7;
 
+    /// Walks from `from` until outside, or to a position known to reach that, and returns where it ended; none when all
+    /// that can be reached has been visited. Adds what it visits to `visited`, if that is not null.
+    std::optional<VoxelIndex> walk(const VoxelIndex& from, std::vector<VoxelIndex>* visited);
     Row& row(int y, int z);
     bool is_free(Row& row, const VoxelIndex& at);
     /// Steps at least to go; 0 is outside.
     int to_go(const VoxelIndex& at) const;
     std::vector<VoxelIndex> trace(VoxelIndex at);
 
-    const FreeRowReader& rows_;
+    FreeRowReader& rows_;
     Extent solid_;
     VoxelBox rest_;                 // from the rows' origin
     std::vector<std::int32_t> of_;  // index into known_ by z * ny + y, -1: not computed

@@ -20,10 +20,8 @@ class ReachableSearch final : public PlacementSearch {
     /// `engine` outlives it.
     explicit ReachableSearch(PlacementSearch& engine) : engine_(engine) {}
 
-    /// Asks the engine. An answer that is not reachable lies in a closed pocket: the pocket is excluded, after
-    /// several of one orientation all that is not reachable in it, and the engine is asked again. Further copies of
-    /// the same shape start from what is excluded already while the tray only grows: what cannot be reached now never
-    /// can be then.
+    /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. A walk
+    /// outwards answers that and is remembered while the engine searches, so that each position is visited once at most.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
@@ -37,21 +35,12 @@ class ReachableSearch final : public PlacementSearch {
     std::int64_t memory() const override { return engine_.memory(); }
 
   private:
-    using Excluded = std::vector<std::shared_ptr<const BitGrid>>;
-
-    /// None where `position` is reachable; else the positions of its pocket.
-    std::optional<BitGrid> pocket(const Tray& tray, const OrientedShape& oriented, const VoxelIndex& position);
-    BitGrid unreachable(const Tray& tray, const OrientedShape& oriented);
     /// The tray in the voxels that collisions are decided on: itself, or a copy of it in those that follows it.
     const Tray& finest(const Tray& tray);
 
     PlacementSearch& engine_;
     std::optional<Tray> finest_;            // where voxels for collisions are finer than those of positions
     std::uint64_t followed_ = 0;            // the tray that it follows
-    std::uint64_t tray_ = 0, shape_ = 0;  // whose exclusions these are: copies of a part mostly come one after the other
-    std::size_t journal_ = 0;             // how long the tray's journal was then
-    Excluded excluded_;                   // by index of the shape's orientations; null: none
-    std::uint64_t asked_ = 0;             // shapes with fresh exclusions: each is a shape of its own to the engine
 };
 
 }  // namespace spectralpack

@@ -12,7 +12,7 @@ class WholeGrid final : public FreeRowReader {
 
     const VoxelIndex& origin() const override { return positions_.origin; }
     const Extent& extent() const override { return positions_.free.extent(); }
-    void words(int y, int z, int first, int count, std::uint64_t* free) const override {
+    void words(int y, int z, int first, int count, std::uint64_t* free) override {
         std::copy_n(positions_.free.row(y, z) + first, count, free);
     }
 

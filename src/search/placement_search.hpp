@@ -10,7 +10,7 @@
 ///             with W the walls, container mask and keep-out, O(c) the fine voxels of class c's objects
 ///   rho(q)  = sum over x of s_A(x) phi(x + q), phi the Manhattan distance to Omega_place      (4)
 ///   best    = least (cost, orientation index, z, y, x) over candidates with zeta(q) = 0       (6)
-///             that the shape does not exclude
+///             that the shape admits
 
 #include <array>
 #include <cstdint>
@@ -55,14 +55,14 @@ struct FreeQuery {
     int padding = 1;
 };
 
-/// Free positions by words of bits along x, for who needs few of them: what free_positions() would give.
+/// Free positions by words of bits along x, for who needs few of them: what free_positions() would give. For one thread.
 class FreeRowReader {
   public:
     virtual ~FreeRowReader() = default;
     virtual const VoxelIndex& origin() const = 0;
     virtual const Extent& extent() const = 0;
     /// Writes words first .. first + count - 1 of the row (y, z), 64 positions each; bits beyond the extent are 0.
-    virtual void words(int y, int z, int first, int count, std::uint64_t* free) const = 0;
+    virtual void words(int y, int z, int first, int count, std::uint64_t* free) = 0;
 };
 
 class PlacementSearch {
@@ -80,8 +80,8 @@ class PlacementSearch {
     virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                          const FreeQuery& query) = 0;
 
-    /// Likewise for any voxels, in rows. The reader tells of the tray as it is now, whatever happens
-    /// to it later. Computed whole by free_positions() unless an engine knows better.
+    /// Likewise for any voxels, in rows. The reader may be used until the tray changes. Computed whole by
+    /// free_positions() unless an engine knows better.
     virtual std::unique_ptr<FreeRowReader> free_rows(const Tray& tray,
                                                      std::shared_ptr<const BitGrid> solid,
                                                      const FreeQuery& query);

@@ -3,6 +3,7 @@
 /// once made and shared by all copies of the part.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,17 +24,19 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
-    /// Candidates that best_placement() must not answer with (section 4.3), by position; null: none.
-    /// Of one shape in one tray they only become more while objects are only added: engines may
-    /// take them for colliding from then on.
-    std::shared_ptr<const BitGrid> excluded = {};
 };
+
+/// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked from
+/// several threads, and only of what would be the best so far. While objects are only added to the tray, a candidate
+/// that was turned down once stays so: engines may take it for colliding from then on.
+using Admits = std::function<bool(int index, const VoxelIndex& position)>;
 
 struct Shape {
     std::uint64_t id = 0;  ///< distinct for distinct shapes: engines key their caches by it
     int gap_class = 0;     ///< index into the tray's gap classes of the part's own gap
     /// By ascending orientation index, equal voxels merged.
     std::vector<OrientedShape> orientations;
+    Admits admits{};  ///< null: every candidate
 };
 
 /// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for

@@ -105,21 +105,22 @@ BitGrid Tray::omega_place() const {
     return all;
 }
 
-BitGrid Tray::omega_move(std::optional<ObjectId> without) const {
-    BitGrid all(extent_);
+BitGrid Tray::omega_move(const VoxelBox& box, std::optional<ObjectId> without) const {
+    BitGrid all({box.hi.x - box.lo.x, box.hi.y - box.lo.y, box.hi.z - box.lo.z});
+    const VoxelIndex corner = VoxelIndex{} - box.lo;
     for (const BitGrid& occupied : occupied_) {
-        unite(all, occupied, {});
+        unite(all, occupied, corner);
     }
     if (without) {
         const TrayObject& out = object(*without);
-        subtract(all, *out.solid, out.position);
+        subtract(all, *out.solid, out.position + corner);
         for (const Entry& entry : objects_) {
             if (entry.present && &entry.object != &out && overlap(entry.object, out)) {
-                unite(all, *entry.object.solid, entry.object.position);
+                unite(all, *entry.object.solid, entry.object.position + corner);
             }
         }
     }
-    if (setup_.blocked_is_physical && !blocked().extent().empty()) unite(all, blocked(), {});
+    if (setup_.blocked_is_physical && !blocked().extent().empty()) unite(all, blocked(), corner);
     return all;
 }
 

@@ -16,6 +16,7 @@
 #include "voxel/bit_grid.hpp"
 #include "voxel/distance_field.hpp"
 #include "voxel/split.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
@@ -113,7 +114,11 @@ class Tray {
     /// Omega_place within the grid: all classes and blocked().
     BitGrid omega_place() const;
     /// Omega_move within the grid, with object `without` taken out.
-    BitGrid omega_move(std::optional<ObjectId> without = std::nullopt) const;
+    BitGrid omega_move(std::optional<ObjectId> without = std::nullopt) const {
+        return omega_move(whole(extent_), without);
+    }
+    /// Its voxels in `box`, whose lower corner becomes the grid's.
+    BitGrid omega_move(const VoxelBox& box, std::optional<ObjectId> without) const;
 
     /// Throws InternalError for a gap class that the tray does not have, and for an object without fine voxels where
     /// s > 1.

@@ -43,17 +43,17 @@ FreePositions plain_reachable(const Tray& tray, const Shape& shape, int index) {
     return {free.origin, std::move(reached)};
 }
 
-/// The definition: the best of the candidates that are reachable, all others excluded beforehand.
+/// The definition: the best of the candidates that are reachable, no others being admitted.
 SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
+    std::vector<FreePositions> reached;
     for (std::size_t i = 0; i < shape.orientations.size(); ++i) {
-        const Extent count = tray.candidates(shape.orientations[i].size);
-        if (count.empty()) continue;
-        const FreePositions reached = plain_reachable(tray, shape, static_cast<int>(i));
-        BitGrid excluded(count);
-        excluded.fill(true);
-        subtract(excluded, reached.free, reached.origin);
-        shape.orientations[i].excluded = std::make_shared<const BitGrid>(std::move(excluded));
+        reached.push_back(plain_reachable(tray, shape, static_cast<int>(i)));
     }
+    shape.admits = [&](int index, const VoxelIndex& q) {
+        const FreePositions& of = reached[static_cast<std::size_t>(index)];
+        const VoxelIndex at = q - of.origin;
+        return of.free.get(at.x, at.y, at.z);
+    };
     return BruteForceSearch().best_placement(tray, shape, model, {});
 }
 

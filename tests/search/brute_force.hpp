@@ -25,8 +25,7 @@ class BruteForceSearch : public PlacementSearch {
             const Extent count = tray.candidates(figure.shape.size);
             for_each_index(count, [&](const VoxelIndex& q) {
                 if (!model.allows(index, q.z) || scenery.collides(figure, q)) return;
-                const BitGrid* excluded = figure.shape.excluded.get();
-                if (excluded && excluded->get(q.x, q.y, q.z)) return;
+                if (shape.admits && !shape.admits(index, q)) return;
                 const std::int64_t rho = scenery.rho(figure, q);
                 const Cost cost = scenery.cost(model, figure, q.z, rho);
                 if (!best || cost < best->cost) best = BestPlacement{index, q, rho, cost, {}};

@@ -157,27 +157,31 @@ TEST_P(EngineTest, KeepsSeveralTraysAndTheirCopiesApart) {
     }
 }
 
-TEST_P(EngineTest, AnswersWithWhatIsNotExcluded) {
+TEST_P(EngineTest, AnswersWithWhatIsAdmitted) {
     VerifyingSearch search = make_verified();
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
         Scene scene = random_scene(random, {}, 1 + 100 * seed);
-        // What is excluded of a shape only becomes more while the tray fills up.
+        // What a shape is refused only becomes more while the tray fills up.
+        std::vector<std::map<int, BitGrid>> refused(scene.shapes.size());  // by orientation
         for (int step = 0; step < 5; ++step) {
-            for (Shape& shape : scene.shapes) {
+            for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+                Shape& shape = scene.shapes[i];
                 const CostModel model = random_model(random);
-                for (OrientedShape& oriented : shape.orientations) {
-                    const Extent count = scene.tray.candidates(oriented.size);
+                for (int index = 0; index < static_cast<int>(shape.orientations.size()); ++index) {
+                    const Extent count = scene.tray.candidates(shape.orientations[static_cast<std::size_t>(index)].size);
                     if (count.empty() || one_in(random, 3)) continue;
-                    BitGrid excluded(count);
-                    if (oriented.excluded) excluded = *oriented.excluded;
+                    BitGrid& of = refused[i].try_emplace(index, count).first->second;
                     for (int k = between(random, 0, static_cast<int>(count.count())); k > 0; --k) {
-                        excluded.set(between(random, 0, count.x - 1), between(random, 0, count.y - 1),
-                                     between(random, 0, count.z - 1));
+                        of.set(between(random, 0, count.x - 1), between(random, 0, count.y - 1),
+                               between(random, 0, count.z - 1));
                     }
-                    oriented.excluded = std::make_shared<const BitGrid>(std::move(excluded));
                 }
+                shape.admits = [of = &refused[i]](int index, const VoxelIndex& q) {
+                    const auto found = of->find(index);
+                    return found == of->end() || !found->second.get(q.x, q.y, q.z);
+                };
                 SearchResult result;
                 ASSERT_NO_THROW(result = search.best_placement(scene.tray, shape, model, {}));
                 if (result.best && one_in(random, 3)) {

@@ -1,6 +1,8 @@
 #include "search/cpu/cpu_search.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -11,6 +13,7 @@ namespace spectralpack {
 namespace {
 
 constexpr int kLayersPerTask = 8;  // brick layers
+constexpr std::size_t kDilatedTrays = 2;
 
 class CpuSearch final : public PlacementSearch {
   public:
@@ -36,7 +39,8 @@ class CpuSearch final : public PlacementSearch {
             if (runs[k].of_class.empty()) {
                 runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
             }
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i), oriented));
+            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i), oriented,
+                                           shape.admits));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.
@@ -78,27 +82,48 @@ class CpuSearch final : public PlacementSearch {
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                  const FreeQuery& query) override {
         const BitGrid& solid = *shape.orientations[static_cast<std::size_t>(index)].solid;
-        const FreeRows rows(tray.omega_move(query.without), solid, query.padding);
+        FreeRows rows(tray, dilated(tray), query, solid);
         FreePositions result{rows.origin(), BitGrid(rows.extent())};
-        workers_.for_ranges(rows.extent().z, 4, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t z = begin; z < end; ++z) {
-                for (int y = 0; y < rows.extent().y; ++y) {
-                    rows.words(y, static_cast<int>(z), 0, result.free.words_per_row(), result.free.row(y, static_cast<int>(z)));
-                }
+        for (int z = 0; z < rows.extent().z; ++z) {
+            for (int y = 0; y < rows.extent().y; ++y) {
+                rows.words(y, z, 0, result.free.words_per_row(), result.free.row(y, z));
             }
-        });
+        }
         return result;
     }
 
     std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                              const FreeQuery& query) override {
-        return std::make_unique<FreeRows>(tray.omega_move(query.without), *solid, query.padding);
+        return std::make_unique<FreeRows>(tray, dilated(tray), query, *solid);
     }
 
     const char* name() const override { return "cpu"; }
-    std::int64_t memory() const override { return tables_.bytes() + positions_.bytes(); }
+    std::int64_t memory() const override {
+        std::int64_t bytes = tables_.bytes() + positions_.bytes();
+        for (const auto& rows : dilated_) {
+            bytes += rows->bytes();
+        }
+        return bytes;
+    }
 
   private:
+    /// Those of the trays last asked about: while copies are put back, there are two that grow side by side.
+    std::shared_ptr<DilatedRows> dilated(const Tray& tray) {
+        const auto known = std::find_if(dilated_.begin(), dilated_.end(),
+                                        [&](const auto& rows) { return rows->instance() == tray.instance(); });
+        std::shared_ptr<DilatedRows> rows;
+        if (known != dilated_.end()) {
+            rows = *known;
+            dilated_.erase(known);
+            rows->follow(tray);
+        } else {
+            rows = std::make_shared<DilatedRows>(tray);
+        }
+        if (dilated_.size() == kDilatedTrays) dilated_.pop_back();
+        dilated_.insert(dilated_.begin(), rows);
+        return rows;
+    }
+
     BestPlacement with_neighbours(const Placed& best, const Runs& solid, int layers,
                                   const SearchContext& context) const {
         BestPlacement result{best.index, best.position, best.proximity, best.cost, {}};
@@ -115,6 +140,7 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
+    std::vector<std::shared_ptr<DilatedRows>> dilated_;  // the last used first
 };
 
 }  // namespace

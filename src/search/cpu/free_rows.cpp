@@ -1,75 +1,91 @@
 #include "search/cpu/free_rows.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 namespace spectralpack {
 namespace {
 
 using Word = BitGrid::Word;
 
-/// out |= in, moved down by `shift` bits (up if it is negative).
-void or_shifted(Word* out, int out_words, const Word* in, int in_words, int shift) {
-    const int words = shift >= 0 ? shift / 64 : -((63 - shift) / 64);
-    const int bits = shift - 64 * words;
-    const int first = std::max(0, -words - 1);
-    const int last = std::min(out_words, in_words - words);
-    for (int i = first; i < last; ++i) {
-        const int j = i + words;
-        Word word = j >= 0 ? in[j] >> bits : 0;
-        if (bits > 0 && j + 1 < in_words) word |= in[j + 1] << (64 - bits);
-        out[i] |= word;
+/// 64 bits of a table from bit `at` on, which may lie outside of it.
+Word bits_at(const Word* table, int words, int at) {
+    const int w = at >> 6, bit = at & 63;
+    if (w < -1 || w >= words) return 0;
+    // The word after the last and the one before the first are zeros.
+    return bit == 0 ? table[w] : table[w] >> bit | table[w + 1] << (64 - bit);
+}
+
+/// A stride that visits 0 .. n - 1 in jumps of about the golden section, so that any first part is spread over all.
+std::size_t spreading_stride(std::size_t n) {
+    auto stride = static_cast<std::size_t>(0.618 * static_cast<double>(n)) | 1;
+    while (std::gcd(stride, n) != 1) {
+        ++stride;
     }
+    return stride;
 }
 
 }  // namespace
 
-FreeRows::FreeRows(const BitGrid& omega, const BitGrid& solid, int padding)
-    : grid_(omega.extent()), runs_(runs_along(solid, 0)) {
-    int longest = 1;
-    for (const Run& run : runs_.runs) {
-        longest = std::max(longest, run.length);
-    }
-    while ((2 << levels_) <= longest)
-        ++levels_;
-    ++levels_;
-    shift_ = (1 << (levels_ - 1)) - 1;
+FreeRows::FreeRows(const Tray& tray, std::shared_ptr<DilatedRows> rows, const FreeQuery& query, const BitGrid& solid)
+    : tray_(tray), rows_(std::move(rows)) {
     for (int axis = 0; axis < 3; ++axis) {
-        origin_[axis] = -(solid.extent()[axis] - 1) - padding;
-        extent_[axis] = grid_[axis] + solid.extent()[axis] - 1 + 2 * padding;
+        origin_[axis] = -(solid.extent()[axis] - 1) - query.padding;
+        extent_[axis] = tray.extent()[axis] + solid.extent()[axis] - 1 + 2 * query.padding;
     }
-    for (int level = 0; level < levels_; ++level) {
-        BitGrid table({grid_.x + shift_, grid_.y, grid_.z});
-        if (level == 0) {
-            unite(table, omega, {shift_, 0, 0});
-        } else {
-            const BitGrid& half = dilated_.back();
-            table = half;
-            unite(table, half, {-(1 << (level - 1)), 0, 0});
+    constexpr int kLongest = 2 << (DilatedRows::kLevels - 1);
+    std::vector<Look> looks;
+    for (const Run& run : runs_along(solid, 0).runs) {
+        for (int done = 0; done < run.length; done += kLongest) {
+            const int length = std::min(kLongest, run.length - done);
+            const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), DilatedRows::kLevels) - 1;
+            const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
+            looks.push_back({origin_.y + run.start.y, origin_.z + run.start.z, level, begin, begin + length - (1 << level)});
         }
-        dilated_.push_back(std::move(table));
     }
+    const std::size_t stride = spreading_stride(looks.size());
+    for (std::size_t i = 0, at = 0; i < looks.size(); ++i, at = (at + stride) % looks.size()) {
+        looks_.push_back(looks[at]);
+    }
+    if (!query.without) return;
+    const TrayObject& out = tray.object(*query.without);
+    const Extent& e = out.solid->extent();
+    around_ = intersection({out.position, out.position + VoxelIndex{e.x, e.y, e.z}}, whole(tray.extent()));
+    if (around_.empty()) return;
+    around_.lo.x = 0;
+    around_.hi.x = tray.extent().x;
+    without_it_ = tray.omega_move(around_, query.without);
+    own_.resize(static_cast<std::size_t>(without_it_.extent().y) * static_cast<std::size_t>(without_it_.extent().z));
 }
 
-void FreeRows::words(int y, int z, int first, int count, std::uint64_t* free) const {
-    std::fill_n(free, count, Word{0});
-    for (const Run& run : runs_.runs) {
-        const int at_y = y + origin_.y + run.start.y, at_z = z + origin_.z + run.start.z;
-        if (at_y < 0 || at_y >= grid_.y || at_z < 0 || at_z >= grid_.z) continue;
-        int level = 0;
-        while ((2 << level) <= run.length)
-            ++level;
-        const BitGrid& table = dilated_[static_cast<std::size_t>(level)];
-        const Word* in = table.row(at_y, at_z);
-        const int begin = 64 * first + origin_.x + run.start.x + shift_;
-        or_shifted(free, count, in, table.words_per_row(), begin);
-        const int end = begin + run.length - (1 << level);
-        if (end != begin) or_shifted(free, count, in, table.words_per_row(), end);
+const Word* FreeRows::row(int y, int z) {
+    const VoxelBox& box = around_;
+    if (box.empty() || y < box.lo.y || y >= box.hi.y || z < box.lo.z || z >= box.hi.z) return rows_->row(tray_, y, z);
+    std::vector<Word>& tables = own_[static_cast<std::size_t>(z - box.lo.z) * static_cast<std::size_t>(without_it_.extent().y) +
+                                     static_cast<std::size_t>(y - box.lo.y)];
+    if (tables.empty()) {
+        tables.assign(rows_->row_words(), 0);
+        rows_->dilate(without_it_.row(y - box.lo.y, z - box.lo.z), tables.data());
     }
+    return tables.data();
+}
+
+void FreeRows::words(int y, int z, int first, int count, std::uint64_t* free) {
+    const Extent& grid = rows_->extent();
+    const int words = rows_->words();
     for (int i = 0; i < count; ++i) {
-        free[i] = ~free[i];
+        const int x = 64 * (first + i);
+        Word blocked = x + 64 > extent_.x ? ~((Word{1} << (extent_.x - x)) - 1) : 0;
+        for (const Look& look : looks_) {
+            const int at_y = y + look.y, at_z = z + look.z;
+            if (at_y < 0 || at_y >= grid.y || at_z < 0 || at_z >= grid.z) continue;
+            const Word* table = row(at_y, at_z) + look.level * (words + 2) + 1;
+            blocked |= bits_at(table, words, x + look.begin) | bits_at(table, words, x + look.end);
+            if (blocked == ~Word{0}) break;
+        }
+        free[i] = ~blocked;
     }
-    const bool last = first + count == (extent_.x + 63) / 64;
-    if (last && extent_.x % 64 != 0) free[count - 1] &= (Word{1} << (extent_.x % 64)) - 1;
 }
 
 }  // namespace spectralpack

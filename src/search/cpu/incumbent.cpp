@@ -20,6 +20,11 @@ void Incumbent::offer(const Placed& found) {
     generation_.fetch_add(1, std::memory_order_release);
 }
 
+bool Incumbent::improved_by(const Placed& found) const {
+    const std::lock_guard lock(mutex_);
+    return !best_ || better(found, *best_);
+}
+
 std::optional<Placed> Incumbent::get() const {
     const std::lock_guard lock(mutex_);
     return best_;

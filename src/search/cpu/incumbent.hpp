@@ -28,6 +28,8 @@ class Incumbent {
     /// depend on their order.
     void offer(const Placed& found);
 
+    bool improved_by(const Placed& found) const;
+
     /// Grows with every change: a copy taken at this generation is still current.
     std::uint64_t generation() const { return generation_.load(std::memory_order_acquire); }
     std::optional<Placed> get() const;

@@ -256,31 +256,23 @@ class Pass {
             }
         }
         if (any == 0) return;
-        if (t_.excluded) Exclude(bx, by, z, free);
         Block(first_batch, t_.collision.batches.size(), bx, by, z, free);
         for (int y = 0; y < kBrickY; ++y) {
             live[y] &= free[y] | ~chosen[y / kBlock];
             for (int half = 0; half < kBrickX; half += kLanes) {
                 const auto lanes = static_cast<std::uint32_t>(free[y] >> half);
                 if (lanes != 0) {
-                    Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
-                          after[y / kBlock] + half / kBlock);
+                    const std::uint32_t refused = Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
+                                                        after[y / kBlock] + half / kBlock);
+                    live[y] &= ~(std::uint64_t{refused} << half);
                 }
             }
         }
     }
 
-    void Exclude(int bx, int by, int z, std::uint64_t* free) const {
-        const Extent& count = t_.excluded->extent();
-        if (z >= count.z) return;
-        for (int y = 0; y < std::min(kBrickY, count.y - kBrickY * by); ++y) {
-            free[y] &= ~t_.excluded->row(kBrickY * by + y, z)[bx];
-        }
-    }
-
-    /// rho of the free positions among (x .. x + 31, y, z); offers the best, lowers their blocks'
-    /// bounds to it.
-    void Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
+    /// rho of the free positions among (x .. x + 31, y, z); offers the best that is admitted, lowers their blocks'
+    /// bounds to the least. Returns those that it found are not admitted.
+    std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
         const std::uint32_t least_sum = LaneLimit(t_.exact.least);
         for (std::uint32_t i = 0; i < kLanes; ++i) {
@@ -297,22 +289,33 @@ class Pass {
             const std::uint32_t* block = sums + kBlock * b;
             bound[b] = std::min({bound[b], block[0], block[1], block[2], block[3]});
         }
-        if (least > LaneLimit(limit)) return;
-        if (least == kSumLimit) {
-            // Beyond what lanes hold: each for itself.
-            for (; lanes != 0; lanes &= lanes - 1) {
-                const VoxelIndex q{x + std::countr_zero(lanes), y, z};
-                Offer(q, proximity_at(context_.tables, t_.solid, q));
+        std::uint32_t refused = 0;
+        while (least <= LaneLimit(limit)) {
+            if (least == kSumLimit) {
+                // Beyond what lanes hold: each for itself.
+                for (lanes &= ~refused; lanes != 0; lanes &= lanes - 1) {
+                    const int lane = std::countr_zero(lanes);
+                    const VoxelIndex q{x + lane, y, z};
+                    if (!Offer(q, proximity_at(context_.tables, t_.solid, q))) refused |= 1u << lane;
+                }
+                break;
             }
-            return;
+            const auto lane = static_cast<int>(std::find(sums, sums + kLanes, least) - sums);
+            if (Offer({x + lane, y, z}, least)) break;
+            refused |= 1u << lane;
+            sums[lane] = kDead;
+            least = *std::min_element(sums, sums + kLanes);
         }
-        Offer({x + static_cast<int>(std::find(sums, sums + kLanes, least) - sums), y, z}, least);
+        return refused;
     }
 
-    void Offer(const VoxelIndex& position, std::int64_t proximity) {
-        context_.incumbent.offer(
-            {cost_of(context_.model, position.z, t_.layers, context_.reference_layers, proximity),
-             t_.index, position, proximity});
+    /// False where the position would be the best so far but is not admitted.
+    bool Offer(const VoxelIndex& position, std::int64_t proximity) {
+        const Placed placed{cost_of(context_.model, position.z, t_.layers, context_.reference_layers, proximity),
+                            t_.index, position, proximity};
+        if (t_.admits && context_.incumbent.improved_by(placed) && !(*t_.admits)(t_.index, position)) return false;
+        context_.incumbent.offer(placed);
+        return true;
     }
 
     OrientationTask& t_;
@@ -340,7 +343,7 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const OrientedShape& shape) {
+                          int index, const OrientedShape& shape, const Admits& admits) {
     const TrayTables& tables = context.tables;
     return {context,
             state,
@@ -351,7 +354,7 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             runs.cells,
             index,
             shape.solid->extent().z,
-            shape.excluded.get()};
+            admits ? &admits : nullptr};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) {

@@ -31,11 +31,11 @@ struct OrientationTask {
     const CellPlan& cells;
     int index = 0;   ///< in Shape::orientations
     int layers = 0;  ///< the solid's extent along z
-    const BitGrid* excluded = nullptr;  ///< OrientedShape::excluded
+    const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate
 };
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const OrientedShape& shape);
+                          int index, const OrientedShape& shape, const Admits& admits);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

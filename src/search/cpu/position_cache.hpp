@@ -4,7 +4,7 @@
 ///
 /// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4.
 /// Invariants, as long as objects are only added:
-///   live: a clear bit is a position that collides or is excluded. A set bit may or may not be free.
+///   live: a clear bit is a position that collides or is not admitted. A set bit may or may not be free.
 ///   bound: rho(q) >= bound for every free position q of the block, as of `version`; kDead: none is
 ///   free, for good.
 /// Forgetting any of this costs time, never the answer.

@@ -37,7 +37,8 @@ class ReferenceSearch final : public PlacementSearch {
     void make_lanes(int orientations, const Extent& tray);
     std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray,
                                                      const OrientedShape& shape, int index,
-                                                     const CostModel& model) const;
+                                                     const CostModel& model,
+                                                     const Admits& admits) const;
     void find_free(Lane& lane, const OrientedShape& shape, int detail, const Extent& candidates) const;
     std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape,
                                         const VoxelIndex& q, const CostModel& model) const;
@@ -113,7 +114,7 @@ SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape
             if (stop.stopped()) stopped = true;
             if (stopped) return;
             bests[i] = best_of_orientation(lanes_[static_cast<std::size_t>(lane)], tray,
-                                           shape.orientations[i], static_cast<int>(i), model);
+                                           shape.orientations[i], static_cast<int>(i), model, shape.admits);
         }
     });
     if (stopped) return {std::nullopt, true};
@@ -132,7 +133,7 @@ SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape
 template <class Real>
 std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
     Lane& lane, const Tray& tray, const OrientedShape& shape, int index,
-    const CostModel& model) const {
+    const CostModel& model, const Admits& admits) const {
     // Circular correlations tell of every displacement; those where the object clips out of the
     // tray are discarded (appendix A.1).
     const Extent count = tray.candidates(shape.size);
@@ -154,14 +155,13 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
         for (int y = 0; y < count.y; ++y) {
             const Real* row = lane.sum.row(y, z);
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
-                if (shape.excluded && shape.excluded->get(x, y, z)) return;
                 // Rounded to the nearest; rho is never negative.
                 const auto rho = static_cast<std::int64_t>(row[x] * scale + 0.5);
                 const Cost cost =
                     cost_of(model, z, shape.solid->extent().z, tray.reference_layers(), rho);
-                if (!best || cost < best->cost) {
-                    best = BestPlacement{index, {x, y, z}, rho, cost, {}};
-                }
+                if (best && !(cost < best->cost)) return;
+                if (admits && !admits(index, {x, y, z})) return;
+                best = BestPlacement{index, {x, y, z}, rho, cost, {}};
             });
         }
     }

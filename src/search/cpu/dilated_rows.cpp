@@ -1,0 +1,80 @@
+#include "search/cpu/dilated_rows.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace spectralpack {
+
+DilatedRows::DilatedRows(const Tray& tray)
+    : extent_(tray.extent()),
+      instance_(tray.instance()),
+      version_(tray.version()),
+      words_((extent_.x + kShift + 63) / 64),
+      rows_(static_cast<std::size_t>(extent_.y) * static_cast<std::size_t>(extent_.z)) {}
+
+DilatedRows::~DilatedRows() {
+    for (std::atomic<Word*>& row : rows_) {
+        delete[] row.load();
+    }
+}
+
+void DilatedRows::drop(int y, int z) {
+    std::atomic<Word*>& row =
+        rows_[static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)];
+    if (const Word* gone = row.exchange(nullptr)) {
+        delete[] gone;
+        --made_;
+    }
+}
+
+void DilatedRows::follow(const Tray& tray) {
+    for (; version_ < tray.version(); ++version_) {
+        const TrayObject& object = tray.object(tray.journal()[version_].id);
+        const Extent& e = object.solid->extent();
+        const VoxelBox box = intersection({object.position, object.position + VoxelIndex{e.x, e.y, e.z}}, whole(extent_));
+        for (int z = box.lo.z; z < box.hi.z; ++z) {
+            for (int y = box.lo.y; y < box.hi.y; ++y) {
+                drop(y, z);
+            }
+        }
+    }
+}
+
+void DilatedRows::dilate(const Word* voxels, Word* tables) const {
+    // Table 0: the voxels, moved up by 63 bits, which is a word less one bit.
+    static_assert(kShift == 63);
+    const int count = (extent_.x + 63) / 64;
+    Word* table = tables + 1;
+    for (int i = 0; i < count; ++i) {
+        table[i] |= voxels[i] << 63;
+        if (i + 1 < words_) table[i + 1] |= voxels[i] >> 1;
+    }
+    for (int level = 1; level < kLevels; ++level) {
+        const Word* half = table;
+        table += words_ + 2;
+        const int by = 1 << (level - 1);
+        for (int i = 0; i < words_; ++i) {
+            table[i] = half[i] | half[i] >> by | half[i + 1] << (64 - by);
+        }
+    }
+}
+
+const DilatedRows::Word* DilatedRows::row(const Tray& tray, int y, int z) {
+    std::atomic<Word*>& wanted =
+        rows_[static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)];
+    if (const Word* made = wanted.load(std::memory_order_acquire)) return made;
+    const BitGrid voxels = tray.omega_move({{0, y, z}, {extent_.x, y + 1, z + 1}}, std::nullopt);
+    auto tables = std::make_unique<Word[]>(row_words());
+    dilate(voxels.row(0, 0), tables.get());
+    Word* expected = nullptr;
+    if (!wanted.compare_exchange_strong(expected, tables.get(), std::memory_order_acq_rel)) return expected;
+    ++made_;
+    return tables.release();
+}
+
+std::int64_t DilatedRows::bytes() const {
+    return static_cast<std::int64_t>(rows_.size() * sizeof(void*)) +
+           made_.load() * static_cast<std::int64_t>(row_words() * sizeof(Word));
+}
+
+}  // namespace spectralpack
