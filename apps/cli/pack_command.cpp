@@ -23,7 +23,7 @@ namespace {
 struct PackArguments {
     std::vector<std::string> parts;
     std::string mesh_dir;
-    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, height_penalty,
+    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, take_out, height_penalty,
         height_at, order, engine, memory, verify_with, progress, report;
     std::optional<std::string> minimise;
     std::optional<double> max_density, max_layer_fill;
@@ -197,6 +197,12 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
         options.interlock = choose<Interlock>(
             {{"off", Interlock::off}, {"post", Interlock::post}, {"place", Interlock::place}}, *a.interlock,
             "--interlock");
+    }
+    if (a.take_out) {
+        options.take_out = choose<TakeOut>({{"smallest", TakeOut::smallest},
+                                            {"lightest", TakeOut::lightest},
+                                            {"thinnest", TakeOut::thinnest}},
+                                           *a.take_out, "--take-out");
     }
     if (a.height_penalty) {
         options.height_penalty.reset();
@@ -445,6 +451,11 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock,
                     "keep copies from locking: post (repair the packing), place (only where a way out is), off [post]")
+        ->group(search);
+    sub->add_option("--take-out", a.take_out,
+                    "of copies that hold each other, which go and are put back elsewhere: lightest (least material), "
+                    "thinnest (least for its box: cages and rings; quicker, more copies placed), smallest (the paper's: "
+                    "smallest boxes up to a tenth) [lightest]")
         ->group(search);
     const std::string run = "Run";
     sub->add_option("--engine", a.engine, "auto, cpu, reference (the definition, slow) [auto]")->group(run);

@@ -129,7 +129,8 @@ void print_interlocking(const Packing& packing) {
         fmt::print("  interlock  none: comes apart in {} steps (planning {}", plans.steps,
                    duration_text(seconds.disassemble));
         if (counts.removed > 0) {
-            fmt::print("; {} taken out, {} of them put back elsewhere, {}", counts.removed, counts.reinserted,
+            fmt::print("; {} taken out, {} of them put back elsewhere{}, {}", counts.removed, counts.reinserted,
+                       counts.added > 0 ? fmt::format(", {} others put in", counts.added) : "",
                        duration_text(seconds.reinsert));
         }
         fmt::print(")\n");

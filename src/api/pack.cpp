@@ -144,6 +144,7 @@ class Run {
         setup.max_density = options.max_density;
         setup.max_layer_fill = options.max_layer_fill;
         setup.interlock = options.interlock;
+        setup.take_out = options.take_out;
         setup.left = [this](int left, int all) {
             const double work = static_cast<double>(all - left) / static_cast<double>(all);
             listener_.on_progress({Phase::disassemble, all - left, all, 0, work});

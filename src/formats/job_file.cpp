@@ -126,7 +126,8 @@ class JobReader {
                           "verify-with",    "time-limit",      "unit",
                           "output",         "report",          "progress",
                           "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density", "detail", "open-height",
+                          "json",           "material-density", "detail",
+                          "take-out",       "open-height",
                           "minimise",       "fill",            "max-density",
                           "max-layer-fill"});
         JobSettings& s = job_.settings;

@@ -16,6 +16,9 @@ using Names = std::array<std::pair<std::string_view, Value>, N>;
 
 inline constexpr Names<Interlock, 3> kInterlockNames{
     {{"off", Interlock::off}, {"place", Interlock::place}, {"post", Interlock::post}}};
+inline constexpr Names<TakeOut, 3> kTakeOutNames{{{"smallest", TakeOut::smallest},
+                                                  {"lightest", TakeOut::lightest},
+                                                  {"thinnest", TakeOut::thinnest}}};
 inline constexpr Names<Order, 3> kOrderNames{
     {{"size", Order::size}, {"input", Order::input}, {"random", Order::random}}};
 inline constexpr Names<EngineKind, 4> kEngineNames{{{"auto", EngineKind::automatic},

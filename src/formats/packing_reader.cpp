@@ -243,7 +243,8 @@ class PackingReader {
             InterlockCounts& counts = m.interlock.emplace();
             const std::pair<const char*, int*> fields[] = {
                 {"straight", &counts.straight}, {"flooded", &counts.flooded}, {"groups", &counts.groups},
-                {"fills", &counts.fills},       {"removed", &counts.removed}, {"reinserted", &counts.reinserted}};
+                {"fills", &counts.fills},       {"removed", &counts.removed}, {"reinserted", &counts.reinserted},
+                {"added", &counts.added}};
             for (const auto& [key, count] : fields) {
                 if (const auto field = v->find(key)) *count = field->integer<int>(0);
             }

@@ -74,6 +74,7 @@ Json options_json(const PackOptions& o) {
             {"wall-gap", o.wall_gap},
             {"refine", o.refine},
             {"interlock", name_of(kInterlockNames, o.interlock)},
+            {"take-out", name_of(kTakeOutNames, o.take_out)},
             {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
             {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},
             {"open-height", o.open_height},
@@ -215,7 +216,8 @@ class PackingWriter {
 
     static Json interlock_json(const InterlockCounts& counts) {
         return {{"straight", counts.straight}, {"flooded", counts.flooded}, {"groups", counts.groups},
-                {"fills", counts.fills},       {"removed", counts.removed}, {"reinserted", counts.reinserted}};
+                {"fills", counts.fills},       {"removed", counts.removed}, {"reinserted", counts.reinserted},
+                {"added", counts.added}};
     }
 
     Json metrics_json() const {

@@ -29,10 +29,11 @@ struct InterlockCounts {
     int fills = 0;       ///< flood fills, those that found no way included
     int removed = 0;     ///< copies taken out of the packing because they were interlocked
     int reinserted = 0;  ///< of those, put back where they can be taken out
+    int added = 0;       ///< copies that had found no place before and did so then
 
     InterlockCounts operator+(const InterlockCounts& other) const {
         return {straight + other.straight, flooded + other.flooded, groups + other.groups, fills + other.fills,
-                removed + other.removed,   reinserted + other.reinserted};
+                removed + other.removed,   reinserted + other.reinserted, added + other.added};
     }
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <numeric>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -14,6 +16,7 @@
 namespace spectralpack {
 namespace {
 
+using PartCopy = std::pair<int, int>;
 using Clock = std::chrono::steady_clock;
 
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
@@ -25,24 +28,35 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The smallest of `set`, by box volume, until they exceed the share. Fixed copies stay.
-std::vector<int> select_remove(const std::vector<int>& set, const std::vector<StandingPart>& parts) {
-    std::vector<int> movable;
-    double all = 0;
+/// Those of `set`, which hold each other, that are taken out before trying again. Fixed copies stay.
+std::vector<int> select_remove(const std::vector<int>& set, const std::vector<StandingPart>& parts, TakeOut rule) {
+    struct Candidate {
+        int part;
+        double box, solid;  // volumes
+    };
+    std::vector<Candidate> candidates;
+    double boxes = 0;
     for (const int i : set) {
         const StandingPart& part = parts[static_cast<std::size_t>(i)];
         if (part.object.fixed) continue;
-        movable.push_back(i);
-        all += part.box().volume();
+        candidates.push_back({i, part.box().volume(), static_cast<double>(part.object.solid->count())});
+        boxes += candidates.back().box;
     }
-    const auto volume = [&](int i) { return parts[static_cast<std::size_t>(i)].box().volume(); };
-    std::stable_sort(movable.begin(), movable.end(), [&](int a, int b) { return volume(a) < volume(b); });
+    if (candidates.empty()) return {};
+    const auto rank = [&](const Candidate& of) {
+        return rule == TakeOut::smallest ? of.box : rule == TakeOut::lightest ? of.solid : of.solid / of.box;
+    };
+    const auto before = [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); };
+    if (rule != TakeOut::smallest) {
+        return {std::min_element(candidates.begin(), candidates.end(), before)->part};
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), before);
     std::vector<int> removed;
     double sum = 0;
-    for (const int i : movable) {
-        if (sum > kShareToRemove * all) break;
-        removed.push_back(i);
-        sum += volume(i);
+    for (const Candidate& candidate : candidates) {
+        if (sum > kShareToRemove * boxes) break;
+        removed.push_back(candidate.part);
+        sum += candidate.box;
     }
     return removed;
 }
@@ -109,7 +123,7 @@ class Untangling {
         result_.report.disassemble_seconds = seconds_since(start);
         const auto reinserting = Clock::now();
         if (!removed.empty()) {
-            reinsert(removed);
+            put_back(removed);
             result_.report.least_gap = least_gap();
         }
         result_.report.reinsert_seconds = seconds_since(reinserting);
@@ -168,7 +182,7 @@ class Untangling {
             const std::vector<std::vector<int>> sets = disassembler.stuck();
             if (sets.empty()) break;
             for (const std::vector<int>& set : sets) {
-                for (const int i : select_remove(set, parts)) {
+                for (const int i : select_remove(set, parts, setup_.take_out)) {
                     disassembler.discard(i);
                     removed[static_cast<std::size_t>(i)] = true;
                     ++removed_count;
@@ -197,16 +211,21 @@ class Untangling {
         return out;
     }
 
-    void reinsert(const std::vector<PlacedItem>& removed) {
-        // Largest first. Copies whose part has found no place are not tried again: the tray only fills up.
-        std::vector<PlacedItem> order = removed;
-        const auto volume = [&](const PlacedItem& item) { return as_standing(item).box().volume(); };
-        std::stable_sort(order.begin(), order.end(),
-                         [&](const PlacedItem& a, const PlacedItem& b) { return volume(a) > volume(b); });
+    void put_back(const std::vector<PlacedItem>& removed) {
+        std::set<PartCopy> taken_out;
         std::vector<PackItem> items;
-        for (const PlacedItem& item : order) {
+        for (const PlacedItem& item : removed) {
+            taken_out.emplace(item.item.part, item.item.copy);
             items.push_back(item.item);
         }
+        items.insert(items.end(), setup_.waiting.begin(), setup_.waiting.end());
+        std::map<PartCopy, std::size_t> rank;
+        for (const PackItem& item : setup_.order) {
+            rank.emplace(PartCopy{item.part, item.copy}, rank.size());
+        }
+        std::stable_sort(items.begin(), items.end(), [&](const PackItem& a, const PackItem& b) {
+            return rank[{a.part, a.copy}] < rank[{b.part, b.copy}];
+        });
         std::vector<StandingPart> parts = standing();
         std::vector<int> names(parts.size());
         std::iota(names.begin(), names.end(), 0);
@@ -220,20 +239,23 @@ class Untangling {
         std::vector<RemovalStep> steps;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                               put_back(items[i], shapes.at(i), reachable, company, steps);
+                               put_in(items[i], shapes.at(i), reachable, company, steps);
+            const bool was_taken_out = taken_out.contains({items[i].part, items[i].copy});
             if (!again) {
                 hopeless.insert(items[i].part);
-                if (!stop_.stopped()) result_.interlocked.push_back(items[i]);
+                if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(items[i]);
+            } else {
+                ++(was_taken_out ? result_.report.counts.reinserted : result_.report.counts.added);
             }
             shapes.release(i, again);
         }
-        // The last one put back comes out first.
+        // The last one put in comes out first.
         std::reverse(steps.begin(), steps.end());
         result_.plan.steps.insert(result_.plan.steps.begin(), std::make_move_iterator(steps.begin()),
                                   std::make_move_iterator(steps.end()));
     }
 
-    bool put_back(const PackItem& item, const Shape& shape, ReachableSearch& reachable, Company& company,
+    bool put_in(const PackItem& item, const Shape& shape, ReachableSearch& reachable, Company& company,
                   std::vector<RemovalStep>& steps) {
         Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
@@ -257,7 +279,6 @@ class Untangling {
         }
         if (caps) caps->add(item.part, orientation, placed.offset);
         steps.push_back({{name}, std::move(*path)});
-        ++result_.report.counts.reinserted;
         return true;
     }
 

@@ -23,6 +23,9 @@ struct InterlockSetup {
     std::vector<StandingPart> fixed; ///< what stands in the tray besides `placed`, and never moves
     ShapeStore* shapes = nullptr;    ///< free to start a tray
     GreedyLimits limits;
+    TakeOut take_out = TakeOut::lightest;
+    std::vector<PackItem> order;     ///< in which copies are put back
+    std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;         ///< told while planning
     Workers workers;
 };
@@ -40,10 +43,9 @@ struct Untangled {
     InterlockReport report;
 };
 
-/// Disassembles what `placed` and `tray` hold. While something is stuck, takes out of each stuck set by the paper's
-/// SelectRemove, the smallest first until their box volumes exceed a tenth of the set's, and goes on. Then puts back
-/// what was taken out, largest first, each at its best reachable placement on the grid, if it does come out from there.
-/// Those come out first in the plan. `placed` and `tray` end as the packing that the plan is of. When stopped, the
+/// Disassembles what `placed` and `tray` hold. While something is stuck, takes out of each stuck set what the rule says
+/// and goes on. Then puts back what was taken out, and puts in what had found no place before, in the order of the job,
+/// each at its best reachable placement on the grid, if it does come out from there. Those come out first in the plan. `placed` and `tray` end as the packing that the plan is of. When stopped, the
 /// plan is not complete, and what has been found interlocked until then is out; what had not been tried by then is not
 /// among `interlocked`.
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,

@@ -50,7 +50,7 @@ std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refine
 }
 
 template <class Pack>
-void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
+void TrayFiller::fill_one(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
                           const Pack& pack) {
     Tray tray(setup_.tray);
     const double dx = setup_.tray.voxel_size;
@@ -94,14 +94,14 @@ void TrayFiller::fill_one(int number, ShapeStore& shapes, const StopToken& stop,
     double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
     if (setup_.interlock != Interlock::off) {
-        make_removable(tray, std::move(fixed), surfaces, shapes, limits, stop, result);
+        make_removable(tray, std::move(fixed), surfaces, shapes, items, limits, stop, result);
         if (result.report.counts.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
     if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }
 
 void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
-                                ShapeStore& shapes, const GreedyLimits& limits, const StopToken& stop,
+                                ShapeStore& shapes, const std::vector<PackItem>& items, const GreedyLimits& limits, const StopToken& stop,
                                 FilledTray& result) {
     InterlockSetup setup;
     setup.voxel_size = setup_.tray.voxel_size;
@@ -111,6 +111,9 @@ void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, Par
     setup.fixed = std::move(fixed);
     setup.shapes = &shapes;
     setup.limits = limits;
+    setup.take_out = setup_.take_out;
+    setup.order = items;
+    setup.waiting = result.left_over;
     setup.left = setup_.left;
     setup.workers = workers_;
     Untangled untangled = untangle(tray, search_, result.placed, setup, stop);
@@ -123,7 +126,7 @@ void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, Par
 void TrayFiller::fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
                       const StopToken& stop, FilledTray& result) {
     shapes.start_tray(items);
-    fill_one(number, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+    fill_one(number, items, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
                                                const GreedyLimits& limits) {
         pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
     });
@@ -136,7 +139,7 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, ShapeStore
         items.push_back({share.part, 0});
     }
     shapes.start_tray(items);
-    fill_one(0, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+    fill_one(0, {}, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
                                           const GreedyLimits& limits) {
         pack_in_shares(tray, search, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
     });

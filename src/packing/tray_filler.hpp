@@ -33,6 +33,7 @@ struct FillSetup {
     int most_layers = 0;                                ///< open height: the grid may grow to so many
     bool refine = false;  ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
+    TakeOut take_out = TakeOut::lightest;
     Disassembler::Left left;  ///< told while a tray is taken apart
 };
 
@@ -69,11 +70,11 @@ class TrayFiller {
     /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
     /// are placed by; then makes what it packed come apart.
     template <class Pack>
-    void fill_one(int number, ShapeStore& shapes, const StopToken& stop, FilledTray& result, const Pack& pack);
+    void fill_one(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const StopToken& stop, FilledTray& result, const Pack& pack);
 
     std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement) const;
     void make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces, ShapeStore& shapes,
-                        const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
+                        const std::vector<PackItem>& items, const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
 
     FillSetup setup_;
     PlacementSearch& search_;

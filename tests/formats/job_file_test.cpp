@@ -78,7 +78,7 @@ TEST(JobFile, ReadsEveryKey) {
                                  {"due", "2026-12-01"},
                                  {"orientations", {{"axes", {"+z", "-x"}}, {"yaw", 45}}}});
     document["options"] = {{"voxel", 1},          {"detail", 3},         {"rotations", 45},      {"refine", false},
-                           {"interlock", "off"},  {"order", "random"},    {"height-penalty", 4},
+                           {"interlock", "off"},  {"take-out", "smallest"}, {"order", "random"},    {"height-penalty", 4},
                            {"height-at", "top"},  {"seed", 7},            {"engine", "reference"},
                            {"threads", 3},        {"memory", 1000000000}, {"verify-with", "reference:5"},
                            {"try-per-tray", 30},  {"onto", "old.json"},
@@ -110,6 +110,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.detail, 3);
     EXPECT_EQ(s.options.rotations, "45");
     EXPECT_EQ(s.options.order, Order::random);
+    EXPECT_EQ(s.options.take_out, TakeOut::smallest);
     EXPECT_EQ(s.options.height_penalty, 4);
     EXPECT_EQ(s.options.height_at, HeightReference::top);
     EXPECT_EQ(s.options.seed, 7u);

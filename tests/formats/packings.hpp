@@ -26,6 +26,7 @@ inline Packing small_packing() {
     packing.options.wall_gap = 1;
     packing.options.refine = true;
     packing.options.interlock = Interlock::place;
+    packing.options.take_out = TakeOut::thinnest;
     packing.options.height_penalty = 1e8;
     packing.options.height_at = HeightReference::top;
     packing.options.open_height = true;
@@ -84,7 +85,7 @@ inline Packing small_packing() {
     packing.metrics.density = 0.05;
     packing.metrics.min_gap = 0.3;
     packing.metrics.seconds = {7, 1, 2, 3, 0.5, 0.25, 0.125};
-    packing.metrics.interlock = InterlockCounts{2, 1, 1, 3, 2, 1};
+    packing.metrics.interlock = InterlockCounts{2, 1, 1, 3, 2, 1, 1};
     packing.metrics.searches = 4;
     packing.metrics.verified = 3;
     packing.metrics.peak_memory = 123456789;

@@ -90,12 +90,44 @@ TEST_F(Interlocking, LeavesOutWhatFindsNoPlaceThatItCanLeave) {
     tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
+    setup_.take_out = TakeOut::smallest;
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 2) << "the cube is less than a tenth";
     EXPECT_EQ(result.report.counts.reinserted, 1);
     ASSERT_EQ(result.interlocked.size(), 1u);
     EXPECT_EQ(result.interlocked.front().part, 1);
     ASSERT_EQ(placed_.size(), 1u);
+    expect_complete(result);
+}
+
+TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterial) {
+    tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
+    put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
+    put(test::cube_mesh(8), 0, {10, 10, 10});
+    setup_.take_out = TakeOut::lightest;
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.counts.removed, 1);
+    ASSERT_EQ(placed_.size(), 1u);
+    EXPECT_EQ(placed_.front().item.part, 0);
+    expect_complete(result);
+}
+
+TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterialForItsBoxAndPutsInWhatHadWaited) {
+    tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
+    put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
+    put(test::cube_mesh(8), 0, {10, 10, 10});
+    meshes_.push_back(test::cube_mesh(12));
+    setup_.take_out = TakeOut::thinnest;
+    setup_.order = {{0, 0}, {2, 0}, {2, 1}, {1, 0}};
+    setup_.waiting = {{2, 0}, {2, 1}};
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.counts.removed, 1);
+    EXPECT_EQ(result.report.counts.reinserted, 0);
+    EXPECT_EQ(result.report.counts.added, 2);
+    ASSERT_EQ(result.interlocked.size(), 1u);
+    EXPECT_EQ(result.interlocked.front().part, 0) << "the chest; what waited is not called interlocked";
+    ASSERT_EQ(placed_.size(), 3u);
+    EXPECT_EQ(placed_[1].item.part, 2);
     expect_complete(result);
 }
 
