@@ -5,6 +5,7 @@
 
 #include "disassembly/blocking_graph.hpp"
 #include "disassembly/flood_fill.hpp"
+#include "geometry/slides_past.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
