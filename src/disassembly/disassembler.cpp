@@ -92,6 +92,15 @@ class Disassembler::Yard {
         return members;
     }
 
+    /// What a sweep found, for later ones.
+    void learn(const Company::Straight& way, AxisDirection direction) {
+        for (const auto& [member, other] : way.passed) {
+            graph_.add_passed(member, direction, other);
+        }
+        // It may have left just now: then the edge says nothing any more.
+        if (way.met && company_.present(way.met->other)) graph_.add(way.met->member, direction, way.met->other);
+    }
+
     /// Takes out all that leave by straight ways, upwards where they can. True when some did.
     bool leave_straight() {
         bool any = false;
@@ -113,18 +122,15 @@ class Disassembler::Yard {
             std::vector<Company::Straight> ways(count);
             owner_.setup_.workers.for_each(static_cast<std::int64_t>(count), [&](std::int64_t k) {
                 const auto i = static_cast<std::size_t>(k);
-                ways[i] = company_.straight_way({members[begin + i]}, direction);
+                ways[i] = company_.straight_way({members[begin + i]}, direction, &graph_);
             });
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = members[begin + k];
-                if (ways[k].blocker) {
-                    // It may have left just now: then the edge says nothing any more.
-                    if (company_.present(*ways[k].blocker)) graph_.add(i, direction, *ways[k].blocker);
-                } else if (all || !moved) {
-                    leave({i}, std::move(ways[k].path));
-                    ++owner_.counts_.straight;
-                    moved = true;
-                }
+                learn(ways[k], direction);
+                if (ways[k].met || (moved && !all)) continue;
+                leave({i}, std::move(ways[k].path));
+                ++owner_.counts_.straight;
+                moved = true;
             }
         }
         return moved;
@@ -146,6 +152,7 @@ class Disassembler::Yard {
                 ++owner_.counts_.flooded;
                 return true;
             }
+            if (owner_.setup_.stop.stopped()) return false;
             pockets_[i] = flooded.pocket;
         }
         return false;
@@ -162,12 +169,12 @@ class Disassembler::Yard {
                     if (!std::all_of(group.begin(), group.end(), [&](std::size_t i) { return company_.movable(i); })) {
                         continue;
                     }
-                    Company::Straight way = company_.straight_way(group, direction);
-                    if (!way.blocker) {
+                    Company::Straight way = company_.straight_way(group, direction, &graph_);
+                    learn(way, direction);
+                    if (!way.met) {
                         found_company(group, std::move(way.path));
                         return true;
                     }
-                    graph_.add(way.member, direction, *way.blocker);
                     learned = true;
                 }
             }
