@@ -31,6 +31,7 @@ class Disassembler::Yard {
             standing.push_back(&company_.part(i));
         }
         cast_rays(standing, owner.setup_.ray_spacing, graph_, owner.setup_.workers);
+        turns_ = highest_first(company_.movable());
     }
 
     const Company& company() const { return company_; }
@@ -86,6 +87,10 @@ class Disassembler::Yard {
         for (const std::size_t i : company_.movable()) {
             if (graph_.blockers(i, direction) == 0) members.push_back(i);
         }
+        return highest_first(std::move(members));
+    }
+
+    Members highest_first(Members members) const {
         std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
             return company_.part(a).box().max.z > company_.part(b).box().max.z;
         });
@@ -136,14 +141,13 @@ class Disassembler::Yard {
         return moved;
     }
 
-    /// Takes out one copy by a way with corners.
+    /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile may
+    /// have opened the way of others, and more so the longer one waits.
     bool leave_by_flood() {
-        Members members = company_.movable();
-        std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-            return company_.part(a).box().max.z > company_.part(b).box().max.z;
-        });
-        for (const std::size_t i : members) {
-            if (pockets_[i]) continue;  // closed, and nothing that closed it has left since
+        for (std::size_t tried = 0; tried < turns_.size(); ++tried) {
+            const std::size_t i = turns_[turn_];
+            turn_ = (turn_ + 1) % turns_.size();
+            if (!company_.movable(i) || pockets_[i]) continue;  // closed, and nothing that closed it has left since
             if (owner_.setup_.stop.stopped()) return false;
             ++owner_.counts_.fills;
             Company::Flooded flooded = company_.way_out(i);
@@ -199,6 +203,8 @@ class Disassembler::Yard {
     Company company_;
     BlockingGraph graph_;
     std::vector<std::optional<VoxelBox>> pockets_;  // of those without a way out: where that was found
+    std::vector<std::size_t> turns_;                // the order of flood fills, the highest first
+    std::size_t turn_ = 0;
 };
 
 Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left)
