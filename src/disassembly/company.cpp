@@ -133,6 +133,7 @@ std::size_t Company::add(int name, StandingPart part) {
 
 void Company::remove(std::size_t i) {
     present_[i] = false;
+    on_grid_.erase(i);
     index_.remove(static_cast<std::int64_t>(i), boxes_[i]);
     hull_.remove(i);
     voxel_hull_.remove(i);
@@ -245,7 +246,12 @@ Company::Flooded Company::way_out(std::size_t i) const {
         nearest[axis] = static_cast<int>(std::lround(voxels));
         on_grid = on_grid && std::abs(voxels - nearest[axis]) <= kOnGrid;
     }
-    const std::shared_ptr<const BitGrid> solid = on_grid ? part.object.solid : setup_.on_grid(names_[i]);
+    std::shared_ptr<const BitGrid> solid = part.object.solid;
+    if (!on_grid) {
+        std::shared_ptr<const BitGrid>& made = on_grid_[i];
+        if (!made) made = setup_.on_grid(names_[i]);
+        solid = made;
+    }
     const std::unique_ptr<FreeRowReader> rows = setup_.search->free_rows(tray_, solid, {objects_[i], 1});
     FloodFill flood(*rows, solid->extent(), others, setup_.stop);
 

@@ -4,6 +4,7 @@
 /// confirmed by an exact sweep.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -71,7 +72,7 @@ class Company {
         std::optional<Path> path;
         VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
     };
-    /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
+    /// Not to be called from several threads at once. Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
     /// token has stopped it, there is none and the pocket says nothing.
     Flooded way_out(std::size_t i) const;
 
@@ -110,6 +111,7 @@ class Company {
     StandingHull hull_, voxel_hull_;
     Tray tray_;
     std::vector<ObjectId> objects_;
+    mutable std::map<std::size_t, std::shared_ptr<const BitGrid>> on_grid_;  ///< voxels of those off the grid, once asked for
 };
 
 }  // namespace spectralpack

@@ -11,15 +11,15 @@ namespace spectralpack {
 
 /// A triangle in the axes of a move: `s` along it, growing in its direction, u and v across.
 struct SeenTriangle {
-    SeenTriangle() = default;
+    SeenTriangle() {}  // many are made that are never looked at: nothing is set
     SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction);
 
     /// Twice the shadow's area; positive where the triangle faces in the direction of the move.
     double facing() const;
 
-    std::array<double, 3> u{}, v{}, s{};
-    double u0 = 0, u1 = 0, v0 = 0, v1 = 0, low = 0, high = 0;  ///< its box
-    int sign = 1;                                              ///< of the move along its axis
+    std::array<double, 3> u, v, s;
+    double u0, u1, v0, v1, low, high;  ///< its box
+    int sign;                          ///< of the move along its axis
 };
 
 /// True when the shadows overlap by more than `graze`: no translation across the move by so much parts them. Of flat
