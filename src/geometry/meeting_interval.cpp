@@ -134,8 +134,8 @@ double shadow_area(const SeenTriangle& t) {
 
 }  // namespace
 
-SeenTriangle::SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction)
-    : sign(direction.sign) {
+void SeenTriangle::see(const Corners& corners, const Vec3& offset, AxisDirection direction) {
+    sign = direction.sign;
     const int along = direction.axis, across = (along + 1) % 3, aside = (along + 2) % 3;
     for (std::size_t k = 0; k < 3; ++k) {
         u[k] = corners[k][across] + offset[across];

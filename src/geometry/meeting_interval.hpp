@@ -12,7 +12,8 @@ namespace spectralpack {
 /// A triangle in the axes of a move: `s` along it, growing in its direction, u and v across.
 struct SeenTriangle {
     SeenTriangle() {}  // many are made that are never looked at: nothing is set
-    SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction);
+    SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction) { see(corners, offset, direction); }
+    void see(const Corners& corners, const Vec3& offset, AxisDirection direction);
 
     /// Twice the shadow's area; positive where the triangle faces in the direction of the move.
     double facing() const;

@@ -70,29 +70,16 @@ class Passage {
         if (!apart(seen(moving_.nodes()[i].box, offset_), seen(still_.nodes()[j].box, {}))) stack_.emplace_back(i, j);
     }
 
-    /// Of a leaf, those that could meet something in `box`.
-    struct Few {
-        std::array<SeenTriangle, Bvh::kLeafTriangles> triangles;
-        std::size_t count = 0;
-    };
     bool leaves_meet(const Bvh::Node& a, const Bvh::Node& b) const {
-        const SeenBox box_a = seen(a.box, offset_), box_b = seen(b.box, {});
-        Few coming, ahead;
+        const SeenBox box = seen(b.box, {});
+        std::array<SeenTriangle, Bvh::kLeafTriangles> ahead;
+        std::size_t made = 0;
         for (std::size_t i = a.first; i < a.first + a.count; ++i) {
-            SeenTriangle& one = coming.triangles[coming.count];
-            one = SeenTriangle(moving_.corners(i), offset_, direction_);
-            coming.count += !apart(one, box_b);
-        }
-        if (coming.count == 0) return false;
-        for (std::size_t j = b.first; j < b.first + b.count; ++j) {
-            SeenTriangle& one = ahead.triangles[ahead.count];
-            one = SeenTriangle(still_.corners(j), {}, direction_);
-            ahead.count += !apart(box_a, one);
-        }
-        for (std::size_t i = 0; i < coming.count; ++i) {
-            for (std::size_t j = 0; j < ahead.count; ++j) {
-                const SeenTriangle &one = coming.triangles[i], &other = ahead.triangles[j];
-                if (!apart(one, other) && meet(one, other)) return true;
+            const SeenTriangle one(moving_.corners(i), offset_, direction_);
+            if (apart(one, box)) continue;
+            for (std::size_t j = 0; j < b.count; ++j) {
+                if (j == made) ahead[made++].see(still_.corners(b.first + j), {}, direction_);
+                if (!apart(one, ahead[j]) && meet(one, ahead[j])) return true;
             }
         }
         return false;
