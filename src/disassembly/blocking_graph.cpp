@@ -80,55 +80,67 @@ int BlockingGraph::index(AxisDirection direction) {
     return 1 + 2 * direction.axis + (direction.sign > 0 ? 0 : 1);
 }
 
-BlockingGraph::BlockingGraph(std::size_t count)
-    : count_(count), words_((count + 63) / 64), present_(count, true) {
+template <class Visit>
+void BlockingGraph::for_each(const Word* row, Visit visit) const {
+    for (std::size_t word = 0; word < words_; ++word) {
+        for (Word bits = row[word]; bits != 0; bits &= bits - 1) {
+            visit(64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
+        }
+    }
+}
+
+BlockingGraph::BlockingGraph(std::size_t count) : count_(count), words_((count + 63) / 64), present_(count, true) {
     for (auto& edges : edges_) {
         edges.assign(count * words_, 0);
     }
     for (auto& blockers : blockers_) {
         blockers.assign(count, 0);
     }
+    for (auto& passed : passed_) {
+        passed.resize(count);
+    }
 }
 
 void BlockingGraph::add(std::size_t copy, AxisDirection direction, std::size_t other) {
-    const std::size_t low = direction.sign > 0 ? copy : other, high = direction.sign > 0 ? other : copy;
-    Word& word = row(direction.axis, low)[high / 64];
-    const Word bit = Word{1} << (high % 64);
+    const int there = index(direction), back = index({direction.axis, -direction.sign});
+    Word& word = row(there, copy)[other / 64];
+    const Word bit = Word{1} << (other % 64);
     if (word & bit) return;
     word |= bit;
-    ++blockers_[index({direction.axis, 1})][low];
-    ++blockers_[index({direction.axis, -1})][high];
+    row(back, other)[copy / 64] |= Word{1} << (copy % 64);
+    ++blockers_[there][copy];
+    ++blockers_[back][other];
 }
 
 void BlockingGraph::remove(std::size_t copy) {
     present_[copy] = false;
-    for (int axis = 0; axis < 3; ++axis) {
-        auto& up = blockers_[index({axis, 1})];
-        auto& down = blockers_[index({axis, -1})];
-        for (std::size_t other = 0; other < count_; ++other) {
-            if (edge(axis, other, copy)) {
-                --up[other];
-                row(axis, other)[copy / 64] &= ~(Word{1} << (copy % 64));
-            }
-            if (edge(axis, copy, other)) --down[other];
-        }
-        std::fill_n(row(axis, copy), words_, Word{0});
+    for (int d = 0; d < kDirections; ++d) {
+        const AxisDirection there = direction(d);
+        const int back = index({there.axis, -there.sign});
+        for_each(row(d, copy), [&](std::size_t other) {
+            row(back, other)[copy / 64] &= ~(Word{1} << (copy % 64));
+            --blockers_[back][other];
+        });
+        std::fill_n(row(d, copy), words_, Word{0});
+        blockers_[d][copy] = 0;
     }
+}
+
+void BlockingGraph::add_passed(std::size_t copy, AxisDirection direction, std::size_t other) {
+    const std::size_t low = direction.sign > 0 ? copy : other, high = direction.sign > 0 ? other : copy;
+    passed_[direction.axis][low].push_back(static_cast<std::uint32_t>(high));
+}
+
+bool BlockingGraph::passed(std::size_t copy, AxisDirection direction, std::size_t other) const {
+    const std::size_t low = direction.sign > 0 ? copy : other, high = direction.sign > 0 ? other : copy;
+    const std::vector<std::uint32_t>& known = passed_[direction.axis][low];
+    return std::find(known.begin(), known.end(), high) != known.end();
 }
 
 std::vector<std::vector<std::size_t>> BlockingGraph::groups(AxisDirection direction) const {
     std::vector<std::vector<std::size_t>> successors(count_);
     for (std::size_t from = 0; from < count_; ++from) {
-        for (std::size_t word = 0; word < words_; ++word) {
-            for (Word bits = row(direction.axis, from)[word]; bits != 0; bits &= bits - 1) {
-                const std::size_t to = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
-                if (direction.sign > 0) {
-                    successors[from].push_back(to);
-                } else {
-                    successors[to].push_back(from);
-                }
-            }
-        }
+        for_each(row(index(direction), from), [&](std::size_t to) { successors[from].push_back(to); });
     }
     const Components components(successors);
     std::vector<std::vector<std::size_t>> members(components.count());

@@ -14,7 +14,7 @@ namespace spectralpack {
 
 class BlockingGraph {
   public:
-    /// No edges. Memory: 3 count^2 bits.
+    /// No edges. Memory: 6 count^2 bits, and some bytes for each pair known to pass.
     explicit BlockingGraph(std::size_t count);
 
     std::size_t count() const { return count_; }
@@ -26,8 +26,13 @@ class BlockingGraph {
     int blockers(std::size_t copy, AxisDirection direction) const {
         return blockers_[static_cast<std::size_t>(index(direction))][copy];
     }
-    /// The copy leaves, and its edges with it. O(count).
+    /// The copy leaves, and its edges with it. O(count / 64 + edges).
     void remove(std::size_t copy);
+
+    /// `copy`, moved in that direction for ever, passes `other`, by an exact sweep that need not be made again.
+    void add_passed(std::size_t copy, AxisDirection direction, std::size_t other);
+    /// O(pairs known to pass of one copy).
+    bool passed(std::size_t copy, AxisDirection direction, std::size_t other) const;
 
     /// Sets of two or more, but not of all present, that may leave in that direction as one and of which no part is
     /// known to (strongly connected components without a way to another), smallest first, each ascending.
@@ -42,21 +47,18 @@ class BlockingGraph {
   private:
     using Word = std::uint64_t;
 
-    /// Row of `copy` in the graph of an axis: whom it meets on its way in the positive direction.
-    Word* row(int axis, std::size_t copy) {
-        return edges_[static_cast<std::size_t>(axis)].data() + copy * words_;
-    }
-    const Word* row(int axis, std::size_t copy) const {
-        return edges_[static_cast<std::size_t>(axis)].data() + copy * words_;
-    }
-    bool edge(int axis, std::size_t from, std::size_t to) const {
-        return row(axis, from)[to / 64] >> (to % 64) & 1;
-    }
+    /// Whom `copy` meets in direction `d`; kept for both ways along an axis.
+    Word* row(int d, std::size_t copy) { return edges_[d].data() + copy * words_; }
+    const Word* row(int d, std::size_t copy) const { return edges_[d].data() + copy * words_; }
+
+    template <class Visit>
+    void for_each(const Word* row, Visit visit) const;
 
     std::size_t count_, words_;
     std::vector<bool> present_;
-    std::vector<Word> edges_[3];
+    std::vector<Word> edges_[kDirections];
     std::vector<int> blockers_[kDirections];
+    std::vector<std::vector<std::uint32_t>> passed_[3];  ///< by axis and who moves up (or stays, where the other moves down)
 };
 
 }  // namespace spectralpack

@@ -1,10 +1,11 @@
 #include "disassembly/company.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "disassembly/blocking_graph.hpp"
 #include "disassembly/flood_fill.hpp"
+#include "geometry/slides_past.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -65,26 +66,77 @@ Company::Path merged(const Company::Path& path) {
     return result;
 }
 
+Box hull_of(const std::vector<Box>& boxes) {
+    Box hull;
+    for (const Box& box : boxes) {
+        hull.add(box);
+    }
+    return hull;
+}
+
+std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
+    std::vector<Box> boxes;
+    for (const StandingPart& part : parts) {
+        boxes.push_back(part.box());
+    }
+    return boxes;
+}
+
+/// Voxel indices as coordinates.
+Box voxel_box(const StandingPart& part) {
+    const VoxelBox box = voxels_of(part.object);
+    return {{1.0 * box.lo.x, 1.0 * box.lo.y, 1.0 * box.lo.z}, {1.0 * box.hi.x, 1.0 * box.hi.y, 1.0 * box.hi.z}};
+}
+
+std::vector<Box> voxel_boxes_of(const std::vector<StandingPart>& parts) {
+    std::vector<Box> boxes;
+    for (const StandingPart& part : parts) {
+        boxes.push_back(voxel_box(part));
+    }
+    return boxes;
+}
+
+VoxelIndex voxel(const Vec3& corner) {
+    return {static_cast<int>(corner.x), static_cast<int>(corner.y), static_cast<int>(corner.z)};
+}
+
 }  // namespace
 
 Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts)
-    : setup_(setup), tray_(setup.grid) {
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        add(names[i], std::move(parts[i]));
+    : setup_(setup),
+      names_(std::move(names)),
+      parts_(std::move(parts)),
+      boxes_(boxes_of(parts_)),
+      present_(parts_.size(), true),
+      index_(hull_of(boxes_)),
+      hull_(boxes_),
+      voxel_hull_(voxel_boxes_of(parts_)),
+      tray_(setup.grid) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        index_.add(static_cast<std::int64_t>(i), boxes_[i]);
+        objects_.push_back(tray_.add(parts_[i].object));
     }
 }
 
 std::size_t Company::add(int name, StandingPart part) {
+    const std::size_t i = parts_.size();
     names_.push_back(name);
     boxes_.push_back(part.box());
     present_.push_back(true);
+    index_.add(static_cast<std::int64_t>(i), boxes_[i]);
+    hull_.add(boxes_[i]);
+    voxel_hull_.add(voxel_box(part));
     objects_.push_back(tray_.add(part.object));
     parts_.push_back(std::move(part));
-    return parts_.size() - 1;
+    return i;
 }
 
 void Company::remove(std::size_t i) {
     present_[i] = false;
+    on_grid_.erase(i);
+    index_.remove(static_cast<std::int64_t>(i), boxes_[i]);
+    hull_.remove(i);
+    voxel_hull_.remove(i);
     tray_.remove(objects_[i]);
 }
 
@@ -96,53 +148,41 @@ Company::Members Company::movable() const {
     return members;
 }
 
-Box Company::rest(const Members& members) const {
-    Box box;
-    for (std::size_t i = 0; i < size(); ++i) {
-        if (present_[i] && !std::binary_search(members.begin(), members.end(), i)) box.add(boxes_[i]);
-    }
-    return box;
-}
-
-VoxelBox Company::rest_voxels(std::size_t i) const {
-    VoxelBox box;
-    for (std::size_t other = 0; other < size(); ++other) {
-        if (present_[other] && other != i) box = hull(box, voxels_of(parts_[other].object));
-    }
-    return box;
-}
-
-std::optional<Company::Meeting> Company::meeting(const Members& members, const Vec3& from, AxisDirection direction,
-                                                 double way) const {
-    struct Pair {
+std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const {
+    struct Near {
         double apart;
-        Meeting who;
+        Pair pair;
     };
-    std::vector<Pair> pairs;
-    for (const std::size_t member : members) {
-        const Box box = moved(boxes_[member], from);
-        const Box passed = swept(box, direction, way);
-        for (std::size_t other = 0; other < size(); ++other) {
-            if (!present_[other] || !meet(passed, boxes_[other])) continue;
-            if (std::binary_search(members.begin(), members.end(), other)) continue;
-            const double apart = direction.sign > 0 ? boxes_[other].min[direction.axis] - box.max[direction.axis]
-                                                    : box.min[direction.axis] - boxes_[other].max[direction.axis];
-            pairs.push_back({apart, {member, other}});
+    std::vector<Near> near;
+    const AxisDirection direction = move.direction;
+    for (const std::size_t member : move.members) {
+        const Box box = moved(boxes_[member], move.from);
+        const Box way = swept(box, direction, move.way);
+        for (const std::int64_t id : index_.near(way)) {
+            const auto other = static_cast<std::size_t>(id);
+            if (!meet(way, boxes_[other])) continue;
+            if (std::binary_search(move.members.begin(), move.members.end(), other)) continue;
+            if (hints.known && hints.known->passed(member, direction, other)) continue;
+            double apart = direction.sign > 0 ? boxes_[other].min[direction.axis] - box.max[direction.axis]
+                                              : box.min[direction.axis] - boxes_[other].max[direction.axis];
+            if (hints.first == other) apart = -Box::kInfinity;
+            near.push_back({apart, {member, other}});
         }
     }
     // The nearest first: it is the likeliest to be in the way.
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
-    for (const Pair& pair : pairs) {
-        const StandingPart &moving = parts_[pair.who.member], &still = parts_[pair.who.other];
-        if (!slides_past(*moving.surface, moving.offset + from - still.offset, *still.surface, direction, kGraze, way)) {
-            return pair.who;
-        }
+    std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.apart < b.apart; });
+    for (const auto& [apart, pair] : near) {
+        const StandingPart &moving = parts_[pair.member], &still = parts_[pair.other];
+        const Vec3 offset = moving.offset + move.from - still.offset;
+        if (!slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way)) return pair;
+        passed.push_back(pair);
     }
     return std::nullopt;
 }
 
-Company::Straight Company::straight_way(const Members& members, const Vec3& from, AxisDirection direction) const {
-    const Box others = rest(members);
+Company::Straight Company::straight_way(const Members& members, const Vec3& from, AxisDirection direction,
+                                        const Hints& hints) const {
+    const Box others = hull_.without(members);
     if (others.empty()) return {};
     Box own;
     for (const std::size_t member : members) {
@@ -151,18 +191,22 @@ Company::Straight Company::straight_way(const Members& members, const Vec3& from
     const int axis = direction.axis;
     const double until = direction.sign > 0 ? others.max[axis] - own.min[axis] : own.max[axis] - others.min[axis];
     const double way = std::max(until, 0.0) + kClearance;
-    const std::optional<Meeting> met = meeting(members, from, direction, way);
-    if (met) return {met->other, met->member, {}};
-    return {std::nullopt, 0, {along(direction, way)}};
+    Straight straight;
+    straight.met = meeting({members, from, direction, way}, hints, straight.passed);
+    if (!straight.met) straight.path = {along(direction, way)};
+    return straight;
 }
 
-Company::Straight Company::straight_way(const Members& members, AxisDirection direction) const {
-    return straight_way(members, Vec3{}, direction);
+Company::Straight Company::straight_way(const Members& members, AxisDirection direction,
+                                        const BlockingGraph* known) const {
+    return straight_way(members, Vec3{}, direction, {known, std::nullopt});
 }
 
 bool Company::free_move(std::size_t i, const Vec3& from, const Vec3& move) const {
     const AxisDirection direction = direction_of(move);
-    return !meeting({i}, from, direction, std::abs(move[direction.axis]));
+    const Members alone{i};
+    std::vector<Pair> passed;
+    return !meeting({alone, from, direction, std::abs(move[direction.axis])}, {}, passed);
 }
 
 bool Company::free_path(std::size_t i, Vec3 from, const Path& path) const {
@@ -190,8 +234,9 @@ std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) cons
 
 Company::Flooded Company::way_out(std::size_t i) const {
     const StandingPart& part = parts_[i];
-    const VoxelBox others = rest_voxels(i);
-    if (others.empty()) return {Path{}, {}};
+    const Box rest = voxel_hull_.without({i});
+    if (rest.empty()) return {Path{}, {}};
+    const VoxelBox others{voxel(rest.min), voxel(rest.max)};
     const double dx = tray_.voxel_size();
     const Vec3 at = boxes_[i].min - setup_.corner;
     VoxelIndex nearest;
@@ -201,9 +246,14 @@ Company::Flooded Company::way_out(std::size_t i) const {
         nearest[axis] = static_cast<int>(std::lround(voxels));
         on_grid = on_grid && std::abs(voxels - nearest[axis]) <= kOnGrid;
     }
-    const std::shared_ptr<const BitGrid> solid = on_grid ? part.object.solid : setup_.on_grid(names_[i]);
+    std::shared_ptr<const BitGrid> solid = part.object.solid;
+    if (!on_grid) {
+        std::shared_ptr<const BitGrid>& made = on_grid_[i];
+        if (!made) made = setup_.on_grid(names_[i]);
+        solid = made;
+    }
     const std::unique_ptr<FreeRowReader> rows = setup_.search->free_rows(tray_, solid, {objects_[i], 1});
-    FloodFill flood(*rows, solid->extent(), others);
+    FloodFill flood(*rows, solid->extent(), others, setup_.stop);
 
     // Where to start: on the grid where it stands; off it, at free positions near by.
     struct Start {
@@ -243,8 +293,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
             const VoxelIndex d = way[k] - way[k - 1];
             path.push_back({d.x * dx, d.y * dx, d.z * dx});
         }
-        path = simplified(i, merged(path));
-        if (free_path(i, {}, path)) return {std::move(path), {}};
+        if (const std::optional<Path> out = out_along(i, merged(path))) return {shortened(i, *out), {}};
         break;  // voxels and meshes disagree, which only rounding can make them do
     }
     VoxelBox pocket = hull(flood.pocket(), {nearest, nearest + VoxelIndex{1, 1, 1}});
@@ -255,30 +304,34 @@ Company::Flooded Company::way_out(std::size_t i) const {
     return {std::nullopt, pocket};
 }
 
-Company::Path Company::simplified(std::size_t i, Path path) const {
-    // Straight out from the first corner from which that is possible. The last move always is straight out, if it is
-    // made longer by the clearance.
+std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {
+    Path gone;
     Vec3 from;
-    bool out = false;
-    for (std::size_t k = 0; k < path.size() && !out; ++k) {
-        for (int d = 0; d < BlockingGraph::kDirections && !out; ++d) {
-            const Straight way = straight_way({i}, from, BlockingGraph::direction(d));
-            if (way.blocker) continue;
-            path.resize(k);
-            path.insert(path.end(), way.path.begin(), way.path.end());
-            out = true;
+    std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way the last time, likely still is
+    for (const Vec3& move : path) {
+        if (!free_move(i, from, move)) return std::nullopt;
+        from = from + move;
+        gone.push_back(move);
+        // From the end it goes on by the clearance.
+        const bool end = gone.size() == path.size();
+        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+            const AxisDirection direction = BlockingGraph::direction(d);
+            const AxisDirection last = direction_of(move);
+            if (end && (direction.axis != last.axis || direction.sign != last.sign)) continue;
+            const Straight way = straight_way({i}, from, direction, hints[d]);
+            if (way.met) {
+                hints[d].first = way.met->other;
+                continue;
+            }
+            gone.insert(gone.end(), way.path.begin(), way.path.end());
+            return merged(gone);
         }
-        if (!out) from = from + path[k];
     }
-    if (!out) {
-        const AxisDirection last = path.empty() ? AxisDirection{2, 1} : direction_of(path.back());
-        const Straight way = straight_way({i}, from, last);
-        path.insert(path.end(), way.path.begin(), way.path.end());
-    }
-    path = merged(path);
+    return std::nullopt;
+}
 
-    // Two moves along the same axis with one between them become one, before it or after it.
-    from = {};
+Company::Path Company::shortened(std::size_t i, Path path) const {
+    Vec3 from;
     for (std::size_t k = 0; k + 2 < path.size();) {
         const Vec3 both = path[k] + path[k + 2], between = path[k + 1];
         bool shorter = false;

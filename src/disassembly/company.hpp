@@ -4,13 +4,17 @@
 /// confirmed by an exact sweep.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/parallel.hpp"
 #include "core/stop.hpp"
+#include "disassembly/blocking_graph.hpp"
+#include "disassembly/standing_hull.hpp"
 #include "disassembly/standing_part.hpp"
+#include "geometry/box_index.hpp"
 #include "geometry/slide.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
@@ -49,45 +53,65 @@ class Company {
     std::size_t add(int name, StandingPart part);
     void remove(std::size_t i);
 
-    /// Of a straight way: how long it is until `members` (ascending) are clear of the box of the others, or whom they
-    /// would meet on it first or later.
-    struct Straight {
-        std::optional<std::size_t> blocker;
-        std::size_t member = 0;  ///< who would meet it
-        Path path;               ///< of one move; empty where no others are left
+    /// A member and one of the others.
+    struct Pair {
+        std::size_t member, other;
     };
-    /// From where they stand. Time grows with the triangles near to the way.
-    Straight straight_way(const Members& members, AxisDirection direction) const;
+    /// Of a straight way: how long it is until `members` (ascending) are clear of the box of the others, or one whom
+    /// they would meet on it.
+    struct Straight {
+        std::optional<Pair> met;
+        Path path;                 ///< of one move; empty where no others are left
+        std::vector<Pair> passed;  ///< pairs near the way that were swept and found to pass
+    };
+    /// From where they stand. Pairs that `known` (of this company's indices) tells to pass are not swept again. Time
+    /// grows with the triangles near to the way.
+    Straight straight_way(const Members& members, AxisDirection direction, const BlockingGraph* known = nullptr) const;
 
     struct Flooded {
         std::optional<Path> path;
         VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
     };
-    /// Any way out for one copy (sections 4.1 and 4.2), in few moves.
+    /// Not to be called from several threads at once. Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
+    /// token has stopped it, there is none and the pocket says nothing.
     Flooded way_out(std::size_t i) const;
 
   private:
-    Box rest(const Members& members) const;
-    VoxelBox rest_voxels(std::size_t i) const;
-    /// What one of `members`, moved by `from`, would meet on `way` mm more.
-    struct Meeting {
-        std::size_t member, other;
+    /// `members`, moved by `from` before, move by `way` mm more.
+    struct Move {
+        const Members& members;
+        Vec3 from;
+        AxisDirection direction;
+        double way = 0;
     };
-    std::optional<Meeting> meeting(const Members& members, const Vec3& from, AxisDirection direction, double way) const;
-    Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction) const;
+    /// What may shorten a question about a move: pairs known to pass (from where all stand), and whom to ask first.
+    struct Hints {
+        const BlockingGraph* known = nullptr;
+        std::optional<std::size_t> first;
+    };
+    /// Whom they would meet. Appends whom they pass.
+    std::optional<Pair> meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const;
+    Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction, const Hints& hints) const;
     bool free_move(std::size_t i, const Vec3& from, const Vec3& move) const;
     bool free_path(std::size_t i, Vec3 from, const Path& path) const;
     /// Moves along the axes, in some order, that are free and come to `move`.
     std::optional<Path> snap(std::size_t i, const Vec3& move) const;
-    Path simplified(std::size_t i, Path path) const;
+    /// Goes along `path`, which leads outside, to the first corner from which it is free to go straight out, and then
+    /// that way. None where a move is not free.
+    std::optional<Path> out_along(std::size_t i, const Path& path) const;
+    /// Of a free path: two moves along the same axis with one between them become one, before it or after it.
+    Path shortened(std::size_t i, Path path) const;
 
     const DisassemblySetup& setup_;
     std::vector<int> names_;
     std::vector<StandingPart> parts_;
     std::vector<Box> boxes_;
     std::vector<bool> present_;
+    BoxIndex index_;
+    StandingHull hull_, voxel_hull_;
     Tray tray_;
     std::vector<ObjectId> objects_;
+    mutable std::map<std::size_t, std::shared_ptr<const BitGrid>> on_grid_;  ///< voxels of those off the grid, once asked for
 };
 
 }  // namespace spectralpack

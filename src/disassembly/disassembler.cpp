@@ -31,6 +31,7 @@ class Disassembler::Yard {
             standing.push_back(&company_.part(i));
         }
         cast_rays(standing, owner.setup_.ray_spacing, graph_, owner.setup_.workers);
+        turns_ = highest_first(company_.movable());
     }
 
     const Company& company() const { return company_; }
@@ -86,10 +87,23 @@ class Disassembler::Yard {
         for (const std::size_t i : company_.movable()) {
             if (graph_.blockers(i, direction) == 0) members.push_back(i);
         }
+        return highest_first(std::move(members));
+    }
+
+    Members highest_first(Members members) const {
         std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
             return company_.part(a).box().max.z > company_.part(b).box().max.z;
         });
         return members;
+    }
+
+    /// What a sweep found, for later ones.
+    void learn(const Company::Straight& way, AxisDirection direction) {
+        for (const auto& [member, other] : way.passed) {
+            graph_.add_passed(member, direction, other);
+        }
+        // It may have left just now: then the edge says nothing any more.
+        if (way.met && company_.present(way.met->other)) graph_.add(way.met->member, direction, way.met->other);
     }
 
     /// Takes out all that leave by straight ways, upwards where they can. True when some did.
@@ -113,31 +127,27 @@ class Disassembler::Yard {
             std::vector<Company::Straight> ways(count);
             owner_.setup_.workers.for_each(static_cast<std::int64_t>(count), [&](std::int64_t k) {
                 const auto i = static_cast<std::size_t>(k);
-                ways[i] = company_.straight_way({members[begin + i]}, direction);
+                ways[i] = company_.straight_way({members[begin + i]}, direction, &graph_);
             });
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = members[begin + k];
-                if (ways[k].blocker) {
-                    // It may have left just now: then the edge says nothing any more.
-                    if (company_.present(*ways[k].blocker)) graph_.add(i, direction, *ways[k].blocker);
-                } else if (all || !moved) {
-                    leave({i}, std::move(ways[k].path));
-                    ++owner_.counts_.straight;
-                    moved = true;
-                }
+                learn(ways[k], direction);
+                if (ways[k].met || (moved && !all)) continue;
+                leave({i}, std::move(ways[k].path));
+                ++owner_.counts_.straight;
+                moved = true;
             }
         }
         return moved;
     }
 
-    /// Takes out one copy by a way with corners.
+    /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile may
+    /// have opened the way of others, and more so the longer one waits.
     bool leave_by_flood() {
-        Members members = company_.movable();
-        std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-            return company_.part(a).box().max.z > company_.part(b).box().max.z;
-        });
-        for (const std::size_t i : members) {
-            if (pockets_[i]) continue;  // closed, and nothing that closed it has left since
+        for (std::size_t tried = 0; tried < turns_.size(); ++tried) {
+            const std::size_t i = turns_[turn_];
+            turn_ = (turn_ + 1) % turns_.size();
+            if (!company_.movable(i) || pockets_[i]) continue;  // closed, and nothing that closed it has left since
             if (owner_.setup_.stop.stopped()) return false;
             ++owner_.counts_.fills;
             Company::Flooded flooded = company_.way_out(i);
@@ -146,6 +156,7 @@ class Disassembler::Yard {
                 ++owner_.counts_.flooded;
                 return true;
             }
+            if (owner_.setup_.stop.stopped()) return false;
             pockets_[i] = flooded.pocket;
         }
         return false;
@@ -162,12 +173,12 @@ class Disassembler::Yard {
                     if (!std::all_of(group.begin(), group.end(), [&](std::size_t i) { return company_.movable(i); })) {
                         continue;
                     }
-                    Company::Straight way = company_.straight_way(group, direction);
-                    if (!way.blocker) {
+                    Company::Straight way = company_.straight_way(group, direction, &graph_);
+                    learn(way, direction);
+                    if (!way.met) {
                         found_company(group, std::move(way.path));
                         return true;
                     }
-                    graph_.add(way.member, direction, *way.blocker);
                     learned = true;
                 }
             }
@@ -192,6 +203,8 @@ class Disassembler::Yard {
     Company company_;
     BlockingGraph graph_;
     std::vector<std::optional<VoxelBox>> pockets_;  // of those without a way out: where that was found
+    std::vector<std::size_t> turns_;                // the order of flood fills, the highest first
+    std::size_t turn_ = 0;
 };
 
 Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left)

@@ -13,12 +13,12 @@ VoxelIndex step(VoxelIndex at, int move) {
 
 }  // namespace
 
-FloodFill::FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest)
+FloodFill::FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop)
     : rows_(rows),
       solid_(solid),
       rest_{rest.lo - rows.origin(), rest.hi - rows.origin()},
-      of_(static_cast<std::size_t>(rows.extent().y) * static_cast<std::size_t>(rows.extent().z), -1) {
-}
+      of_(static_cast<std::size_t>(rows.extent().y) * static_cast<std::size_t>(rows.extent().z), -1),
+      stop_(std::move(stop)) {}
 
 FloodFill::Row& FloodFill::row(int y, int z) {
     std::int32_t& index = of_[static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_.extent().y) +
@@ -77,6 +77,7 @@ std::optional<VoxelIndex> FloodFill::walk(const VoxelIndex& from, std::vector<Vo
             open[least].pop_back();
             std::uint8_t& came = row(entry.at.y, entry.at.z).came[static_cast<std::size_t>(entry.at.x)];
             if (came != 0) continue;
+            if (++visited_ % kPoll == 0 && stop_.stopped()) return {};
             came = entry.came;
             pocket_ = hull(pocket_, {entry.at + rows_.origin(), entry.at + rows_.origin() + VoxelIndex{1, 1, 1}});
             if (visited) visited->push_back(entry.at);

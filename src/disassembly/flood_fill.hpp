@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/stop.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -13,8 +14,9 @@ namespace spectralpack {
 class FloodFill {
   public:
     /// `rows`: free positions of the copy's voxels of this extent, itself not in the way. Outside is where its box
-    /// does not meet `rest`, the box of all other voxels (of which none may lie outside the rows' grid).
-    FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest);
+    /// does not meet `rest`, the box of all other voxels (of which none may lie outside the rows' grid). When stopped a
+    /// walk ends where it is, as if there were no way, and what it has visited says nothing.
+    FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop = {});
 
     bool free(const VoxelIndex& position);
     /// In a pocket that a walk has found to be closed.
@@ -45,6 +47,7 @@ class FloodFill {
         std::uint8_t came = 0;
     };
     static constexpr std::uint8_t kStart = 7;
+    static constexpr std::int64_t kPoll = 4096;  ///< positions visited between looks at the token
 
     /// Walks from `from` until outside, or to a position known to reach that, and returns where it ended; none when all
     /// that can be reached has been visited. Adds what it visits to `visited`, if that is not null.
@@ -61,6 +64,8 @@ class FloodFill {
     std::vector<std::int32_t> of_;  // index into known_ by z * ny + y, -1: not computed
     std::vector<Row> known_;
     VoxelBox pocket_;
+    StopToken stop_;
+    std::int64_t visited_ = 0;
 };
 
 }  // namespace spectralpack

@@ -33,7 +33,7 @@ struct Sweep {
 class Slide {
   public:
     Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-          double gap, double at_most, double graze = kTouchTolerance)
+          double gap, double at_most)
         : moving_(moving),
           still_(still),
           offset_(offset),
@@ -41,15 +41,14 @@ class Slide {
           sign_(direction.sign),
           touching_(gap == 0),
           gap_(touching_ ? 0 : std::max(gap, kSlideSlack)),
-          graze_(graze),
           best_(at_most),
           faces_known_(moving.faces_outwards() && still.faces_outwards()) {}
 
-    /// The free way; once it is known to be less than `enough`, any that is not free.
-    double run(double enough) {
+    /// The free way.
+    double run() {
         if (moving_.nodes().empty() || still_.nodes().empty() || !(best_ > 0)) return best_;
         push(0, 0);
-        while (!stack_.empty() && best_ > 0 && best_ >= enough) {
+        while (!stack_.empty() && best_ > 0) {
             const Pair pair = stack_.back();
             stack_.pop_back();
             if (pair.earliest < best_) visit(pair);
@@ -75,7 +74,7 @@ class Slide {
         const double du = std::max(a.u0 - b.u1, b.u0 - a.u1);
         const double dv = std::max(a.v0 - b.v1, b.v0 - a.v1);
         if (touching_) {
-            if (du > -graze_ || dv > -graze_) return Box::kInfinity;
+            if (du > -kTouchTolerance || dv > -kTouchTolerance) return Box::kInfinity;
             if (a.low > b.high + kRecovery) return Box::kInfinity;  // gone past
         } else {
             const double across =
@@ -185,7 +184,7 @@ class Slide {
 
     /// gap 0: likewise. `swept` and `ahead` are their boxes.
     double touch(const Corners& a, const Corners& b, const Sweep& swept, const Sweep& ahead) const {
-        if (overlap_across(a, b) <= graze_) return best_;
+        if (overlap_across(a, b) <= kTouchTolerance) return best_;
         if (ahead.low - swept.high > kRecovery) return first_touch(a, b);
         if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
         const double far = 1 + size_along(a, b);
@@ -253,7 +252,7 @@ class Slide {
     Vec3 offset_;
     int axis_, sign_;
     bool touching_;
-    double gap_, graze_;
+    double gap_;
     double best_;  ///< the way that is free as far as is known
     bool faces_known_;
     std::vector<Pair> stack_;
@@ -263,12 +262,7 @@ class Slide {
 
 double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
              double gap, double at_most) {
-    return Slide(moving, offset, still, direction, gap, at_most).run(0);
-}
-
-bool slides_past(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-                 double graze, double way) {
-    return Slide(moving, offset, still, direction, 0, way, graze).run(way) >= way;
+    return Slide(moving, offset, still, direction, gap, at_most).run();
 }
 
 }  // namespace spectralpack

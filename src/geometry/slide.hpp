@@ -40,9 +40,4 @@ inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave
 double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
              double gap, double at_most);
 
-/// True when slide() at gap 0 would go all of `way`, surfaces being let overlap sideways by up to
-/// `graze` instead of kTouchTolerance. Stops at the first pair in the way, wherever on it that is.
-bool slides_past(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-                 double graze, double way);
-
 }  // namespace spectralpack

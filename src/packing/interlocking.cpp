@@ -285,7 +285,7 @@ class Untangling {
     static std::optional<Company::Path> way_out(const Company& company, std::size_t i) {
         for (int d = 0; d < BlockingGraph::kDirections; ++d) {
             Company::Straight straight = company.straight_way({i}, BlockingGraph::direction(d));
-            if (!straight.blocker) return std::move(straight.path);
+            if (!straight.met) return std::move(straight.path);
         }
         return company.way_out(i).path;
     }

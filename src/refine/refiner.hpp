@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/box_index.hpp"
 #include "geometry/bvh.hpp"
-#include "refine/box_index.hpp"
 #include "search/cost.hpp"
 
 namespace spectralpack {

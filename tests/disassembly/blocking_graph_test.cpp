@@ -23,6 +23,34 @@ TEST(BlockingGraph, ServesBothWaysAlongAnAxis) {
     EXPECT_EQ(graph.blockers(0, {2, 1}), 1);
 }
 
+TEST(BlockingGraph, KnowsWhoPassesWhomBothWays) {
+    BlockingGraph graph(3);
+    graph.add_passed(0, {1, 1}, 2);
+    graph.add_passed(1, {1, -1}, 0);
+    EXPECT_TRUE(graph.passed(0, {1, 1}, 2));
+    EXPECT_TRUE(graph.passed(2, {1, -1}, 0));
+    EXPECT_TRUE(graph.passed(0, {1, 1}, 1));
+    EXPECT_FALSE(graph.passed(0, {1, -1}, 2));
+    EXPECT_FALSE(graph.passed(2, {1, 1}, 0));
+    EXPECT_FALSE(graph.passed(0, {2, 1}, 2));
+    EXPECT_EQ(graph.blockers(0, {1, 1}), 0);
+}
+
+TEST(BlockingGraph, WhoLeavesIsInNobodysWay) {
+    BlockingGraph graph(130);
+    const AxisDirection up{2, 1}, down{2, -1};
+    for (std::size_t i = 0; i < 129; ++i) {
+        graph.add(i, up, 129);
+        graph.add(129, {0, -1}, i);
+    }
+    graph.remove(129);
+    for (std::size_t i = 0; i < 129; ++i) {
+        ASSERT_EQ(graph.blockers(i, up), 0);
+        ASSERT_EQ(graph.blockers(i, {0, 1}), 0);
+    }
+    EXPECT_EQ(graph.blockers(129, down), 0);
+}
+
 TEST(BlockingGraph, GroupsAreTheComponentsThatNothingHolds) {
     BlockingGraph graph(7);
     const AxisDirection up{2, 1}, down{2, -1};

@@ -367,7 +367,12 @@ TEST(Disassembler, PlansOfRandomHeapsHoldOnTheMeshes) {
             unite(voxels, standing.solid, standing.position);
             scene.add(mesh);
         }
-        scene.replay(scene.disassemble(), 0.5);
+        const auto answer = scene.disassemble();
+        scene.replay(answer, 0.5);
+        // Every step is of one kind, and every flood fill that found a way is one.
+        EXPECT_EQ(static_cast<std::size_t>(answer.counts.straight + answer.counts.flooded + answer.counts.groups),
+                  answer.steps.size());
+        EXPECT_GE(answer.counts.fills, answer.counts.flooded);
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
     }
 }

@@ -104,5 +104,37 @@ TEST(FloodFill, FindsShortestWaysThroughRandomVoxels) {
     EXPECT_GT(closed, 20);
 }
 
+TEST(FloodFill, EndsEarlyWhenStopped) {
+    // A hollow of 8000 positions without a way out.
+    TraySetup setup;
+    setup.size = {22, 22, 22};
+    setup.voxel_size = 1;
+    Tray tray(setup);
+    BitGrid walls = filled({22, 22, 22});
+    subtract(walls, filled({20, 20, 20}), {1, 1, 1});
+    tray.add({std::make_shared<const BitGrid>(walls), {}, 0, false});
+    const auto solid = std::make_shared<const BitGrid>(filled({1, 1, 1}));
+    const ObjectId self = tray.add({solid, {3, 3, 3}, 0, false});
+    const auto engine = make_cpu_search({}, Workers(1));
+    const auto visited = [&](const StopToken& stop) {
+        const auto rows = engine->free_rows(tray, solid, {self, 1});
+        FloodFill flood(*rows, {1, 1, 1}, whole({22, 22, 22}), stop);
+        EXPECT_TRUE(flood.way_out({3, 3, 3}).empty());
+        int count = 0;
+        for (int z = 0; z < 22; ++z) {
+            for (int y = 0; y < 22; ++y) {
+                for (int x = 0; x < 22; ++x) {
+                    count += flood.visited({x, y, z});
+                }
+            }
+        }
+        return count;
+    };
+    EXPECT_EQ(visited({}), 8000);
+    StopSource stop;
+    stop.request(StopReason::time_limit);
+    EXPECT_LT(visited(stop.token()), 5000);
+}
+
 }  // namespace
 }  // namespace spectralpack

@@ -4,6 +4,7 @@
 
 #include "core/random.hpp"
 #include "disassembly/scenes.hpp"
+#include "geometry/slides_past.hpp"
 
 namespace spectralpack {
 namespace {
