@@ -128,7 +128,7 @@ class JobReader {
                           "dry-run",        "skip-unusable",   "require-all",
                           "json",           "material-density", "detail", "open-height",
                           "minimise",       "fill",            "max-density",
-                          "max-layer-fill"});
+                          "max-layer-fill", "restarts",        "beam"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);

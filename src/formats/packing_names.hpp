@@ -16,8 +16,11 @@ using Names = std::array<std::pair<std::string_view, Value>, N>;
 
 inline constexpr Names<Interlock, 3> kInterlockNames{
     {{"off", Interlock::off}, {"place", Interlock::place}, {"post", Interlock::post}}};
-inline constexpr Names<Order, 3> kOrderNames{
-    {{"size", Order::size}, {"input", Order::input}, {"random", Order::random}}};
+inline constexpr Names<Order, 5> kOrderNames{{{"size", Order::size},
+                                              {"input", Order::input},
+                                              {"random", Order::random},
+                                              {"volume", Order::volume},
+                                              {"mixed", Order::mixed}}};
 inline constexpr Names<EngineKind, 4> kEngineNames{{{"auto", EngineKind::automatic},
                                                     {"cpu", EngineKind::cpu},
                                                     {"cuda", EngineKind::cuda},
