@@ -12,6 +12,7 @@ struct Command {
 };
 
 Command add_pack_command(CLI::App& app);
+Command add_bench_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_generate_command(CLI::App& app);
 Command add_inspect_command(CLI::App& app);

@@ -25,8 +25,9 @@ sigset_t watched_signals() {
 Interrupts::Interrupts(std::optional<double> time_limit_seconds) {
     if (time_limit_seconds) {
         const double seconds = std::min(*time_limit_seconds, 1e9);
-        deadline_ = std::chrono::steady_clock::now() +
-                    std::chrono::milliseconds(static_cast<std::int64_t>(1000 * seconds));
+        const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * seconds));
+        deadline_ = std::chrono::steady_clock::now() + limit;
+        half_time_ = *deadline_ - limit / 2;
     }
     const sigset_t set = watched_signals();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);
@@ -40,15 +41,24 @@ Interrupts::~Interrupts() {
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
+void Interrupts::request(StopReason reason) {
+    source_.request(reason);
+    half_.request(reason);
+}
+
 void Interrupts::wait() {
     const sigset_t set = watched_signals();
     bool asked = false;
     while (!done_) {
         const auto now = std::chrono::steady_clock::now();
         auto pause = std::chrono::duration_cast<std::chrono::nanoseconds>(kPoll);
+        if (half_time_ && now >= *half_time_) {
+            half_.request(StopReason::time_limit);
+            half_time_.reset();
+        }
         if (deadline_) {
             if (now >= *deadline_) {
-                source_.request(StopReason::time_limit);
+                request(StopReason::time_limit);
                 deadline_.reset();
             } else {
                 pause = std::min(pause, std::chrono::duration_cast<std::chrono::nanoseconds>(*deadline_ - now));
@@ -58,7 +68,7 @@ void Interrupts::wait() {
         if (sigtimedwait(&set, nullptr, &timeout) > 0) {
             if (asked) _exit(kInterrupted);
             asked = true;
-            source_.request(StopReason::cancelled);
+            request(StopReason::cancelled);
         }
     }
 }

@@ -21,11 +21,16 @@ class Interrupts {
 
     StopToken token() const { return source_.token(); }
 
+    /// For what may take half of the time limit; stops with token(), too.
+    StopToken half_time() const { return half_.token(); }
+
   private:
     void wait();
 
-    StopSource source_;
-    std::optional<std::chrono::steady_clock::time_point> deadline_;
+    void request(StopReason reason);
+
+    StopSource source_, half_;
+    std::optional<std::chrono::steady_clock::time_point> deadline_, half_time_;
     std::atomic<bool> done_{false};
     std::thread thread_;
 };

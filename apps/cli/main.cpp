@@ -17,7 +17,7 @@ namespace {
 using namespace spectralpack;
 using namespace spectralpack::cli;
 
-constexpr std::array kNotBuilt{"bench", "serve", "view"};
+constexpr std::array kNotBuilt{"serve", "view"};
 
 int status_of(ErrorKind kind) {
     switch (kind) {
@@ -49,7 +49,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
                "'spectralpack COMMAND --help' explains a command.");
-    const std::array commands{add_pack_command(app),    add_check_command(app),   add_plan_command(app),
+    const std::array commands{add_pack_command(app),    add_bench_command(app),   add_check_command(app),   add_plan_command(app),
                               add_generate_command(app), add_inspect_command(app), add_prepare_command(app),
                               add_render_command(app)};
 

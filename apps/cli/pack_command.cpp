@@ -30,7 +30,7 @@ struct PackArguments {
     bool open_height = false, fill = false;
     std::optional<double> gap, wall_gap, voxel, time_limit, material_density;
     std::optional<std::uint64_t> seed;
-    std::optional<int> threads, try_per_tray, detail;
+    std::optional<int> threads, try_per_tray, detail, restarts, beam;
     std::vector<std::string> keep_out;
     bool physical = false;
     std::vector<std::string> outputs;
@@ -221,9 +221,15 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
     if (a.max_density) options.max_density = a.max_density;
     if (a.max_layer_fill) options.max_layer_fill = a.max_layer_fill;
     if (a.order) {
-        options.order = choose<Order>({{"size", Order::size}, {"input", Order::input}, {"random", Order::random}},
+        options.order = choose<Order>({{"size", Order::size},
+                                       {"volume", Order::volume},
+                                       {"mixed", Order::mixed},
+                                       {"input", Order::input},
+                                       {"random", Order::random}},
                                       *a.order, "--order");
     }
+    assign(options.restarts, a.restarts);
+    assign(options.beam, a.beam);
     if (a.engine) options.engine = choose(kEngines, *a.engine, "--engine");
     if (a.memory) options.memory = parse_bytes(*a.memory, "--memory");
     if (a.verify_with) options.verify_with = parse_verify(*a.verify_with);
@@ -367,6 +373,7 @@ int run_pack(const PackArguments& arguments) {
     report_unusable(inputs.unusable, display);
     if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
     settings.job.parts = inputs.parts;
+    settings.job.enough_orders = interrupts.half_time();
     settle_container(arguments, inputs.job.value_or(JobSettings{}), settings.job);
     settings.job.fixed = inputs.job ? inputs.job->fixed : std::vector<FixedSource>{};
 
@@ -389,6 +396,7 @@ Command add_pack_command(CLI::App& app) {
         "  spectralpack pack set.csv --voxel 1 --time-limit 60 -o build.json && spectralpack check build.json\n"
         "\n"
         "Finer voxels pack denser and take longer: halving --voxel costs about ten times the time.\n"
+        "--restarts and --beam look for the order on the grid, at most for half of --time-limit, and then pack in it.\n"
         "Exit status: 0 done, also with copies left over; 2 wrong usage; 3 an input was unusable (the rest is\n"
         "packed); 4 out of memory or disk; 5 copies left over under --require-all; 130 interrupted, best packing\n"
         "so far written.");
@@ -445,8 +453,20 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--height-at", a.height_at,
                     "where height counts: bottom, or top (then before proximity) [bottom; top without a ceiling]")
         ->group(search);
-    sub->add_option("--order", a.order, "which copies first: size, input, random [size]")->group(search);
-    sub->add_option("--seed", a.seed, "seed of --order random and of samples [0]")->group(search);
+    sub->add_option("--order", a.order,
+                    "which copies first: size (of the box, largest first), volume (of the solid), mixed (geometric mean\n"
+                    "of both), random, input. Where not all fit, volume and mixed give a denser tray by letting denser\n"
+                    "parts in first, not by packing better; to place all as low as can be, size is best [size]")
+        ->group(search);
+    sub->add_option("--restarts", a.restarts,
+                    "pack in N orders, the one asked for and others near it, and keep the best: most solid volume in the\n"
+                    "tray, or least height where all fits [1]")
+        ->group(search);
+    sub->add_option("--beam", a.beam,
+                    "beam search over orders with this many states, compared with the plain order; 5 takes some\n"
+                    "fifteen times as long [1: none]")
+        ->group(search);
+    sub->add_option("--seed", a.seed, "seed of --order random, --restarts and of samples [0]")->group(search);
     sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
     sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock,

@@ -51,10 +51,12 @@ void ProgressDisplay::on_progress(const Progress& progress) {
                             ? elapsed * (1 - progress.work) / progress.work
                             : last ? 0 : -1;
     if (style_ == ProgressStyle::json) {
-        fmt::print(stderr, R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}}})"
+        const std::string orders =
+            progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
+        fmt::print(stderr, R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}}})"
                            "\n",
                    phase_name(progress.phase), progress.done, progress.total, progress.density, elapsed,
-                   left < 0 ? "null" : fmt::format("{:.3f}", left));
+                   left < 0 ? "null" : fmt::format("{:.3f}", left), orders);
     } else {
         draw(progress, left);
     }
@@ -67,6 +69,7 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     std::string line = fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar,
                                    progress.done, progress.total);
     if (progress.phase == Phase::search) line += fmt::format("  density {}", percent_text(progress.density));
+    if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));
     fmt::print(stderr, "{}", line);
     std::fflush(stderr);

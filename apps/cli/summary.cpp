@@ -160,6 +160,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
                duration_text(seconds.search), refining, metrics.searches, metrics.engine, metrics.threads,
                metrics.threads == 1 ? "" : "s");
     fmt::print("  memory     {} at peak\n", bytes_text(metrics.peak_memory));
+    if (metrics.orders > 1) fmt::print("  order      the best of {} packings\n", metrics.orders);
     if (packing.options.verify_with) {
         fmt::print("  verified   {} placements answered alike by a second engine\n", metrics.verified);
     }

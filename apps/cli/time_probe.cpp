@@ -58,8 +58,10 @@ class Probe : public Listener {
 
 std::optional<ProbedTime> probe_time(const Job& job, double seconds, const StopToken& stop) {
     Probe probe(seconds, stop);
+    Job probed = job;
+    probed.enough_orders.reset();
     try {
-        pack(job, probe, probe.token());
+        pack(probed, probe, probe.token());
     } catch (const ResourceError&) {
         return std::nullopt;
     }

@@ -24,6 +24,9 @@ struct Job {
     PackOptions options;
     ContainerSource container;       ///< where it is a mesh, its size takes the place of options.tray
     std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
+    /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does. Who
+    /// has one requests it whenever he requests that.
+    std::optional<StopToken> enough_orders;
     std::optional<Scene> onto;       ///< its copies stand where they are; those placed come on top, tray by tray
 };
 

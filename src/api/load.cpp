@@ -231,7 +231,9 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     hash.add(options.minimise);
     hash.add(options.fill);
     hash.add(options.order);
-    hash.add(options.order == Order::random ? options.seed : 0);
+    hash.add(options.restarts);
+    hash.add(options.beam);
+    hash.add(options.order == Order::random || options.restarts > 1 ? options.seed : 0);
     return hash.hex();
 }
 

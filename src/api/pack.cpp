@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <cmath>
+#include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <new>
@@ -16,10 +18,12 @@
 #include "api/fixed_copies.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
+#include "api/order_measures.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
+#include "packing/order_search.hpp"
 #include "packing/walls.hpp"
 #include "search/verifying_search.hpp"
 
@@ -63,10 +67,31 @@ void check_together(const Job& job) {
         throw UsageError("ways out of a physical container are not looked for yet: use --interlock off");
     }
     if (options.fill && options.trays != 1) refuse("--fill", "several trays");
+    if (options.restarts > 1 || options.beam > 1) {
+        const std::string orders = options.restarts > 1 ? "--restarts" : "--beam";
+        if (options.fill) refuse(orders, "--fill");
+        if (options.minimise == Minimise::box) refuse(orders, "--minimise box");
+    }
+    if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
+        refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill");
+    }
     if (options.max_density || options.max_layer_fill) {
         const std::string cap = options.max_density ? "--max-density" : "--max-layer-fill";
         if (job.container.mesh) refuse(cap, "container meshes");
         if (fixed) refuse(cap, "fixed copies and --onto");
+    }
+}
+
+/// True where `failure` is a lack of memory, also to let a packing grow higher.
+bool out_of_memory(const std::exception_ptr& failure) {
+    try {
+        std::rethrow_exception(failure);
+    } catch (const ResourceError&) {
+        return true;
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (...) {
+        return false;
     }
 }
 
@@ -102,7 +127,7 @@ class Run {
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         result.stopped = stop_.reason();
         result.packing =
-            packing_of({loaded_, container_, options_, plan_, trays, base_, seconds_, verified_}, workers_);
+            packing_of({loaded_, container_, options_, plan_, trays, base_, seconds_, verified_, orders_}, workers_);
         result.packing.metrics.seconds.total = seconds_since(start);
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
@@ -199,6 +224,8 @@ class Run {
         try {
             if (options.minimise == Minimise::box) {
                 search_least_box(*engine, trays);
+            } else if (options.restarts > 1 || options.beam > 1) {
+                search_orders(*engine, trays);
             } else {
                 search_on({plan_.grid.x, plan_.grid.y}, *engine, trays);
             }
@@ -211,8 +238,14 @@ class Run {
 
     /// Packs into trays of one size.
     void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
+        pack_items(plan_.items, fill_setup(base), engine, stop_, [&](const Progress& progress) {
+            listener_.on_progress(progress);
+        }, trays);
+    }
+
+    void pack_items(const std::vector<PackItem>& items, const FillSetup& setup, PlacementSearch& engine,
+                    const StopToken& stop, const std::function<void(const Progress&)>& tell, TraysResult& trays) {
         const PackOptions& options = options_;
-        const FillSetup setup = fill_setup(base);
         TrayFiller filler(
             setup, engine,
             [&](int part) {
@@ -251,11 +284,11 @@ class Run {
             // What one tray leaves over the next one tries again.
             const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
             // How many copies will fill the tray is not known before.
-            const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(plan_.items.size());
+            const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(items.size());
             const double work = options.fill ? density : static_cast<double>(sure) / static_cast<double>(total);
-            listener_.on_progress({Phase::search, sure, total, density, std::min(work, 1.0)});
+            tell({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
-        listener_.on_progress({Phase::search, 0, static_cast<std::int64_t>(plan_.items.size()), 0, 0});
+        tell({Phase::search, 0, static_cast<std::int64_t>(items.size()), 0, 0});
         const auto refined = [&] {
             seconds_.refine += filler.refine_seconds();
             untangling_ += filler.untangle_seconds();
@@ -265,9 +298,9 @@ class Run {
             if (options.fill) {
                 FilledTray& tray = trays.trays.emplace_back();
                 filler.fill_in_shares(
-                    shares(), shapes, [&](std::size_t done) { item_done(tray, done); }, stop_, tray);
+                    shares(), shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
             } else {
-                fill_trays(plan_.items, limit, filler, shapes, item_done, stop_, trays);
+                fill_trays(items, limit, filler, shapes, item_done, stop, trays);
             }
         } catch (...) {
             refined();
@@ -322,6 +355,67 @@ class Run {
         count();
     }
 
+    /// Looks for the order that packs best on the grid, then packs in it as asked for. Cut off before all copies were
+    /// tried, that is the packing on the grid.
+    void search_orders(PlacementSearch& engine, TraysResult& trays) {
+        keep_shapes_ = plan_.keeps_all;
+        const FillSetup as_asked = fill_setup({plan_.grid.x, plan_.grid.y});
+        FillSetup on_grid = as_asked;
+        on_grid.refine = false;
+        on_grid.interlock = Interlock::off;
+        // The second engine does not look at beams.
+        const bool done_on_grid =
+            !as_asked.refine && as_asked.interlock == Interlock::off && !options_.verify_with;
+        const StopToken enough = done_on_grid ? stop_ : job_.enough_orders.value_or(stop_);
+
+        const OrderSearch wanted{options_.restarts, options_.beam, options_.seed, plan_.ranks,
+                                 order_measures(loaded_, plan_)};
+        const int beam_work = wanted.beam > 1 ? kBeamBranch * wanted.beam : 0;
+        const int total_work = wanted.restarts + beam_work + (done_on_grid ? 0 : 1);  // in packings
+        int work_done = 0;
+        const int orders = wanted.restarts + (wanted.beam > 1 ? 1 : 0);
+        int order = 0;  // those done
+        const auto tell = [&](Progress progress, int work) {
+            progress.work = (work_done + work * progress.work) / total_work;
+            progress.order = order + 1;
+            progress.orders = orders;
+            listener_.on_progress(progress);
+        };
+        const PackInOrder pack = [&](const std::vector<PackItem>& items, bool beam) -> std::optional<TraysResult> {
+            FillSetup setup = on_grid;
+            if (beam) {
+                setup.beam = BeamSetup{wanted.beam, plan_.ranks,
+                                       [&] { return make_engine(plan_.engine, plan_.cache / wanted.beam, workers_); },
+                                       wanted.measures};
+            }
+            const int work = beam ? beam_work : 1;
+            TraysResult packed;
+            try {
+                pack_items(items, setup, engine, enough, [&](const Progress& at) { tell(at, work); }, packed);
+            } catch (...) {
+                if (order == 0) trays = std::move(packed);
+                if (order == 0 || !out_of_memory(std::current_exception())) throw;
+                packed = {};
+            }
+            work_done += work;
+            ++order;
+            if (packed.trays.empty()) return std::nullopt;
+            return packed;
+        };
+        FoundOrder found = find_order(plan_.items, wanted, pack, enough);
+        orders_ = found.packings;
+        const std::int64_t searches = found.trays.searches();
+        trays = std::move(found.trays);
+        if (done_on_grid || stop_.stopped()) return;
+        plan_.items = std::move(found.items);
+        TraysResult last;
+        work_done = total_work - 1;
+        order = orders - 1;
+        pack_items(plan_.items, as_asked, engine, stop_, [&](const Progress& at) { tell(at, 1); }, last);
+        last.trays.front().searches += searches;
+        if (last.trays.back().untried.empty()) trays = std::move(last);
+    }
+
     /// In the order in which the parts come first.
     std::vector<PartShare> shares() const {
         std::vector<PartShare> shares;
@@ -351,6 +445,7 @@ class Run {
     PhaseSeconds seconds_;
     double untangling_ = 0;  // seconds, also of trays that were given up
     std::int64_t verified_ = 0;
+    int orders_ = 1;  // packed in, the best being kept
     std::optional<BaseSize> base_;  // of the least box
     bool keep_shapes_ = false;
     std::vector<std::shared_ptr<const Shape>> kept_;  // by part

@@ -26,6 +26,10 @@ constexpr double kCacheUnasked = 0.5;
 // What engines keep takes up to this much more than they count: freed pieces of it are not always used again.
 constexpr int kCacheShare = 2;
 
+// Nobody would wait for more.
+constexpr int kMostRestarts = 1'000'000;
+constexpr int kMostBeam = 100;
+
 // Finer ones would be s times finer in each of three directions, for nothing: --voxel is the option to turn then.
 constexpr int kMostDetail = 8;
 
@@ -108,8 +112,8 @@ std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_
     return static_cast<std::int64_t>(bytes * static_cast<double>(orientations));
 }
 
-/// Bytes that do not depend on the grid: meshes and the voxels of the parts that are held at once.
-std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded) {
+/// Bytes that do not depend on the grid: meshes and the voxels of the parts that are held at once, or of `all`.
+std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded, bool all = false) {
     std::int64_t bytes = kProgramMemory;
     std::vector<std::int64_t> shapes;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
@@ -121,7 +125,7 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
         shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx, detail,
                                       plan.orientations[i]->size(), plan.gap_classes));
     }
-    const std::size_t held = std::min<std::size_t>(shapes.size(), 2 * ShapeStore::kAhead);
+    const std::size_t held = std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * ShapeStore::kAhead);
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
                       std::greater<>());
     for (std::size_t i = 0; i < held; ++i) {
@@ -136,7 +140,9 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
     const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
                           static_cast<int>(plan.gap_classes.size()), options.detail};
-    std::int64_t bytes = engine_memory(plan.engine, need, workers);
+    // A beam has a tray and an engine for each of its states.
+    const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
+    std::int64_t bytes = states * engine_memory(plan.engine, need, workers);
     if (options.verify_with) {
         bytes += engine_memory(resolve_engine(options.verify_with->engine), need, workers);
     }
@@ -240,6 +246,12 @@ void check_options(const PackOptions& options) {
     if (options.detail < 1 || options.detail > kMostDetail) {
         throw UsageError("--detail must be 1 to " + std::to_string(kMostDetail));
     }
+    if (options.restarts < 1 || options.restarts > kMostRestarts) {
+        throw UsageError("--restarts must be 1 to " + std::to_string(kMostRestarts));
+    }
+    if (options.beam < 1 || options.beam > kMostBeam) {
+        throw UsageError("--beam must be 1 to " + std::to_string(kMostBeam));
+    }
     not_negative(options.gap, "--gap");
     not_negative(options.wall_gap, "--wall-gap");
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
@@ -295,13 +307,15 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
         if (plan.too_large[i].empty() && copies > 0) {
-            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i]});
+            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i],
+                             part.volume});
         }
     }
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()),
                            plan.gap_classes.end());
     plan.items = order_items(sizes, options.order, options.seed);
+    plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
     for (int axis = 0; axis < 2; ++axis) {
@@ -330,8 +344,12 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
                               static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
+    const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * plan.cache;
+    plan.keeps_all = parts_memory(options.voxel, options.detail, plan, loaded, true) -
+                         parts_memory(options.voxel, options.detail, plan, loaded) <=
+                     spare / 2;
     if (options.trays != 1) {
-        plan.keep = std::max<std::int64_t>(0, plan.memory_limit - plan.memory - kCacheShare * plan.cache) / 2;
+        plan.keep = std::max<std::int64_t>(0, spare) / 2;
     }
     return plan;
 }

@@ -101,6 +101,7 @@ Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& wo
     metrics.min_gap = run.trays.least_gap;
     metrics.searches = run.trays.searches();
     metrics.verified = run.verified;
+    metrics.orders = run.orders;
     metrics.peak_memory = peak_memory();
     metrics.engine = engine_name(run.plan.engine);
     metrics.threads = workers.threads();

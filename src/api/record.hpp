@@ -21,6 +21,7 @@ struct PackRun {
     std::optional<BaseSize> base;   ///< where it was searched for
     PhaseSeconds seconds;           ///< but for disassembly and re-insertion, which the trays tell
     std::int64_t verified = 0;
+    int orders = 1;                 ///< packed in, of which the best was kept
 };
 
 Packing packing_of(const PackRun& run, const Workers& workers);

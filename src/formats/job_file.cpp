@@ -129,7 +129,7 @@ class JobReader {
                           "json",           "material-density", "detail",
                           "take-out",       "open-height",
                           "minimise",       "fill",            "max-density",
-                          "max-layer-fill"});
+                          "max-layer-fill", "restarts",        "beam"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);

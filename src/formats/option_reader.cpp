@@ -62,6 +62,8 @@ void read_options(const Node& node, PackOptions& o) {
     if (const auto v = node.find("max-density")) o.max_density = v->share();
     if (const auto v = node.find("max-layer-fill")) o.max_layer_fill = v->share();
     if (const auto v = node.find("order")) o.order = v->one_of(kOrderNames);
+    if (const auto v = node.find("restarts")) o.restarts = v->integer<int>(1);
+    if (const auto v = node.find("beam")) o.beam = v->integer<int>(1);
     if (const auto v = node.find("engine")) o.engine = v->one_of(kEngineNames);
     if (const auto v = node.find("threads")) o.threads = v->integer<int>();
     if (const auto v = node.find("seed")) o.seed = v->integer<std::uint64_t>();

@@ -19,8 +19,11 @@ inline constexpr Names<Interlock, 3> kInterlockNames{
 inline constexpr Names<TakeOut, 3> kTakeOutNames{{{"smallest", TakeOut::smallest},
                                                   {"lightest", TakeOut::lightest},
                                                   {"thinnest", TakeOut::thinnest}}};
-inline constexpr Names<Order, 3> kOrderNames{
-    {{"size", Order::size}, {"input", Order::input}, {"random", Order::random}}};
+inline constexpr Names<Order, 5> kOrderNames{{{"size", Order::size},
+                                              {"input", Order::input},
+                                              {"random", Order::random},
+                                              {"volume", Order::volume},
+                                              {"mixed", Order::mixed}}};
 inline constexpr Names<EngineKind, 4> kEngineNames{{{"auto", EngineKind::automatic},
                                                     {"cpu", EngineKind::cpu},
                                                     {"cuda", EngineKind::cuda},

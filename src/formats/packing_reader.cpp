@@ -250,6 +250,7 @@ class PackingReader {
             }
         }
         if (const auto v = node.find("searches")) m.searches = v->integer<std::int64_t>(0);
+        if (const auto v = node.find("orders")) m.orders = v->integer<int>(1);
         if (const auto v = node.find("verified")) m.verified = v->integer<std::int64_t>(0);
         if (const auto v = node.find("peak_memory")) m.peak_memory = v->integer<std::int64_t>(0);
         if (const auto v = node.find("engine")) m.engine = v->text();

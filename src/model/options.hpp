@@ -15,7 +15,7 @@ enum class Interlock { off, place, post };
 /// boxes until they exceed a tenth of all; lightest: the one with the least material; thinnest: the one with the least
 /// material for its box (cages, rings and springs rather than what is in them).
 enum class TakeOut { smallest, lightest, thinnest };
-enum class Order { size, input, random };
+enum class Order { size, input, random, volume, mixed };
 enum class EngineKind { automatic, cpu, cuda, reference };
 enum class HeightReference { bottom, top };
 enum class Minimise { none, box };
@@ -48,6 +48,8 @@ struct PackOptions {
     std::optional<double> max_density;     ///< share of the container that copies may take
     std::optional<double> max_layer_fill;  ///< share of a layer's area that cross-sections may take
     Order order = Order::size;
+    int restarts = 1;               ///< orders to pack in, of which the best is kept
+    int beam = 1;                   ///< states that a beam search over orders keeps; 1: none
     EngineKind engine = EngineKind::automatic;
     int threads = 0;                ///< 0: all the machine has
     std::uint64_t seed = 0;

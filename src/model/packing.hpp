@@ -91,6 +91,7 @@ struct Metrics {
     std::optional<InterlockCounts> interlock;  ///< over all trays; none where interlocking was not looked at
     std::int64_t searches = 0;       ///< copies searched for, skipped copies not counted
     std::int64_t verified = 0;       ///< placements answered alike by the verifying engine
+    int orders = 1;                  ///< packed in, of which the best was kept
     std::int64_t peak_memory = 0;
     std::string engine;
     int threads = 0;

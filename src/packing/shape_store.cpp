@@ -49,7 +49,7 @@ const Shape& ShapeStore::at(std::size_t i) {
         std::vector<bool> listed(shapes_.size(), false);
         for (std::size_t j = i; j < items_.size() && batch.size() < kAhead; ++j) {
             const auto part = static_cast<std::size_t>(items_[j].part);
-            if (!listed[part] && !shapes_[part]) {
+            if (!listed[part] && !shapes_[part] && remaining_[part] > 0) {
                 listed[part] = true;
                 batch.push_back(items_[j].part);
             }

@@ -27,7 +27,7 @@ class ShapeStore {
     /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
     void start_tray(const std::vector<PackItem>& items);
 
-    /// The shape of items[i].part. Calls come with i ascending. On a miss, the next kAhead distinct parts are made
+    /// The shape of items[i].part. Calls come with i ascending, about. On a miss, the next kAhead distinct parts are made
     /// together, in parallel. Throws what `make` throws.
     const Shape& at(std::size_t i);
 

@@ -128,7 +128,12 @@ void TrayFiller::fill(int number, const std::vector<PackItem>& items, ShapeStore
     shapes.start_tray(items);
     fill_one(number, items, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
                                                const GreedyLimits& limits) {
-        pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
+        if (setup_.beam) {
+            pack_in_beam(tray, *setup_.beam, setup_.model, items, shapes, settle, item_done, stop, result,
+                         limits.most_layers);
+        } else {
+            pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
+        }
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/parallel.hpp"
 #include "model/packing.hpp"
+#include "packing/beam.hpp"
 #include "packing/greedy.hpp"
 #include "packing/interlocking.hpp"
 #include "packing/refinement.hpp"
@@ -31,6 +32,7 @@ struct FillSetup {
     CostModel model;
     std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
     int most_layers = 0;                                ///< open height: the grid may grow to so many
+    std::optional<BeamSetup> beam;  ///< copies are not tried in one order; without refinement and caps only
     bool refine = false;  ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
     TakeOut take_out = TakeOut::lightest;

@@ -35,6 +35,8 @@ inline Packing small_packing() {
     packing.options.max_density = 0.5;
     packing.options.max_layer_fill = 0.75;
     packing.options.order = Order::random;
+    packing.options.restarts = 7;
+    packing.options.beam = 4;
     packing.options.engine = EngineKind::reference;
     packing.options.threads = 3;
     packing.options.seed = 0xffffffffffffffffu;
@@ -87,6 +89,7 @@ inline Packing small_packing() {
     packing.metrics.seconds = {7, 1, 2, 3, 0.5, 0.25, 0.125};
     packing.metrics.interlock = InterlockCounts{2, 1, 1, 3, 2, 1, 1};
     packing.metrics.searches = 4;
+    packing.metrics.orders = 9;
     packing.metrics.verified = 3;
     packing.metrics.peak_memory = 123456789;
     packing.metrics.engine = "cpu";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace spectralpack {
 namespace {
@@ -36,6 +37,38 @@ TEST(Order, PriorityThenDueDateComeBeforeSize) {
         const auto items = order_items(parts, Order::random, seed);
         EXPECT_TRUE(std::equal(items.begin(), items.begin() + 3, expected.begin()));
         EXPECT_EQ(items.back(), expected.back());
+    }
+}
+
+TEST(Order, VolumeAndMixedPutTheDenserFirst) {
+    // Boxes 10, 30, 10, 20; solid volumes 9, 2, 1, 8; geometric means 9.5, 7.7, 3.2, 12.6.
+    const std::vector<PartSize> parts{{0, 1, 10, 0, "", 9}, {1, 1, 30, 0, "", 2}, {2, 2, 10, 0, "", 1},
+                                      {3, 1, 20, 0, "", 8}};
+    EXPECT_EQ(order_items(parts, Order::volume, 0), (std::vector<PackItem>{{0, 0}, {3, 0}, {1, 0}, {2, 0}, {2, 1}}));
+    EXPECT_EQ(order_items(parts, Order::mixed, 0), (std::vector<PackItem>{{3, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}}));
+}
+
+TEST(Order, RanksAreThoseOfPriorityAndDueDate) {
+    const std::vector<PartSize> parts{{0, 1, 10}, {1, 1, 30}, {3, 1, 20, 0, "2026-12-01"}, {4, 1, 5, 2}, {5, 1, 1, 2}};
+    EXPECT_EQ(urgency_ranks(parts), (std::vector<int>{2, 2, 0, 1, 0, 0}));
+}
+
+TEST(Order, PerturbedGoesNotFarAndPassesNoOtherRank) {
+    std::vector<PackItem> items;
+    std::vector<int> ranks;
+    for (int part = 0; part < 100; ++part) {
+        items.push_back({part, 0});
+        ranks.push_back(part < 30 ? 0 : 1);
+    }
+    RandomStream random(7), again(7);
+    const auto other = perturbed(items, ranks, random);
+    EXPECT_EQ(other, perturbed(items, ranks, again));
+    EXPECT_NE(other, perturbed(items, ranks, random));
+    EXPECT_NE(other, items);
+    EXPECT_TRUE(std::is_permutation(other.begin(), other.end(), items.begin(), items.end()));
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_LE(std::abs(other[static_cast<std::size_t>(i)].part - i), 20);
+        EXPECT_EQ(other[static_cast<std::size_t>(i)].part < 30, i < 30);
     }
 }
 

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "../commands.hpp"
+#include "../exit_status.hpp"
+#include "../interrupts.hpp"
+#include "../text.hpp"
+#include "write_table.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+    std::vector<std::string> tables, peers;
+    std::string folder, mesh_dir, scale = "full";
+    std::optional<std::string> sets;
+    RunnerOptions runner;
+    std::optional<int> threads;
+};
+
+std::string all_tables() {
+    std::string list;
+    for (const std::string& name : table_names()) {
+        list += (list.empty() ? "" : ", ") + name;
+    }
+    return list;
+}
+
+Scale scale_of(const std::string& word) {
+    if (word == "quick") return Scale::quick;
+    if (word == "full") return Scale::full;
+    throw UsageError(fmt::format("--scale takes quick or full, not '{}'", printable(word)));
+}
+
+Peer peer_of(const std::string& text) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || text.find("{out}") == std::string::npos) {
+        throw UsageError("--peer takes NAME=COMMAND, and the command names {out}, the mesh file it leaves");
+    }
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+int run_bench(const BenchArguments& arguments) {
+    const Scale scale = scale_of(arguments.scale);
+    std::vector<Peer> peers;
+    for (const std::string& peer : arguments.peers) {
+        peers.push_back(peer_of(peer));
+    }
+    for (const std::string& name : arguments.tables) {
+        if (std::find(table_names().begin(), table_names().end(), name) == table_names().end()) {
+            throw UsageError(fmt::format("there is no table '{}'; one of {}", printable(name), all_tables()));
+        }
+    }
+    const fs::path folder = arguments.folder;
+    RunnerOptions options = arguments.runner;
+    if (arguments.threads) options.pack.insert(options.pack.end(), {"--threads", std::to_string(*arguments.threads)});
+
+    const Interrupts interrupts(std::nullopt);
+    OutcomeStore store(folder / "runs");
+    BenchSets sets(folder / "sets", arguments.sets, arguments.mesh_dir, scale);
+    Runner runner(
+        store, sets, options, [](const std::string& line) { fmt::print(stderr, "{}\n", printable(line)); },
+        interrupts.token());
+    for (const std::string& name : arguments.tables) {
+        const Table table = make_table(name, scale, name == "letters" ? sets.letters().string() : "");
+        std::vector<RanRow> rows;
+        const auto add = [&](RanRow row) {
+            if (row.tray || row.fixed) rows.push_back(std::move(row));
+        };
+        for (const Row& row : table.rows) {
+            add(runner.run(row));
+            if (name == "4") {
+                for (const Peer& peer : peers) {
+                    add(runner.run(peer, row));
+                }
+            }
+            write_table(table, rows, folder);
+        }
+        fmt::print("{}\n", markdown(table, rows));
+    }
+    if (interrupts.token().stopped()) return kInterrupted;
+    return runner.failed() ? kCheckFailed : kDone;
+}
+
+}  // namespace
+
+Command add_bench_command(CLI::App& app) {
+    auto* sub = app.add_subcommand("bench", "Run the paper's tables");
+    sub->footer(
+        "1        keeping copies from locking: off, place, post\n"
+        "2        continuous refinement off and on\n"
+        "3        the large set: many trays, one large tray; time per phase and per copy\n"
+        "4        beside other programs, those named with --peer; the paper's figures for programs that are sold\n"
+        "5        orientations in steps of 90, 45 and 30 degrees\n"
+        "order    orders, the best of several, beam search (Fig. 19)\n"
+        "height   the height penalty (Fig. 12)\n"
+        "letters  mixtures in the letters of SIGGRAPH (Fig. 14)\n"
+        "tori     48 distorted tori (Fig. 22)\n"
+        "\n"
+        "  spectralpack bench --table order --scale quick -o bench/\n"
+        "  spectralpack bench --table 1 --table 2 --sets DATA/sets --mesh-dir DATA/meshes -o bench/\n"
+        "  spectralpack bench --table 4 --peer 'pack3d=cd /tmp && pack3d {counted} && cp pack3d-*.stl {out}' -o bench/\n"
+        "\n"
+        "Each row packs twice: into a tray that overflows (its density tells which copies got in as well), and a fixed set,\n"
+        "its height or trays to be as few as can be. Each run is a process of its own and is kept in DIR/runs as it ends:\n"
+        "the same call goes on where it was cut off, and what has the same command, program and inputs is not run again.\n"
+        "Writes DIR/table-NAME.md, .csv and .svg; the packings stay in DIR/runs. The sets are generated with seed 0, or come\n"
+        "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv).\n"
+        "Exit status: 0 done; 1 some run failed; 130 interrupted.");
+    auto arguments = std::make_shared<BenchArguments>();
+    BenchArguments& a = *arguments;
+    sub->add_option("--table", a.tables, "which, repeatable: " + all_tables())->required()->expected(1)->take_all();
+    sub->add_option("-o,--output", a.folder, "folder for tables, sets and runs")->required();
+    sub->add_option("--scale", a.scale, "full: the paper's sizes; quick: toys, to see that it works [full]");
+    sub->add_option("--sets", a.sets, "folder of set files to use instead of generated ones");
+    sub->add_option("--mesh-dir", a.mesh_dir, "folder that the paths in those set files start from");
+    sub->add_option("--time-limit", a.runner.time_limit, "seconds for each run; what it has by then counts, marked as cut off")
+        ->check(CLI::PositiveNumber);
+    sub->add_option("--threads", a.threads, "threads of each run, 0 for all [0]");
+    sub->add_option("--peer", a.peers,
+                    "program for table 4, repeatable: NAME=COMMAND for a shell. {set}: the set file; {files}: every copy's\n"
+                    "mesh; {counted}: count and mesh, part by part; {tray}: like 480x245x200; {out}: the STL file to leave\n"
+                    "with all placed copies in it, which is measured")
+        ->expected(1)
+        ->take_all();
+    return {sub, [arguments] { return run_bench(*arguments); }};
+}
+
+}  // namespace spectralpack::cli

@@ -1,0 +1,240 @@
+#include "runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "../text.hpp"
+#include "child.hpp"
+#include "commit.hpp"
+
+namespace spectralpack::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return std::isalnum(c) || std::string_view("-_./=:,+@%").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word) {
+        quoted += c == '\'' ? "'\\''" : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : " ") + shell_word(word);
+    }
+    return text;
+}
+
+std::string machine_text() {
+    std::ifstream processors("/proc/cpuinfo");
+    std::string model = "unknown processor";
+    for (std::string line; std::getline(processors, line);) {
+        if (!line.starts_with("model name")) continue;
+        model = line.substr(line.find(':') + 2);
+        break;
+    }
+    return fmt::format("{}, {} processors", model, std::thread::hardware_concurrency());
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[16];
+    std::strftime(text, sizeof text, "%Y-%m-%d", &parts);
+    return text;
+}
+
+/// Notes when how many copies were placed, from pack's --progress json.
+void note_progress(const std::string& line, std::vector<std::pair<std::int64_t, double>>& trace) {
+    long long done = 0, total = 0;
+    double density = 0, seconds = 0;
+    if (std::sscanf(line.c_str(), R"({"phase": "search", "done": %lld, "total": %lld, "density": %lf, "seconds": %lf)",
+                    &done, &total, &density, &seconds) != 4) {
+        return;
+    }
+    if (trace.empty() || done > trace.back().first) trace.emplace_back(done, seconds);
+}
+
+void measure(const Packing& packing, Outcome& outcome) {
+    outcome.copies = packing.metrics.copies;
+    outcome.placed = packing.metrics.placed;
+    outcome.trays = static_cast<int>(packing.trays.size());
+    outcome.density = packing.metrics.density;
+    outcome.planned = true;
+    for (const TrayPacking& tray : packing.trays) {
+        outcome.own_box = tray.density_bounding_box;
+        outcome.height = tray.height;
+        outcome.planned = outcome.planned && tray.disassembly && tray.disassembly->complete;
+    }
+    for (const Unplaced& copy : packing.unplaced) {
+        outcome.interlocked += copy.reason == UnplacedReason::interlocked ? 1 : 0;
+        outcome.cut_off = outcome.cut_off || copy.reason == UnplacedReason::stopped;
+    }
+    outcome.cut_off = outcome.cut_off || (packing.options.interlock != Interlock::off && !outcome.planned);
+    const PhaseSeconds& seconds = packing.metrics.seconds;
+    outcome.load = seconds.load;
+    outcome.voxelize = seconds.voxelize;
+    outcome.search = seconds.search;
+    outcome.refine = seconds.refine;
+    outcome.disassemble = seconds.disassemble;
+    outcome.reinsert = seconds.reinsert;
+    outcome.peak_memory = packing.metrics.peak_memory;
+}
+
+std::string filled_in(std::string command, const std::string& name, const std::string& value) {
+    const std::string placeholder = "{" + name + "}";
+    for (std::size_t at = 0; (at = command.find(placeholder, at)) != std::string::npos; at += value.size()) {
+        command.replace(at, placeholder.size(), value);
+    }
+    return command;
+}
+
+}  // namespace
+
+Runner::Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, Tell tell, const StopToken& stop)
+    : store_(store), sets_(sets), options_(std::move(options)), tell_(std::move(tell)), stop_(stop),
+      program_(hash_of_file(own_program())) {}
+
+RanRow Runner::run(const Row& row) {
+    RanRow ran{row, {}, {}};
+    if (row.tray) ran.tray = run(*row.tray, row.options);
+    if (row.fixed) ran.fixed = run(*row.fixed, row.options);
+    return ran;
+}
+
+RanRow Runner::run(const Peer& peer, const Row& row) {
+    RanRow ran{row, {}, {}};
+    ran.row.setting = peer.name;
+    ran.row.paper.clear();
+    const auto size_in = [](const Task& task) { return task.container.at(1); };
+    if (row.tray) ran.tray = run_peer(peer, *row.tray, size_in(*row.tray), true);
+    if (row.fixed) ran.fixed = run_peer(peer, *row.fixed, size_in(*row.fixed) + "x10000", false);
+    return ran;
+}
+
+void Runner::stamp(Outcome& outcome) const {
+    outcome.program = "spectralpack " SPECTRALPACK_VERSION;
+    outcome.commit = kCommit;
+    outcome.machine = machine_text();
+    outcome.date = today();
+    std::ifstream("/proc/loadavg") >> outcome.busy;
+}
+
+void Runner::keep(const std::string& key, const Outcome& outcome) const {
+    store_.keep(key, outcome);
+    tell_(fmt::format("{:>7.1f} s{}  {}", outcome.seconds, outcome.cut_off ? ", cut off" : "", outcome.command));
+}
+
+std::optional<Outcome> Runner::run(const Task& task, const std::vector<std::string>& options) {
+    if (stop_.stopped()) return std::nullopt;
+    const SetOnDisk& set = sets_.at(task.set);
+    std::vector<std::string> words{"pack", set.file.string()};
+    if (!set.mesh_dir.empty()) words.insert(words.end(), {"--mesh-dir", set.mesh_dir});
+    for (const std::vector<std::string>& more : {task.container, options, options_.pack}) {
+        words.insert(words.end(), more.begin(), more.end());
+    }
+    if (options_.time_limit) words.insert(words.end(), {"--time-limit", fmt::format("{}", *options_.time_limit)});
+
+    std::uint64_t inputs = hash_of(joined(words), hash_of(fmt::format("{} {}", program_, set.contents)));
+    const auto container = std::find(words.begin(), words.end(), "--container");
+    if (container != words.end()) inputs = hash_of_file(*(container + 1), inputs);
+    const std::string key = fmt::format("{:016x}", inputs);
+    if (auto before = store_.find(key)) return before;
+
+    const fs::path packing = store_.folder() / (key + ".json");
+    Outcome outcome;
+    outcome.command = "spectralpack " + joined(words);
+    stamp(outcome);
+    words.insert(words.begin(), own_program());
+    words.insert(words.end(), {"--progress", "json", "-o", packing.string()});
+    const Ended ended = run_program(
+        words, [&](const std::string& line) { note_progress(line, outcome.trace); }, stop_);
+    if (stop_.stopped()) return std::nullopt;
+    if (ended.status != 0) {
+        tell_(fmt::format("exit status {}: {}\n{}", ended.status, outcome.command, ended.last_words));
+        failed_ = true;
+        return std::nullopt;
+    }
+    measure(load_scene(packing).packing, outcome);
+    outcome.seconds = ended.wall_seconds;
+    outcome.cpu_seconds = ended.cpu_seconds;
+    keep(key, outcome);
+    return outcome;
+}
+
+std::optional<Outcome> Runner::run_peer(const Peer& peer, const Task& task, const std::string& tray,
+                                        bool closed) {
+    if (stop_.stopped()) return std::nullopt;
+    const SetOnDisk& set = sets_.at(task.set);
+    std::string files, counted;
+    std::int64_t copies = 0;
+    for (const PartSource& part : expand_inputs({set.file.string()}, set.mesh_dir).parts) {
+        counted += fmt::format(" {} {}", part.count, shell_word(part.mesh));
+        copies += part.count;
+        for (int copy = 0; copy < part.count; ++copy) {
+            files += " " + shell_word(part.mesh);
+        }
+    }
+    std::string command = filled_in(filled_in(peer.command, "set", shell_word(set.file.string())), "tray", tray);
+    const std::string key = fmt::format("{:016x}", hash_of(command, set.contents));
+    if (auto before = store_.find(key)) return before;
+
+    const fs::path out = store_.folder() / (key + ".stl");
+    Outcome outcome;
+    outcome.command = command;
+    stamp(outcome);
+    outcome.program = peer.name;
+    outcome.copies = copies;
+    command = filled_in(filled_in(command, "files", files), "counted", counted);
+    if (options_.time_limit) command = fmt::format("timeout -s INT {} sh -c {}", *options_.time_limit, shell_word(command));
+    const Ended ended = run_program({"/bin/sh", "-c", filled_in(command, "out", shell_word(out.string()))},
+                                    [](const std::string&) {}, stop_);
+    if (stop_.stopped()) return std::nullopt;
+    Listener quiet;
+    const auto left = inspect(expand_inputs({out.string()}, ""), {}, quiet);
+    if (left.empty() || left.front().objects.empty()) {
+        tell_(fmt::format("{}: exit status {} and no mesh in {}: {}\n{}", peer.name, ended.status, out.string(),
+                          outcome.command, ended.last_words));
+        failed_ = true;
+        return std::nullopt;
+    }
+    double volume = 0;
+    Box box;
+    for (const InspectedObject& object : left.front().objects) {
+        volume += object.figures.volume;
+        box.add(object.figures.box);
+    }
+    const Vec3 room = parse_size(tray, "the tray of a table");
+    const Vec3 taken = box.size();
+    if (taken.x > room.x || taken.y > room.y || taken.z > room.z) {
+        tell_(fmt::format("{} leaves a packing of {:g}x{:g}x{:g} mm, which is no answer for {}", peer.name, taken.x,
+                          taken.y, taken.z, tray));
+        failed_ = true;
+        return std::nullopt;
+    }
+    outcome.trays = 1;
+    outcome.density = volume / (room.x * room.y * (closed ? room.z : taken.z));
+    outcome.own_box = volume / box.volume();
+    outcome.height = box.size().z;
+    outcome.seconds = ended.wall_seconds;
+    outcome.cpu_seconds = ended.cpu_seconds;
+    outcome.peak_memory = ended.peak_memory;
+    keep(key, outcome);
+    return outcome;
+}
+
+}  // namespace spectralpack::cli

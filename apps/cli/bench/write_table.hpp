@@ -1,0 +1,17 @@
+#pragma once
+/// Tables as files: Markdown, CSV and plots.
+
+#include <filesystem>
+#include <vector>
+
+#include "runner.hpp"
+
+namespace spectralpack::cli {
+
+/// What is known of the rows so far, as Markdown.
+std::string markdown(const Table& table, const std::vector<RanRow>& rows);
+
+/// Writes table-NAME.md, .csv and, where some run took long enough to see how its time grows, .svg.
+void write_table(const Table& table, const std::vector<RanRow>& rows, const std::filesystem::path& folder);
+
+}  // namespace spectralpack::cli

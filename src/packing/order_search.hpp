@@ -1,0 +1,38 @@
+#pragma once
+/// Looking for the order to pack in (appendix B.3): pack in several, keep the best.
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "packing/many_trays.hpp"
+#include "packing/packing_score.hpp"
+
+namespace spectralpack {
+
+struct OrderSearch {
+    int restarts = 1;        ///< orders to pack in, the first being the one given
+    int beam = 1;            ///< more than 1: also by beam search from the order given
+    std::uint64_t seed = 0;  ///< of the other orders
+    std::vector<int> ranks;  ///< urgency_ranks(): copies of different rank keep their order
+    PackingMeasures measures;
+};
+
+/// Packs in this order, on the grid. None where this order cannot be packed in the memory there is; what the stop token
+/// cut short is a packing, too.
+using PackInOrder = std::function<std::optional<TraysResult>(const std::vector<PackItem>& items, bool beam)>;
+
+struct FoundOrder {
+    std::vector<PackItem> items;  ///< as placed, tray by tray, then what is left over
+    TraysResult trays;            ///< the packing; its searches are those of all packings
+    int packings = 0;             ///< that were compared
+};
+
+/// Packs in the order given, by beam search where asked for, then in orders perturbed from it (perturbed()), until the
+/// stop token says enough; the packing with the best score is the answer, the first of equals. The first call of `pack`
+/// must not return none.
+FoundOrder find_order(const std::vector<PackItem>& items, const OrderSearch& search, const PackInOrder& pack,
+                      const StopToken& stop);
+
+}  // namespace spectralpack

@@ -1,0 +1,171 @@
+/// The command bench, end to end.
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "cli/program.hpp"
+#include "formats/csv.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Bench : public testing::Test {
+  protected:
+    Ran bench(const std::string& table, std::vector<std::string> more = {}, const std::string& interrupt_when = "") {
+        std::vector<std::string> call{"bench", "--table", table, "--scale", "quick", "-o", (folder_ / "out").string()};
+        call.insert(call.end(), more.begin(), more.end());
+        return spectralpack(call, interrupt_when);
+    }
+
+    /// Rows of a table's CSV by column name.
+    std::vector<std::map<std::string, std::string>> rows(const std::string& table) const {
+        const fs::path file = folder_ / "out" / ("table-" + table + ".csv");
+        const std::vector<CsvRow> lines = parse_csv(file.string(), read_text(file));
+        std::vector<std::map<std::string, std::string>> found;
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            auto& row = found.emplace_back();
+            for (std::size_t k = 0; k < lines[0].fields.size(); ++k) {
+                row[lines[0].fields[k]] = lines[i].fields[k];
+            }
+        }
+        return found;
+    }
+
+    static std::size_t times(const std::string& text, const std::string& what) {
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) {
+            ++count;
+        }
+        return count;
+    }
+
+    /// When each kept run was written.
+    std::map<std::string, fs::file_time_type> runs() const {
+        std::map<std::string, fs::file_time_type> written;
+        for (const auto& entry : fs::directory_iterator(folder_ / "out" / "runs")) {
+            if (entry.path().extension() == ".txt") written[entry.path().filename()] = entry.last_write_time();
+        }
+        return written;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
+    const Ran ran = bench("order");
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const auto all = rows("order");
+    ASSERT_EQ(all.size(), 32u);  // two sets, eight settings, tray and fixed set
+    std::map<std::string, double> density;
+    for (const auto& row : all) {
+        EXPECT_TRUE(contains(row.at("command"), "spectralpack pack ")) << row.at("command");
+        EXPECT_FALSE(row.at("commit").empty());
+        EXPECT_FALSE(row.at("machine").empty());
+        EXPECT_GT(std::stod(row.at("cpu_seconds")), 0);
+        if (row.at("kind") == "fixed") {
+            EXPECT_EQ(row.at("placed"), row.at("copies")) << "a fixed set stands whole";
+            EXPECT_GT(std::stod(row.at("height")), 0);
+        } else {
+            density[row.at("set") + row.at("setting")] = std::stod(row.at("density"));
+        }
+    }
+    for (const char* set : {"pieces", "mixtures"}) {
+        for (const char* order : {"size", "mixed"}) {
+            const std::string plain = std::string(set) + order;
+            EXPECT_GE(density[plain + ", best of 3"], density[plain]) << plain;
+            EXPECT_GE(density[plain + ", beam of 5"], density[plain]) << plain;
+        }
+    }
+    const std::string text = read_text(folder_ / "out" / "table-order.md");
+    EXPECT_EQ(times(text, "spectralpack pack "), 32u);
+    EXPECT_TRUE(contains(text, "| mixtures | size |")) << text;
+    EXPECT_TRUE(contains(ran.out, "| mixtures | size |"));
+}
+
+TEST_F(Bench, WhatWasRunIsNotRunAgain) {
+    const std::vector<std::string> options{"--threads", "1"};
+    const Ran cut = bench("4", options, "mixtures");  // three sets, twice each; this is the second
+    EXPECT_EQ(cut.status, 130) << cut.err;
+    const auto before = runs();
+    EXPECT_GE(before.size(), 3u);
+    EXPECT_LT(before.size(), 6u);
+    EXPECT_LT(rows("4").size(), 6u);
+    ASSERT_EQ(bench("4", options).status, 0);
+    const auto after = runs();
+    EXPECT_EQ(after.size(), 6u);
+    for (const auto& [name, time] : before) {
+        ASSERT_TRUE(after.contains(name));
+        EXPECT_EQ(after.at(name), time) << "run again";
+    }
+    ASSERT_EQ(rows("4").size(), 6u);
+    EXPECT_EQ(bench("4", options).status, 0);
+    EXPECT_EQ(runs(), after);
+    // Another command is another run.
+    EXPECT_EQ(bench("4", {"--threads", "2"}).status, 0);
+    EXPECT_EQ(runs().size(), 12u);
+}
+
+TEST_F(Bench, TheLargeSetTellsTimePerPhase) {
+    const Ran ran = bench("3", {"--time-limit", "60"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const auto all = rows("3");
+    ASSERT_EQ(all.size(), 12u);
+    for (const auto& row : all) {
+        EXPECT_GT(std::stod(row.at("search")), 0);
+        if (row.at("kind") == "tray") continue;
+        EXPECT_EQ(row.at("placed"), row.at("copies"));
+    }
+    EXPECT_GT(std::stoi(all[1].at("trays")), 1) << "many trays";
+    EXPECT_TRUE(contains(read_text(folder_ / "out" / "table-3.md"), "plan / put back"));
+}
+
+TEST_F(Bench, LettersAndToriRun) {
+    for (const char* table : {"letters", "tori"}) {
+        const Ran ran = bench(table);
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        EXPECT_GE(rows(table).size(), 2u);
+    }
+}
+
+TEST_F(Bench, SetsOfAFolderArePacked) {
+    fs::create_directories(folder_ / "sets");
+    for (const char* name : {"pieces", "mixtures", "locks"}) {
+        fs::copy_file(samples() / "samples.csv", folder_ / "sets" / (std::string(name) + ".csv"));
+    }
+    const std::vector<std::string> options{"--sets", (folder_ / "sets").string(), "--mesh-dir", samples().string()};
+    const Ran ran = bench("4", options);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(rows("4").size(), 6u);
+    const Ran missing = bench("tori", options);
+    EXPECT_EQ(missing.status, 3);
+    EXPECT_TRUE(contains(missing.err, "tori.csv")) << missing.err;
+}
+
+TEST_F(Bench, APeerIsMeasuredByWhatItLeaves) {
+    // A "packer" that places one copy: the first mesh as it is.
+    const Ran ran = bench("4", {"--peer", "one=set -- {files}; cp \"$1\" {out}", "--peer", "none=true {out}"});
+    EXPECT_EQ(ran.status, 1) << "a peer that leaves nothing has failed";
+    EXPECT_TRUE(contains(ran.err, "none")) << ran.err;
+    int measured = 0;
+    for (const auto& row : rows("4")) {
+        if (row.at("setting") != "one") continue;
+        ++measured;
+        EXPECT_GT(std::stod(row.at("density_own_box")), 0);
+        EXPECT_EQ(row.at("program"), "one");
+    }
+    EXPECT_EQ(measured, 6);
+}
+
+TEST_F(Bench, WrongUsageIsSaidBeforeAnythingRuns) {
+    EXPECT_EQ(bench("7").status, 2);
+    EXPECT_EQ(bench("4", {"--peer", "nothing"}).status, 2);
+    EXPECT_EQ(bench("4", {"--scale", "huge"}).status, 2);
+    EXPECT_EQ(bench("4", {"--time-limit", "0"}).status, 2);
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace spectralpack::test
