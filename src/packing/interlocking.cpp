@@ -62,11 +62,13 @@ std::vector<int> select_remove(const std::vector<int>& set, const std::vector<St
 }
 
 /// The steps without the copies that are not there any more, `renumbered` to -1. Groups that are one copy then, or all
-/// that is left of their company, are groups no more: a copy's first step alone is its own.
-std::vector<RemovalStep> remaining_steps(const std::vector<RemovalStep>& steps, const std::vector<int>& renumbered) {
+/// that is left of their company, are groups no more: a copy's first step alone is its own. `fixed` more copies stand with
+/// all, and never leave.
+std::vector<RemovalStep> remaining_steps(const std::vector<RemovalStep>& steps, const std::vector<int>& renumbered,
+                                         std::size_t fixed) {
     constexpr int kOut = -1;
     std::vector<int> company(renumbered.size(), kOut);
-    std::vector<std::size_t> standing(1, 0);  // by company
+    std::vector<std::size_t> standing(1, fixed);  // by company
     for (std::size_t i = 0; i < renumbered.size(); ++i) {
         if (renumbered[i] < 0) continue;
         company[i] = 0;
@@ -206,7 +208,7 @@ class Untangling {
                 kept.push_back(placed_[i]);
             }
         }
-        result_.plan.steps = remaining_steps(disassembler.steps(), renumbered);
+        result_.plan.steps = remaining_steps(disassembler.steps(), renumbered, parts.size() - movable);
         placed_ = std::move(kept);
         return out;
     }

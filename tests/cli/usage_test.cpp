@@ -36,7 +36,7 @@ const std::string kPart = (samples() / "samples.csv").string();
 INSTANTIATE_TEST_SUITE_P(
     Calls, Refuses,
     testing::Values(
-        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "--output"}, BadCall{{"bench"}, "not built yet"},
+        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "--output"}, BadCall{{"bench"}, "--table"},
         BadCall{{"pack"}, "PART"}, BadCall{{"pack", "-rf.stl"}, "-rf.stl"},
         BadCall{{"pack", kPart, "--tray", "480x245"}, "--tray"},
         BadCall{{"pack", kPart, "--tray", "0x1x1"}, "--tray"},

@@ -142,6 +142,22 @@ TEST_F(Interlocking, LeavesWhatIsFreeAsItIs) {
     expect_complete(result);
 }
 
+TEST_F(Interlocking, TheLastCopyToLeaveStillHasFixedOnesToPass) {
+    // A cube between two that stay.
+    for (const int x : {0, 40}) {
+        const auto surface = std::make_shared<const Bvh>(test::cube_mesh(10));
+        TrayObject object{std::make_shared<const BitGrid>(voxelize(test::cube_mesh(10), 1, Workers(1))), {x, 0, 0}};
+        object.fixed = true;
+        tray_.add(object);
+        setup_.fixed.push_back({surface, {static_cast<double>(x), 0, 0}, object});
+    }
+    put(test::cube_mesh(8), 0, {20, 0, 0});
+    const Untangled result = untangle_all();
+    expect_complete(result);
+    ASSERT_EQ(result.plan.steps.size(), 1u);
+    EXPECT_FALSE(result.plan.steps.front().path.empty());
+}
+
 TEST_F(Interlocking, AStopLeavesAnIncompletePlan) {
     put(ring(), 0, {10, 10, 20});
     StopSource stop;
