@@ -86,7 +86,8 @@ void append_batch(std::span<const Lookup> pieces, CollisionPlan& plan) {
         plan.offsets[static_cast<std::size_t>(
             begin[static_cast<std::size_t>(piece.place.shift)]++)] = piece.place.offset;
     }
-    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size())});
+    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size()),
+                            static_cast<std::int32_t>(pieces.size())});
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {

@@ -78,6 +78,7 @@ struct CollisionPlan {
     std::vector<LookupGroup> groups;
     struct Batch {
         std::int32_t begin = 0, end = 0;  ///< groups
+        std::int32_t lookups = 0;
     };
     std::vector<Batch> batches;
 };
