@@ -115,7 +115,8 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
         for (int i = 0; i < 30; ++i) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
             const Extent& e = solid.extent();
-            const VoxelIndex at{between(random, -5, s * n.x), between(random, -5, s * n.y), between(random, -5, s * n.z)};
+            const VoxelIndex at{between(random, -5, s * n.x), between(random, -5, s * n.y),
+                                between(random, -5, s * n.z)};
             one_in(random, 3) ? subtract(occupied, solid, at) : unite(occupied, solid, at);
             const SplitVoxels split_up = split(occupied, {}, s);
             std::vector<const BitGrid*> parts;
@@ -141,7 +142,9 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
     for (int i = 0; i < 80; ++i) {
         const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {90, 40, 40}));
         BitGrid wanted = solid;
-        if (one_in(random, 2)) subtract(wanted, random_solid(random, random_extent(random, {1, 1, 1}, {60, 30, 30})), {3, 2, 1});
+        if (one_in(random, 2)) {
+            subtract(wanted, random_solid(random, random_extent(random, {1, 1, 1}, {60, 30, 30})), {3, 2, 1});
+        }
         const std::vector<Piece> pieces = cover(solid, wanted);
         const BitGrid covered = drawn(pieces, solid.extent());
         BitGrid beyond = covered;
@@ -164,7 +167,8 @@ TEST(OrientationRuns, ExchangeTheirAxes) {
     RandomStream random(14);
     const TrayTables tables;
     for (int i = 0; i < 30; ++i) {
-        const auto solid = std::make_shared<const BitGrid>(random_solid(random, random_extent(random, {2, 2, 2}, {70, 30, 20})));
+        const Extent extent = random_extent(random, {2, 2, 2}, {70, 30, 20});
+        const auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
         AxisOrder axes{0, 1, 2};
         for (int k = between(random, 0, 5); k > 0; --k)
             std::ranges::next_permutation(axes);

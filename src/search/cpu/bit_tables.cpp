@@ -103,7 +103,8 @@ void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, 
     }
 }
 
-/// to = from OR `from` moved down by `by` voxels of the layer (s to a voxel of dx) along the axis, for the voxels of the box.
+/// to = from OR `from` moved down by `by` voxels of the layer (s to a voxel of dx) along the axis, for the voxels of the
+/// box.
 void BitTables::dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box) {
     const int stride = axis == 0 ? 1 : axis == 1 ? s : s * s;  // from a part to the next along the axis
     for (int part = 0; part < part_count(s); ++part) {

@@ -37,8 +37,9 @@ class CpuSearch final : public PlacementSearch {
         for (std::size_t i = 0; i < count; ++i) {
             if (entry.states[i].count().empty() || !runs[i].of_class.empty()) continue;
             wanted[i] = true;
-            const int from = shape.orientations[i].turned_from;
-            if (from >= 0 && runs[static_cast<std::size_t>(from)].of_class.empty()) wanted[static_cast<std::size_t>(from)] = true;
+            if (shape.orientations[i].turned_from < 0) continue;
+            const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
+            if (runs[from].of_class.empty()) wanted[from] = true;
         }
         const auto make = [&](bool turned) {
             workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {

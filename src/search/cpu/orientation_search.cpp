@@ -282,8 +282,8 @@ class Pass {
         }
     }
 
-    /// Look-ups from batch `begin` on, as long as they are few beside the loads of weighing what they leave: of that most is
-    /// free and too far off, and rho decides sooner. Returns the first batch that was not made.
+    /// Look-ups from batch `begin` on, as long as they are few beside the loads of weighing what they leave: of that
+    /// most is free and too far off, and rho decides sooner. Returns the first batch that was not made.
     std::size_t SiftFurther(std::size_t begin, int bx, int by, int z, std::uint64_t* free) const {
         const std::vector<CollisionPlan::Batch>& batches = t_.collision.batches;
         std::int64_t made = 0;
@@ -307,8 +307,8 @@ class Pass {
         return count;
     }
 
-    /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that collide
-    /// or are not admitted, offers the best of the others.
+    /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that
+    /// collide or are not admitted, offers the best of the others.
     void Decide(std::size_t begin, int bx, int by, int z, const std::uint32_t (*sums)[kBrickX],
                 const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
@@ -346,7 +346,8 @@ class Pass {
         }
         SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(),
                  t_.exact.batches.data(), t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
-        const std::uint32_t within = lanes & (AtMost(sums, LaneLimit(limit)) | AtMost(sums + 16, LaneLimit(limit)) << 16);
+        const std::uint32_t most = LaneLimit(limit);
+        const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
             const int i = std::countr_zero(above);
             bound[i / kBlock] = std::min(bound[i / kBlock], sums[i]);

@@ -151,7 +151,8 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
     return result;
 }
 
-OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent, const TrayTables& tables) {
+OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent,
+                         const TrayTables& tables) {
     const auto exchanged = [&](const VoxelIndex& v) { return VoxelIndex{v[axes[0]], v[axes[1]], v[axes[2]]}; };
     // Ascending, so that they walk memory in one direction.
     const auto rank = [](const VoxelIndex& v) { return std::make_tuple(v.z, v.y, v.x); };
@@ -174,7 +175,8 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
     for (Run& run : turned) {
         run.start = exchanged(run.start);
     }
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return rank(turned[a].start) < rank(turned[b].start); });
+    std::ranges::sort(order,
+                      [&](std::size_t a, std::size_t b) { return rank(turned[a].start) < rank(turned[b].start); });
     result.solid.axis = static_cast<int>(std::ranges::find(axes, runs.solid.axis) - axes.begin());
     result.solid.voxels = runs.solid.voxels;
     for (const std::size_t i : order) {
@@ -182,7 +184,8 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
         result.least.push_back(runs.least[i]);
     }
     for (const OrientationRuns::Widened& wide : runs.widened) {
-        result.widened.push_back({pieces(wide.pieces), exchanged(wide.offset), pieces(wide.core), exchanged(wide.core_offset)});
+        result.widened.push_back(
+            {pieces(wide.pieces), exchanged(wide.offset), pieces(wide.core), exchanged(wide.core_offset)});
     }
     result.of_class = runs.of_class;
     result.walled = pieces(runs.walled);
