@@ -1,6 +1,7 @@
 #include "api/engine_factory.hpp"
 
 #include "core/error.hpp"
+#include "search/cpu/bit_tables.hpp"
 #include "search/cpu/cpu_search.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
 #include "search/reference/reference_search.hpp"
@@ -31,15 +32,16 @@ constexpr bool kHasReference = false;
 #endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
-/// dilated along three axes for each part of each gap class, each class as a whole and the walls (2 bytes a voxel each);
-/// margins round up.
+/// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each part
+/// on the way; margins round up.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
                                 need.tray.z + 1 + 2 * margin});
     };
     const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
-    return 16 * padded(0) + 2 * layers * padded(need.overhang);
+    const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
+    return 16 * padded(0) + bits * padded(need.overhang) / 8;
 }
 
 }  // namespace

@@ -102,6 +102,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     });
     for (std::size_t i = 0; i < sources.size(); ++i) {
         if (sources[i].root == i) continue;
+        shape.orientations[i].turned_from = static_cast<int>(sources[i].root);
+        shape.orientations[i].axes = sources[i].axes;
         const Widened& of_root = shape.orientations[sources[i].root].widened;
         const AxisOrder& axes = sources[i].axes;
         shape.orientations[i].widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double) {

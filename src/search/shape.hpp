@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "voxel/permute.hpp"
 #include "voxel/voxelize.hpp"
 #include "voxel/widen.hpp"
 
@@ -24,6 +25,10 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
+    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged (voxel/permute.hpp); -1:
+    /// of none that comes before.
+    int turned_from = -1;
+    AxisOrder axes{0, 1, 2};
 };
 
 /// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked from

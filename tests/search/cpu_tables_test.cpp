@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "random_scene.hpp"
+#include "search/cpu/cover.hpp"
 #include "search/cpu/depths.hpp"
 #include "search/cpu/incumbent.hpp"
 #include "search/cpu/plan.hpp"
@@ -47,48 +48,143 @@ TEST(Runs, CoverEachVoxelOnceAndAreMaximal) {
     }
 }
 
-TEST(BitTables, AreDilationsByPowersOfTwo) {
+/// A run, a plate or a cube that the tables know.
+Form random_form(RandomStream& random) {
+    const int axes = between(random, 1, 7);
+    const bool run = axes == 1 || axes == 2 || axes == 4;
+    return {axes, run ? between(random, 0, BitTables::kLevels)
+                      : between(random, BitTables::kFirstPlate, BitTables::kLastPlate)};
+}
+
+template <class Visit>
+void for_each_voxel_of(const Form& form, const VoxelIndex& corner, const Visit& visit) {
+    for_each_voxel({form.size(0), form.size(1), form.size(2)},
+                   [&](int x, int y, int z) { visit(corner + VoxelIndex{x, y, z}); });
+}
+
+/// The pieces' voxels; they must lie in the grid.
+BitGrid drawn(const std::vector<Piece>& pieces, const Extent& extent) {
+    BitGrid bits(extent);
+    for (const Piece& piece : pieces) {
+        for_each_voxel_of(piece.form, piece.corner, [&](const VoxelIndex& v) {
+            ASSERT_TRUE(extent.contains(v));
+            bits.set(v.x, v.y, v.z);
+        });
+    }
+    return bits;
+}
+
+TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
     RandomStream random(2);
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 24; ++i) {
+        const int s = between(random, 1, 3);
         const Extent n = random_extent(random, {1, 1, 1}, {90, 12, 10});
         const int margin = between(random, 0, 3);
-        const BitGrid occupied = random_bits(random, n, 9);
-        BitTables tables(n, margin, 1, 1, 1);
-        tables.refresh(1, {&occupied}, whole(n));
-        for (int question = 0; question < 4000; ++question) {
-            const int axis = between(random, 0, 2), level = between(random, 0, BitTables::kLevels);
+        const BitGrid occupied = random_bits(random, {s * n.x, s * n.y, s * n.z}, 60);
+        const SplitVoxels split_up = split(occupied, {}, s);
+        BitTables tables(n, margin, s, 2, 0);
+        std::vector<const BitGrid*> parts;
+        for (const BitGrid& part : split_up.parts) {
+            parts.push_back(&part);
+        }
+        tables.refresh(1, parts, whole(n));
+        for (int question = 0; question < 1000; ++question) {
+            const Form form = random_form(random);
             VoxelIndex at;
             for (int a = 0; a < 3; ++a) {
-                at[a] = between(random, -margin, n[a] + margin - 1);
+                at[a] = between(random, -s * margin, s * (n[a] + margin) - 1);
             }
             bool expected = false;
-            VoxelIndex v = at;
-            for (int k = 0; k < 1 << level; ++k, ++v[axis]) {
-                expected |= n.contains(v) && occupied.get(v.x, v.y, v.z);
-            }
-            const BitTables::Place place = tables.place(1, axis, level, at);
+            for_each_voxel_of(form, at, [&](const VoxelIndex& v) {
+                expected |= occupied.extent().contains(v) && occupied.get(v.x, v.y, v.z);
+            });
+            const BitTables::Place place = tables.place(1, form, at);
             const std::uint64_t word = tables.tile(0, 0, 0)[place.offset];
-            EXPECT_EQ((word >> place.shift & 1) != 0, expected);
-            EXPECT_EQ(tables.tile(0, 0, 0)[tables.place(0, axis, level, at).offset], 0u);
+            ASSERT_EQ((word >> place.shift & 1) != 0, expected);
+            ASSERT_EQ(tables.tile(0, 0, 0)[tables.place(0, form, at).offset], 0u);
         }
     }
 }
 
 TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     RandomStream random(3);
-    const Extent n{100, 17, 23};
-    BitGrid occupied(n);
-    BitTables tables(n, 2, 1, 1, 0);
-    for (int i = 0; i < 40; ++i) {
-        const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
-        const Extent& e = solid.extent();
-        const VoxelIndex at{between(random, -5, n.x), between(random, -5, n.y),
-                            between(random, -5, n.z)};
-        one_in(random, 3) ? subtract(occupied, solid, at) : unite(occupied, solid, at);
-        tables.refresh(0, {&occupied}, {at, at + VoxelIndex{e.x, e.y, e.z}});
-        BitTables fresh(n, 2, 1, 1, 0);
-        fresh.refresh(0, {&occupied}, whole(n));
-        EXPECT_TRUE(fresh == tables);
+    const Extent n{140, 17, 23};
+    for (int s = 1; s <= 3; ++s) {
+        BitGrid occupied({s * n.x, s * n.y, s * n.z});
+        BitTables tables(n, 2, s, 1, 0);
+        for (int i = 0; i < 30; ++i) {
+            const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
+            const Extent& e = solid.extent();
+            const VoxelIndex at{between(random, -5, s * n.x), between(random, -5, s * n.y),
+                                between(random, -5, s * n.z)};
+            one_in(random, 3) ? subtract(occupied, solid, at) : unite(occupied, solid, at);
+            const SplitVoxels split_up = split(occupied, {}, s);
+            std::vector<const BitGrid*> parts;
+            for (const BitGrid& part : split_up.parts) {
+                parts.push_back(&part);
+            }
+            VoxelBox changed;
+            for (int a = 0; a < 3; ++a) {
+                changed.lo[a] = floor_div(at[a], s);
+                changed.hi[a] = ceil_div(at[a] + e[a], s);
+            }
+            tables.refresh(0, parts, changed);
+            BitTables fresh(n, 2, s, 1, 0);
+            fresh.refresh(0, parts, whole(n));
+            EXPECT_TRUE(fresh == tables);
+        }
+    }
+}
+
+TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
+    RandomStream random(13);
+    int large = 0;
+    for (int i = 0; i < 80; ++i) {
+        const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {90, 40, 40}));
+        BitGrid wanted = solid;
+        if (one_in(random, 2)) {
+            subtract(wanted, random_solid(random, random_extent(random, {1, 1, 1}, {60, 30, 30})), {3, 2, 1});
+        }
+        const std::vector<Piece> pieces = cover(solid, wanted);
+        const BitGrid covered = drawn(pieces, solid.extent());
+        BitGrid beyond = covered;
+        subtract(beyond, solid, {});
+        EXPECT_TRUE(beyond.none());
+        subtract(wanted, covered, {});
+        EXPECT_TRUE(wanted.none());
+        large += std::ranges::any_of(pieces, [](const Piece& piece) { return piece.form.voxels() > 32; });
+    }
+    EXPECT_GT(large, 10);
+}
+
+TEST(Cover, TakesACubeAtOnce) {
+    BitGrid solid({16, 16, 16});
+    solid.fill(true);
+    EXPECT_EQ(cover(solid, solid).size(), 1u);
+}
+
+TEST(OrientationRuns, ExchangeTheirAxes) {
+    RandomStream random(14);
+    const TrayTables tables;
+    for (int i = 0; i < 30; ++i) {
+        const Extent extent = random_extent(random, {2, 2, 2}, {70, 30, 20});
+        const auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
+        AxisOrder axes{0, 1, 2};
+        for (int k = between(random, 0, 5); k > 0; --k)
+            std::ranges::next_permutation(axes);
+        const auto turned = std::make_shared<const BitGrid>(permuted(*solid, axes));
+        const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
+        const VoxelIndex& offset = wide->offset;
+        const VoxelIndex turned_offset{offset[axes[0]], offset[axes[1]], offset[axes[2]]};
+        const BitGrid turned_wide = permuted(wide->voxels, axes);
+        const OrientationRuns runs =
+            permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, turned->extent(), tables);
+        EXPECT_EQ(runs.widened.front().offset, turned_offset);
+        EXPECT_EQ(drawn(runs.widened.front().pieces, turned_wide.extent()), turned_wide);
+        const Runs expected = runs_along(*turned, runs.solid.axis);
+        EXPECT_EQ(runs.solid.runs, expected.runs);
+        EXPECT_EQ(runs.solid.voxels, expected.voxels);
+        EXPECT_EQ(runs.least, depth_sums(*turned, expected, expected));
     }
 }
 

@@ -125,7 +125,13 @@ TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
             const WidenedVoxels wide = widen(fine, one, 1.0 / detail, 0.5, Workers(1));
             EXPECT_EQ(oriented.widened[0]->voxels, wide.voxels);
             EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
+            if (oriented.turned_from < 0) continue;
+            const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
+            EXPECT_LT(from.turned_from, 0);
+            EXPECT_EQ(permuted(*from.fine, oriented.axes), fine);
+            EXPECT_EQ(permuted(from.widened[0]->voxels, oriented.axes), wide.voxels);
         }
+        EXPECT_TRUE(std::ranges::any_of(shape.orientations, [](const OrientedShape& o) { return o.turned_from >= 0; }));
     }
 }
 

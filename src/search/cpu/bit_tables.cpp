@@ -1,5 +1,6 @@
 #include "search/cpu/bit_tables.hpp"
 
+#include <bit>
 #include <limits>
 
 namespace spectralpack {
@@ -32,9 +33,19 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
         throw ResourceError("the tray is too large for this engine");
     }
     words_.assign(static_cast<std::size_t>(words), 0);
+    spare_.assign(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_), 0);
 }
 
-BitTables::Place BitTables::place(int layer, int axis, int level, const VoxelIndex& d) const {
+int BitTables::table_index(const Form& form) {
+    if (form.level == 0) return 0;
+    switch (form.axes) {
+        case 1: case 2: case 4: return 1 + form.axes / 2 * kLevels + form.level - 1;
+        case 3: return 1 + 3 * kLevels + form.level - kFirstPlate;
+        default: return 1 + 3 * kLevels + (form.axes - 4) * kPlates + form.level - kFirstPlate;
+    }
+}
+
+BitTables::Place BitTables::place(int layer, const Form& form, const VoxelIndex& d) const {
     const int s = detail(layer);
     VoxelIndex coarse;
     for (int i = 0; i < 3; ++i) {
@@ -43,7 +54,7 @@ BitTables::Place BitTables::place(int layer, int axis, int level, const VoxelInd
     const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
     const int bit = coarse.x + margin_;
     const std::int64_t offset =
-        table_offset(layer, part, axis, level) +
+        table_offset(layer, part, form) +
         (static_cast<std::int64_t>(coarse.z + margin_) * columns_ + bit / 64) * column_ + coarse.y + margin_;
     return {static_cast<std::int32_t>(offset), bit % 64};
 }
@@ -92,30 +103,80 @@ void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, 
     }
 }
 
-void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed) {
-    const VoxelBox box = intersection(changed, whole(grid_));
-    if (box.empty()) return;
-    const int s = detail(layer);
-    const auto table = [&](int part, int axis, int level) {
-        return words_.data() + table_offset(layer, part, axis, level);
-    };
+/// to = from OR `from` moved down by `by` voxels of the layer (s to a voxel of dx) along the axis, for the voxels of the
+/// box.
+void BitTables::dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box) {
+    const int stride = axis == 0 ? 1 : axis == 1 ? s : s * s;  // from a part to the next along the axis
     for (int part = 0; part < part_count(s); ++part) {
-        refresh_plain(table(part, 0, 0), *parts[static_cast<std::size_t>(part)], box);
+        const int along = part / stride % s;
+        const int other = part + ((along + by) % s - along) * stride;
+        dilate(to.of(part), from.of(part), from.of(other), axis, (along + by) / s, box.lo, box.hi);
     }
-    int stride = 1;  // from a part to the next along the axis
-    for (int axis = 0; axis < 3; ++axis, stride *= s) {
-        for (int level = 1; level <= kLevels; ++level) {
-            const int half = 1 << (level - 1);
-            // In table coordinates (the margin included), what can differ.
-            VoxelIndex lo = box.lo + VoxelIndex{margin_, margin_, margin_};
-            const VoxelIndex hi = box.hi + VoxelIndex{margin_, margin_, margin_};
-            lo[axis] = std::max(0, lo[axis] - ceil_div(2 * half - 1, s));
-            for (int part = 0; part < part_count(s); ++part) {
-                const int along = part / stride % s;
-                const int other = part + ((along + half) % s - along) * stride;
-                dilate(table(part, axis, level), table(part, axis, level - 1), table(other, axis, level - 1), axis,
-                       (along + half) / s, lo, hi);
+}
+
+/// The table of a form from those of smaller ones, where it may differ: `changed` in table coordinates.
+void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& changed) {
+    struct Step {
+        int axis, by;
+    };
+    const int s = detail(layer);
+    const int half = 1 << (form.level - 1);
+    Form from = form;
+    std::vector<Step> steps;
+    if (form.level > kFirstPlate || std::has_single_bit(static_cast<unsigned>(form.axes))) {
+        --from.level;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (form.axes >> axis & 1) steps.push_back({axis, half});
+        }
+    } else {
+        // The least plates from runs, the least cubes from plates, doubled along one axis more.
+        const int last = form.axes == 3 ? 1 : 2;
+        from.axes = form.axes & ~(1 << last);
+        for (int by = 1; by <= half; by *= 2) {
+            steps.push_back({last, by});
+        }
+    }
+    VoxelBox box = changed;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = std::max(0, box.lo[axis] - ceil_div(form.size(axis) - 1, s));
+    }
+    // Words are written whole.
+    box.lo.x = box.lo.x / 64 * 64;
+    box.hi.x = std::min((box.hi.x + 63) / 64 * 64, grid_.x + 2 * margin_);
+    Tables now = tables(layer, from);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        Tables to = tables(layer, form);
+        VoxelBox part = box;
+        if (i + 1 < steps.size()) {
+            to = {spare_.data() + static_cast<std::int64_t>(i % 2) * part_count(s) * table_, table_};
+            // What the steps that follow look at.
+            for (std::size_t k = i + 1; k < steps.size(); ++k) {
+                const int axis = steps[k].axis;
+                part.hi[axis] = std::min(part.hi[axis] + ceil_div(steps[k].by, s), grid_[axis] + 2 * margin_);
             }
+        }
+        dilate(to, now, s, steps[i].axis, steps[i].by, part);
+        now = to;
+    }
+}
+
+void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed) {
+    VoxelBox box = intersection(changed, whole(grid_));
+    if (box.empty()) return;
+    const Tables plain = tables(layer, {});
+    for (int part = 0; part < part_count(detail(layer)); ++part) {
+        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
+    }
+    const VoxelIndex margin{margin_, margin_, margin_};
+    box = {box.lo + margin, box.hi + margin};
+    for (const int axes : {1, 2, 4}) {
+        for (int level = 1; level <= kLevels; ++level) {
+            refresh_form(layer, {axes, level}, box);
+        }
+    }
+    for (const int axes : {3, 5, 6, 7}) {
+        for (int level = kFirstPlate; level <= kLastPlate; ++level) {
+            refresh_form(layer, {axes, level}, box);
         }
     }
 }

@@ -1,10 +1,9 @@
 #pragma once
-/// The tray's occupancy as bits, dilated by powers of two along each axis, so that "does a run of L
-/// voxels meet something here" is one look-up for L a power of two and two otherwise, whatever L
-/// is.
+/// The tray's occupancy as bits, dilated by runs, square plates and cubes whose sides are powers of two, so that "does
+/// such a piece meet something here" is one look-up.
 ///
 /// Invariant, for every layer of occupancy O (a gap class's objects, or the walls):
-///   bit X of table (axis, k) = OR over 0 <= i < 2^k of O(X + i e_axis), O = 0 outside the grid,
+///   bit X of the table of a form = OR over i in the form of O(X + i), O = 0 outside the grid,
 /// for X from -margin to extent + margin on each axis. Fine layers have voxels of dx / s: there X and i count fine voxels,
 /// and each part p of them (voxel/split.hpp) has its own tables, bit x of which is fine voxel s x + p.
 ///
@@ -20,10 +19,22 @@
 
 namespace spectralpack {
 
+/// The voxels from 0 to 2^level - 1 along some of the axes, 0 along the others: a run, a plate, a cube.
+struct Form {
+    int axes = 1;   ///< bit a: along axis a; never 0
+    int level = 0;
+
+    int size(int axis) const { return axes >> axis & 1 ? 1 << level : 1; }
+    int voxels() const { return size(0) * size(1) * size(2); }
+    bool operator==(const Form&) const = default;
+};
+
 class BitTables {
   public:
-    static constexpr int kLevels = 5;  ///< runs are covered by pieces of at most 2^kLevels voxels
-    static constexpr int kTables = 1 + 3 * kLevels;
+    static constexpr int kLevels = 5;                         ///< of runs: at most 2^kLevels voxels
+    static constexpr int kFirstPlate = 2, kLastPlate = 4;     ///< levels of plates and cubes
+    static constexpr int kPlates = kLastPlate - kFirstPlate + 1;
+    static constexpr int kTables = 1 + 3 * kLevels + 4 * kPlates;
 
     BitTables() = default;
     /// Throws ResourceError when an offset would not fit 31 bits. All empty.
@@ -34,11 +45,11 @@ class BitTables {
     /// differ). `parts`: of a fine layer all its parts, of a coarse layer one grid.
     void refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed);
 
-    bool operator==(const BitTables&) const = default;
+    bool operator==(const BitTables& other) const { return words_ == other.words_; }
 
     int margin() const { return margin_; }
     int layers() const { return fine_layers_ + coarse_layers_; }
-    std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
+    std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
 
     /// Words to the neighbouring tile along x.
     std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
@@ -51,22 +62,34 @@ class BitTables {
         std::int32_t offset = 0;
         int shift = 0;
     };
-    /// Where the run piece of 2^level voxels along `axis` that starts at displacement d lies from a
-    /// tile; d in the layer's own voxels, not before the margin on any axis.
-    Place place(int layer, int axis, int level, const VoxelIndex& d) const;
+    /// Where a piece of that form (runs of up to 2^kLevels, plates and cubes of kFirstPlate .. kLastPlate) with its corner
+    /// at displacement d lies from a tile; d in the layer's own voxels, not before the margin on any axis.
+    Place place(int layer, const Form& form, const VoxelIndex& d) const;
 
   private:
     using Word = std::uint64_t;
 
     int detail(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
-    std::int64_t table_offset(int layer, int part, int axis, int level) const {
-        const int index = level == 0 ? 0 : 1 + axis * kLevels + level - 1;
+    /// One table for each part of a layer, or of what is on the way to one.
+    struct Tables {
+        Word* first;
+        std::int64_t stride;  // to the next part
+        Word* of(int part) const { return first + part * stride; }
+    };
+
+    static int table_index(const Form& form);
+    std::int64_t table_offset(int layer, int part, const Form& form) const {
         const int group = layer < fine_layers_ ? layer * part_count(detail_) + part
                                                : fine_layers_ * (part_count(detail_) - 1) + layer;
-        return (static_cast<std::int64_t>(group) * kTables + index) * table_;
+        return (static_cast<std::int64_t>(group) * kTables + table_index(form)) * table_;
+    }
+    Tables tables(int layer, const Form& form) {
+        return {words_.data() + table_offset(layer, 0, form), kTables * table_};
     }
     void refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed);
     void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo, const VoxelIndex& hi);
+    void dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box);
+    void refresh_form(int layer, const Form& form, const VoxelBox& changed);
 
     Extent grid_;
     int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
@@ -74,6 +97,7 @@ class BitTables {
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;
     std::vector<Word> words_;
+    std::vector<Word> spare_;  // tables on the way to plates and cubes
 };
 
 }  // namespace spectralpack

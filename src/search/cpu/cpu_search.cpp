@@ -32,15 +32,33 @@ class CpuSearch final : public PlacementSearch {
         const std::size_t count = shape.orientations.size();
         std::vector<OrientationRuns>& runs = entry.runs;
         std::vector<std::optional<OrientationTask>> searches(count);
+        // Those that differ in their axes only are made from the first of them.
+        std::vector<bool> wanted(count, false);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (entry.states[i].count().empty() || !runs[i].of_class.empty()) continue;
+            wanted[i] = true;
+            if (shape.orientations[i].turned_from < 0) continue;
+            const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
+            if (runs[from].of_class.empty()) wanted[from] = true;
+        }
+        const auto make = [&](bool turned) {
+            workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                const OrientedShape& oriented = shape.orientations[k];
+                if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
+                runs[k] = turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes,
+                                            oriented.solid->extent(), tables_)
+                                 : make_runs(oriented, tray.detail(),
+                                             tray.detail() == 1 ? tables_.apart() : covers, tables_);
+            });
+        };
+        make(false);
+        make(true);
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
             if (entry.states[k].count().empty()) return;
-            const OrientedShape& oriented = shape.orientations[k];
-            if (runs[k].of_class.empty()) {
-                runs[k] = make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
-            }
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i), oriented,
-                                           shape.admits));
+            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
+                                          shape.orientations[k], shape.admits));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.

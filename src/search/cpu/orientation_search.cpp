@@ -79,6 +79,11 @@ class Pass {
         std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
+    /// A free position of a tile and its rho.
+    struct Found {
+        std::uint32_t sum;
+        int x, y;
+    };
 
     /// The limits of brick layer bz's four layers, as the incumbent stands now.
     void LookAtLimits(int bz) {
@@ -256,57 +261,98 @@ class Pass {
             }
         }
         if (any == 0) return;
-        Block(first_batch, t_.collision.batches.size(), bx, by, z, free);
+        const std::size_t begin = SiftFurther(first_batch, bx, by, z, free);
+        alignas(64) std::uint64_t close[kBrickY];
+        alignas(64) std::uint32_t sums[kBrickY][kBrickX];
+        any = 0;
         for (int y = 0; y < kBrickY; ++y) {
-            live[y] &= free[y] | ~chosen[y / kBlock];
+            close[y] = 0;
             for (int half = 0; half < kBrickX; half += kLanes) {
                 const auto lanes = static_cast<std::uint32_t>(free[y] >> half);
-                if (lanes != 0) {
-                    const std::uint32_t refused = Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
-                                                        after[y / kBlock] + half / kBlock);
-                    live[y] &= ~(std::uint64_t{refused} << half);
-                }
+                if (lanes == 0) continue;
+                const std::uint32_t within = Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
+                                                   sums[y] + half, after[y / kBlock] + half / kBlock);
+                close[y] |= static_cast<std::uint64_t>(within) << half;
+            }
+            any |= close[y];
+        }
+        if (any != 0) Decide(begin, bx, by, z, sums, close, free, after);
+        for (int y = 0; y < kBrickY; ++y) {
+            live[y] &= free[y] | ~chosen[y / kBlock];
+        }
+    }
+
+    /// Look-ups from batch `begin` on, as long as they are few beside the loads of weighing what they leave: of that
+    /// most is free and too far off, and rho decides sooner. Returns the first batch that was not made.
+    std::size_t SiftFurther(std::size_t begin, int bx, int by, int z, std::uint64_t* free) const {
+        const std::vector<CollisionPlan::Batch>& batches = t_.collision.batches;
+        std::int64_t made = 0;
+        for (std::size_t b = begin; b < batches.size(); ++b) {
+            const std::int64_t sums = HalfRows(free);
+            if (sums == 0) break;
+            if (b >= kSiftBatches && 4 * made > sums * static_cast<std::int64_t>(t_.exact.loads.size())) return b;
+            Block(b, b + 1, bx, by, z, free);
+            made += batches[b].lookups;
+        }
+        return batches.size();
+    }
+
+    /// How many sums of kLanes it takes to weigh these positions.
+    static int HalfRows(const std::uint64_t* free) {
+        int count = 0;
+        for (int y = 0; y < kBrickY; ++y) {
+            count += (free[y] & 0xFFFFFFFFu) != 0;
+            count += free[y] >> kLanes != 0;
+        }
+        return count;
+    }
+
+    /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that
+    /// collide or are not admitted, offers the best of the others.
+    void Decide(std::size_t begin, int bx, int by, int z, const std::uint32_t (*sums)[kBrickX],
+                const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
+        alignas(64) std::uint64_t left[kBrickY];
+        std::copy_n(close, kBrickY, left);
+        Block(begin, t_.collision.batches.size(), bx, by, z, left);
+        found_.clear();
+        for (int y = 0; y < kBrickY; ++y) {
+            free[y] &= left[y] | ~close[y];
+            for (std::uint64_t bits = left[y]; bits != 0; bits &= bits - 1) {
+                const int x = std::countr_zero(bits);
+                std::uint32_t& bound = after[y / kBlock][x / kBlock];
+                bound = std::min(bound, sums[y][x]);
+                found_.push_back({sums[y][x], x, y});
+            }
+        }
+        std::ranges::stable_sort(found_, {}, &Found::sum);
+        for (const Found& found : found_) {
+            const VoxelIndex q{kBrickX * bx + found.x, kBrickY * by + found.y, z};
+            const bool beyond = found.sum == kSumLimit;  // what lanes hold: each for itself
+            if (!Offer(q, beyond ? proximity_at(context_.tables, t_.solid, q) : found.sum)) {
+                free[found.y] &= ~(std::uint64_t{1} << found.x);
+            } else if (!beyond) {
+                break;
             }
         }
     }
 
-    /// rho of the free positions among (x .. x + 31, y, z); offers the best that is admitted, lowers their blocks'
-    /// bounds to the least. Returns those that it found are not admitted.
-    std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* bound) {
-        alignas(64) std::uint32_t sums[kLanes];
+    /// rho of the positions among (x .. x + 31, y, z) that could be free, or where it is above the limit something
+    /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks.
+    std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums,
+                        std::uint32_t* bound) {
         const std::uint32_t least_sum = LaneLimit(t_.exact.least);
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
         SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(),
                  t_.exact.batches.data(), t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
-        std::uint32_t least = kDead;
-        for (std::uint32_t i = 0; i < kLanes; ++i) {
-            sums[i] = lanes >> i & 1 ? sums[i] : kDead;
-            least = std::min(least, sums[i]);
+        const std::uint32_t most = LaneLimit(limit);
+        const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
+        for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
+            const int i = std::countr_zero(above);
+            bound[i / kBlock] = std::min(bound[i / kBlock], sums[i]);
         }
-        for (int b = 0; b < kLanes / kBlock; ++b) {
-            const std::uint32_t* block = sums + kBlock * b;
-            bound[b] = std::min({bound[b], block[0], block[1], block[2], block[3]});
-        }
-        std::uint32_t refused = 0;
-        while (least <= LaneLimit(limit)) {
-            if (least == kSumLimit) {
-                // Beyond what lanes hold: each for itself.
-                for (lanes &= ~refused; lanes != 0; lanes &= lanes - 1) {
-                    const int lane = std::countr_zero(lanes);
-                    const VoxelIndex q{x + lane, y, z};
-                    if (!Offer(q, proximity_at(context_.tables, t_.solid, q))) refused |= 1u << lane;
-                }
-                break;
-            }
-            const auto lane = static_cast<int>(std::find(sums, sums + kLanes, least) - sums);
-            if (Offer({x + lane, y, z}, least)) break;
-            refused |= 1u << lane;
-            sums[lane] = kDead;
-            least = *std::min_element(sums, sums + kLanes);
-        }
-        return refused;
+        return within;
     }
 
     /// False where the position would be the best so far but is not admitted.
@@ -322,6 +368,7 @@ class Pass {
     SearchContext& context_;
     PositionState& state_;
     std::vector<Survivor> survivors_;
+    std::vector<Found> found_;
     int limits_layer_ = -1;
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};

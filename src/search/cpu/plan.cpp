@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <span>
+#include <tuple>
 
 #include "search/cpu/depths.hpp"
 
@@ -15,23 +17,15 @@ constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
 
-struct Piece {
+struct Lookup {
     BitTables::Place place;
-    int level = 0;
+    int rank = 0;
 };
 
-/// Pieces of 2^k voxels that together cover the run and nothing else.
-void cover(const Run& run, int axis, const VoxelIndex& offset, int layer, const BitTables& bits,
-           std::vector<Piece>& pieces) {
-    int level = 0;
-    while (level < BitTables::kLevels && (2 << level) <= run.length)
-        ++level;
-    const int size = 1 << level;
-    for (int done = 0; done < run.length; done += size) {
-        VoxelIndex d = run.start + offset;
-        d[axis] += std::min(done, run.length - size);
-        pieces.push_back({bits.place(layer, axis, level, d), level});
-    }
+/// How much a piece is likely to decide, 0 .. kRanks - 1.
+constexpr int kRanks = BitTables::kLevels + 2;
+int rank_of(const Form& form) {
+    return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1;
 }
 
 /// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
@@ -74,9 +68,9 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
 }
 
 /// Appends a batch of look-ups, grouped by shift.
-void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
+void append_batch(std::span<const Lookup> pieces, CollisionPlan& plan) {
     std::array<std::int32_t, 65> begin{};
-    for (const Piece& piece : pieces) {
+    for (const Lookup& piece : pieces) {
         ++begin[static_cast<std::size_t>(piece.place.shift) + 1];
     }
     const auto first_group = static_cast<std::int32_t>(plan.groups.size());
@@ -88,34 +82,42 @@ void append_batch(std::span<const Piece> pieces, CollisionPlan& plan) {
         }
     }
     plan.offsets.resize(plan.offsets.size() + pieces.size());
-    for (const Piece& piece : pieces) {
+    for (const Lookup& piece : pieces) {
         plan.offsets[static_cast<std::size_t>(
             begin[static_cast<std::size_t>(piece.place.shift)]++)] = piece.place.offset;
     }
-    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size())});
+    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size()),
+                            static_cast<std::int32_t>(pieces.size())});
 }
 
-OrientationRuns::Widened runs_of(const WidenedVoxels& wide, int detail) {
+OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     OrientationRuns::Widened result;
-    result.runs = fewest_runs(wide.voxels);
     result.offset = wide.offset;
-    if (detail == 1) return result;
+    if (detail == 1) {
+        result.pieces = cover(wide.voxels, wide.voxels);
+        return result;
+    }
     const CoarseVoxels core = filled_voxels(wide.voxels, wide.offset, detail);
-    result.core = fewest_runs(core.voxels);
+    result.core = cover(core.voxels, core.voxels);
     result.core_offset = core.offset;
-    const auto in_core = [&](const Run& run) {
-        const int axis = result.runs.axis;
-        for (int done = 0; done < run.length; ++done) {
-            VoxelIndex at = run.start + wide.offset;
-            at[axis] += done;
-            for (int i = 0; i < 3; ++i) {
-                at[i] = floor_div(at[i], detail) - core.offset[i];
+    BitGrid skin = wide.voxels;
+    const Extent& n = core.voxels.extent();
+    for (int z = 0; z < n.z; ++z) {
+        for (int y = 0; y < n.y; ++y) {
+            for (int w = 0; w < core.voxels.words_per_row(); ++w) {
+                for (BitGrid::Word bits = core.voxels.row(y, z)[w]; bits != 0; bits &= bits - 1) {
+                    const VoxelIndex first{detail * (64 * w + std::countr_zero(bits) + core.offset.x) - wide.offset.x,
+                                           detail * (y + core.offset.y) - wide.offset.y,
+                                           detail * (z + core.offset.z) - wide.offset.z};
+                    for (int part = 0; part < part_count(detail); ++part) {
+                        skin.set(first.x + part % detail, first.y + part / detail % detail,
+                                 first.z + part / (detail * detail), false);
+                    }
+                }
             }
-            if (!core.voxels.get(at.x, at.y, at.z)) return false;
         }
-        return true;
-    };
-    std::erase_if(result.runs.runs, in_core);
+    }
+    result.pieces = cover(wide.voxels, std::move(skin));
     return result;
 }
 
@@ -134,6 +136,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
         result.least = depth_sums(core, runs_along(core, result.solid.axis), result.solid);
     }
+    if (tables.walls()) result.walled = cover(*shape.solid, *shape.solid);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
@@ -143,8 +146,50 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
             continue;
         }
         result.of_class.push_back(static_cast<int>(result.widened.size()));
-        result.widened.push_back(runs_of(*shape.widened[c], detail));
+        result.widened.push_back(pieces_of(*shape.widened[c], detail));
     }
+    return result;
+}
+
+OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent,
+                         const TrayTables& tables) {
+    const auto exchanged = [&](const VoxelIndex& v) { return VoxelIndex{v[axes[0]], v[axes[1]], v[axes[2]]}; };
+    // Ascending, so that they walk memory in one direction.
+    const auto rank = [](const VoxelIndex& v) { return std::make_tuple(v.z, v.y, v.x); };
+    const auto pieces = [&](std::vector<Piece> all) {
+        for (Piece& piece : all) {
+            int turned = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                turned |= (piece.form.axes >> axes[axis] & 1) << axis;
+            }
+            piece = {{turned, piece.form.level}, exchanged(piece.corner)};
+        }
+        std::ranges::sort(all, [&](const Piece& a, const Piece& b) { return rank(a.corner) < rank(b.corner); });
+        return all;
+    };
+
+    OrientationRuns result;
+    std::vector<std::size_t> order(runs.solid.runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<Run> turned = runs.solid.runs;
+    for (Run& run : turned) {
+        run.start = exchanged(run.start);
+    }
+    std::ranges::sort(order,
+                      [&](std::size_t a, std::size_t b) { return rank(turned[a].start) < rank(turned[b].start); });
+    result.solid.axis = static_cast<int>(std::ranges::find(axes, runs.solid.axis) - axes.begin());
+    result.solid.voxels = runs.solid.voxels;
+    for (const std::size_t i : order) {
+        result.solid.runs.push_back(turned[i]);
+        result.least.push_back(runs.least[i]);
+    }
+    for (const OrientationRuns::Widened& wide : runs.widened) {
+        result.widened.push_back(
+            {pieces(wide.pieces), exchanged(wide.offset), pieces(wide.core), exchanged(wide.core_offset)});
+    }
+    result.of_class = runs.of_class;
+    result.walled = pieces(runs.walled);
+    result.cells = plan_cells(result.solid, extent, tables.minima(), tables.phi().most(), tables.apart());
     return result;
 }
 
@@ -178,22 +223,22 @@ int overhang(const Shape& shape, int detail) {
 }
 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables) {
-    std::vector<Piece> pieces;
-    const auto cover_all = [&](const Runs& shape, const VoxelIndex& offset, int layer) {
-        for (const Run& run : shape.runs) {
-            cover(run, shape.axis, offset, layer, tables.bits(), pieces);
+    std::vector<Lookup> lookups;
+    const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer) {
+        for (const Piece& piece : pieces) {
+            lookups.push_back({tables.bits().place(layer, piece.form, piece.corner + offset), rank_of(piece.form)});
         }
     };
     for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
         const int gap_class = static_cast<int>(c);
         if (!tables.occupied(gap_class)) continue;
         const auto& widened = runs.widened[static_cast<std::size_t>(runs.of_class[c])];
-        if (!widened.core.runs.empty()) cover_all(widened.core, widened.core_offset, tables.coarse_layer(gap_class));
-        cover_all(widened.runs, widened.offset, tables.fine_layer(gap_class));
+        if (!widened.core.empty()) look_up(widened.core, widened.core_offset, tables.coarse_layer(gap_class));
+        look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class));
     }
-    if (tables.walls()) cover_all(runs.solid, {}, tables.wall_layer());
-    const std::vector<Piece> ordered = by_level(pieces, BitTables::kLevels + 1, kFirstBatch,
-                                                [](const Piece& piece) { return piece.level; });
+    if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer());
+    const std::vector<Lookup> ordered =
+        by_level(lookups, kRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; });
     CollisionPlan plan;
     std::size_t size = kFirstBatch;
     for (std::size_t begin = 0; begin < ordered.size();) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "search/cpu/cover.hpp"
 #include "search/cpu/runs.hpp"
 #include "search/cpu/tray_tables.hpp"
 #include "search/shape.hpp"
@@ -17,21 +18,26 @@ struct OrientationRuns {
     Runs solid;
     /// For each of them, what phi sums up to at least where the solid is free; all 0 where that says nothing.
     std::vector<std::uint32_t> least;
-    /// A+g. With s > 1 its voxels of dx / s are not all runs: what lies in voxels of dx that are filled altogether, the
-    /// core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
+    /// A+g in pieces. With s > 1 its voxels of dx / s are not all covered: what lies in voxels of dx that are filled
+    /// altogether, the core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
     struct Widened {
-        Runs runs;
+        std::vector<Piece> pieces;
         VoxelIndex offset;
-        Runs core;
+        std::vector<Piece> core;
         VoxelIndex core_offset;
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
+    std::vector<Piece> walled;     ///< A in pieces; none where the tray has no walls of its own
     CellPlan cells;                ///< for the tables of one tray
 };
 
 /// For searches in the tray that `tables` follow. `covers`: covers_solid() of the whole shape.
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables);
+
+/// What make_runs() would give, but for the order of pieces, for an orientation whose voxels are those of the one with
+/// these runs with the axes exchanged. `extent`: of its solid. O(runs log runs).
+OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent, const TrayTables& tables);
 
 /// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
 /// phi >= 1 on every voxel of the solid.
@@ -72,13 +78,13 @@ struct CollisionPlan {
     std::vector<LookupGroup> groups;
     struct Batch {
         std::int32_t begin = 0, end = 0;  ///< groups
+        std::int32_t lookups = 0;
     };
     std::vector<Batch> batches;
 };
 
 /// Covers every widened voxel against its class's objects and every solid voxel against the walls,
-/// in pieces of 2^k voxels that may overlap. The first batch takes long pieces from all over the
-/// shape.
+/// in pieces that may overlap. The first batches take large pieces from all over the shape.
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables);
 
 struct SumPlan {

@@ -1,0 +1,176 @@
+#include "search/cpu/cover.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "search/cpu/runs.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Word = BitGrid::Word;
+
+/// Word w of a row moved down by `by` voxels; 0 <= by < 64.
+Word moved_down(const Word* row, int words, int w, int by) {
+    return by == 0 ? row[w] : row[w] >> by | (w + 1 < words ? row[w + 1] << (64 - by) : Word{0});
+}
+
+/// Keeps the voxels v of which v + by e_axis is set too; 0 < by < 64.
+void erode(BitGrid& bits, int axis, int by) {
+    const Extent& n = bits.extent();
+    const int words = bits.words_per_row();
+    for (int z = 0; z < n.z; ++z) {
+        for (int y = 0; y < n.y; ++y) {
+            Word* row = bits.row(y, z);
+            if (axis == 0) {
+                for (int w = 0; w < words; ++w) {
+                    row[w] &= moved_down(row, words, w, by);
+                }
+                continue;
+            }
+            const int from_y = axis == 1 ? y + by : y, from_z = axis == 2 ? z + by : z;
+            if (from_y >= n.y || from_z >= n.z) {
+                std::fill_n(row, words, Word{0});
+                continue;
+            }
+            const Word* from = bits.row(from_y, from_z);
+            for (int w = 0; w < words; ++w) {
+                row[w] &= from[w];
+            }
+        }
+    }
+}
+
+/// Where the corner of a piece of the form may lie for the piece to lie in the solid.
+struct Fits {
+    Form form;
+    BitGrid corners;
+};
+
+/// All plates and cubes that fit somewhere, the largest first.
+std::vector<Fits> all_fits(const BitGrid& solid) {
+    std::vector<Fits> result;
+    for (const int axes : {3, 5, 6, 7}) {
+        const auto erode_all = [&](BitGrid& corners, int by, int among) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (among >> axis & 1) erode(corners, axis, by);
+            }
+        };
+        const auto fits_in = [&](const Form& form) {
+            bool fits = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                fits = fits && form.size(axis) <= solid.extent()[axis];
+            }
+            return fits;
+        };
+        Form form{axes, BitTables::kFirstPlate};
+        if (!fits_in(form)) continue;
+        BitGrid corners;
+        if (axes == 7) {  // a cube holds plates
+            const auto plates = std::ranges::find_if(
+                result, [](const Fits& f) { return f.form == Form{3, BitTables::kFirstPlate}; });
+            if (plates == result.end()) continue;
+            corners = plates->corners;
+            for (int by = 1; by < form.size(2); by *= 2) {
+                erode(corners, 2, by);
+            }
+        } else {
+            corners = solid;
+            for (int by = 1; by < 1 << form.level; by *= 2) {
+                erode_all(corners, by, axes);
+            }
+        }
+        while (!corners.none()) {
+            result.push_back({form, corners});
+            ++form.level;
+            if (form.level > BitTables::kLastPlate || !fits_in(form)) break;
+            erode_all(corners, 1 << (form.level - 1), axes);
+        }
+    }
+    std::ranges::stable_sort(result, [](const Fits& a, const Fits& b) { return a.form.voxels() > b.form.voxels(); });
+    return result;
+}
+
+/// Visits the words of a piece's voxels with a mask of those.
+template <class Visit>
+void for_each_word(BitGrid& bits, const Piece& piece, const Visit& visit) {
+    const int length = piece.form.size(0);
+    const Word ones = (Word{1} << length) - 1;
+    const int w = piece.corner.x / 64, shift = piece.corner.x % 64;
+    for (int z = piece.corner.z; z < piece.corner.z + piece.form.size(2); ++z) {
+        for (int y = piece.corner.y; y < piece.corner.y + piece.form.size(1); ++y) {
+            Word* row = bits.row(y, z);
+            visit(row[w], ones << shift);
+            if (shift + length > 64) visit(row[w + 1], ones >> (64 - shift));
+        }
+    }
+}
+
+/// Takes the piece if half of its rows are wanted whole.
+void take(const Piece& piece, BitGrid& wanted, std::vector<Piece>& pieces) {
+    int words = 0, missing = 0;
+    for_each_word(wanted, piece, [&](const Word& word, Word mask) {
+        ++words;
+        missing += (word & mask) != mask;
+    });
+    if (2 * missing > words) return;
+    for_each_word(wanted, piece, [](Word& word, Word mask) { word &= ~mask; });
+    pieces.push_back(piece);
+}
+
+/// Takes pieces of one form whose middle is wanted: first those with a wanted voxel in the lower corner, then, for what
+/// stands out above, in the upper corner.
+void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
+    const Form& form = fits.form;
+    const Extent& n = wanted.extent();
+    const int words = wanted.words_per_row();
+    const VoxelIndex last{form.size(0) - 1, form.size(1) - 1, form.size(2) - 1};
+    const VoxelIndex middle{form.size(0) / 2, form.size(1) / 2, form.size(2) / 2};
+    for (const VoxelIndex& to : {VoxelIndex{}, last}) {
+        for (int z = 0; z + last.z < n.z; ++z) {
+            for (int y = 0; y + last.y < n.y; ++y) {
+                const Word* corners = fits.corners.row(y, z);
+                const Word* at = wanted.row(y + to.y, z + to.z);
+                const Word* inside = wanted.row(y + middle.y, z + middle.z);
+                for (int w = 0; w < words; ++w) {
+                    Word behind = ~Word{0};
+                    const auto candidates = [&] {
+                        return corners[w] & behind & moved_down(at, words, w, to.x) &
+                               moved_down(inside, words, w, middle.x);
+                    };
+                    if (corners[w] == 0) continue;
+                    for (Word bits = candidates(); bits != 0; bits = candidates()) {
+                        const int x = std::countr_zero(bits);
+                        behind = x == 63 ? 0 : ~Word{0} << (x + 1);
+                        take({form, {64 * w + x, y, z}}, wanted, pieces);
+                    }
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted) {
+    std::vector<Piece> pieces;
+    for (const Fits& fits : all_fits(solid)) {
+        take_all(fits, wanted, pieces);
+    }
+    const Runs rest = fewest_runs(wanted);
+    for (const Run& run : rest.runs) {
+        Form form{1 << rest.axis, 0};
+        while (form.level < BitTables::kLevels && (2 << form.level) <= run.length)
+            ++form.level;
+        const int size = 1 << form.level;
+        for (int done = 0; done < run.length; done += size) {
+            VoxelIndex corner = run.start;
+            corner[rest.axis] += std::min(done, run.length - size);
+            pieces.push_back({form, corner});
+        }
+    }
+    return pieces;
+}
+
+}  // namespace spectralpack
