@@ -27,8 +27,7 @@ FloodFill::Row& FloodFill::row(int y, int z) {
         index = static_cast<std::int32_t>(known_.size());
         const auto nx = static_cast<std::size_t>(rows_.extent().x);
         const std::size_t words = (nx + 63) / 64;
-        known_.push_back({std::vector<std::uint64_t>(words), std::vector<bool>(words), std::vector<std::uint8_t>(nx, 0),
-                          std::vector<bool>(nx)});
+        known_.push_back({std::vector<std::uint64_t>(words), std::vector<bool>(words), std::vector<std::uint8_t>(nx, 0)});
     }
     return known_[static_cast<std::size_t>(index)];
 }
@@ -61,7 +60,9 @@ int FloodFill::to_go(const VoxelIndex& at) const {
     return std::max(0, least);
 }
 
-std::optional<VoxelIndex> FloodFill::walk(const VoxelIndex& from, std::vector<VoxelIndex>* visited) {
+std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
+    const VoxelIndex from = start - rows_.origin();
+    if (!rows_.extent().contains(from)) return {start};
     // Buckets by steps in all; the least only grows, since a step brings at most one step nearer.
     std::vector<std::vector<Entry>> open;
     std::size_t least = static_cast<std::size_t>(to_go(from));
@@ -80,8 +81,7 @@ std::optional<VoxelIndex> FloodFill::walk(const VoxelIndex& from, std::vector<Vo
             if (++visited_ % kPoll == 0 && stop_.stopped()) return {};
             came = entry.came;
             pocket_ = hull(pocket_, {entry.at + rows_.origin(), entry.at + rows_.origin() + VoxelIndex{1, 1, 1}});
-            if (visited) visited->push_back(entry.at);
-            if (to_go(entry.at) == 0) return entry.at;
+            if (to_go(entry.at) == 0) return trace(entry.at);
             // The move that led here is tried first (it is pushed last), for few corners.
             const int ahead = entry.came == kStart ? 0 : entry.came - 1;
             for (int i = 5; i >= 0; --i) {
@@ -90,35 +90,12 @@ std::optional<VoxelIndex> FloodFill::walk(const VoxelIndex& from, std::vector<Vo
                 if (!rows_.extent().contains(next)) continue;
                 Row& there = row(next.y, next.z);
                 if (!is_free(there, next)) continue;
-                if (there.came[static_cast<std::size_t>(next.x)] != 0) {
-                    if (there.outside[static_cast<std::size_t>(next.x)]) return next;
-                    continue;
-                }
+                if (there.came[static_cast<std::size_t>(next.x)] != 0) continue;
                 push({next, entry.gone + 1, static_cast<std::uint8_t>(move + 1)});
             }
         }
     }
-    return std::nullopt;
-}
-
-std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
-    const VoxelIndex from = start - rows_.origin();
-    if (!rows_.extent().contains(from)) return {start};
-    const std::optional<VoxelIndex> end = walk(from, nullptr);
-    return end ? trace(*end) : std::vector<VoxelIndex>{};
-}
-
-bool FloodFill::reaches_outside(const VoxelIndex& start) {
-    const VoxelIndex from = start - rows_.origin();
-    if (!rows_.extent().contains(from)) return true;
-    const auto x = static_cast<std::size_t>(from.x);
-    if (Row& there = row(from.y, from.z); there.came[x] != 0) return there.outside[x];
-    std::vector<VoxelIndex> visited;
-    const bool outside = walk(from, &visited).has_value();
-    for (const VoxelIndex& at : visited) {
-        row(at.y, at.z).outside[static_cast<std::size_t>(at.x)] = outside;
-    }
-    return outside;
+    return {};
 }
 
 std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {

@@ -2,7 +2,6 @@
 /// Flood-fill disassembly of one copy (section 4.1, Algorithm 3), from the copy outwards: a walk over free positions,
 /// from face to face, that ends as soon as it is outside.
 
-#include <optional>
 #include <vector>
 
 #include "core/stop.hpp"
@@ -27,10 +26,6 @@ class FloodFill {
     /// steps gone and steps at least to go, which are exact (A*); each word of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
-    /// Whether there is a way from `start`, which is free, to outside. Every position visited for that is remembered with
-    /// the answer, and a walk that meets one ends there: no position is visited twice. Not to be mixed with way_out().
-    bool reaches_outside(const VoxelIndex& start);
-
     /// The box of all positions visited.
     const VoxelBox& pocket() const { return pocket_; }
 
@@ -39,7 +34,6 @@ class FloodFill {
         std::vector<std::uint64_t> free;
         std::vector<bool> computed;        ///< which words of `free` are
         std::vector<std::uint8_t> came;    ///< 0: not visited; kStart; else 1 + the move that led here
-        std::vector<bool> outside;         ///< visited positions from which reaches_outside() is true
     };
     struct Entry {
         VoxelIndex at;  ///< from the rows' origin
@@ -49,9 +43,6 @@ class FloodFill {
     static constexpr std::uint8_t kStart = 7;
     static constexpr std::int64_t kPoll = 4096;  ///< positions visited between looks at the token
 
-    /// Walks from `from` until outside, or to a position known to reach that, and returns where it ended; none when all
-    /// that can be reached has been visited. Adds what it visits to `visited`, if that is not null.
-    std::optional<VoxelIndex> walk(const VoxelIndex& from, std::vector<VoxelIndex>* visited);
     Row& row(int y, int z);
     bool is_free(Row& row, const VoxelIndex& at);
     /// Steps at least to go; 0 is outside.

@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-#include "disassembly/flood_fill.hpp"
+#include "disassembly/reachable_region.hpp"
 
 namespace spectralpack {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63;
 struct Known {
     std::mutex mutex;
     std::unique_ptr<FreeRowReader> rows;
-    std::unique_ptr<FloodFill> flood;
+    std::unique_ptr<ReachableRegion> region;
 };
 
 }  // namespace
@@ -31,14 +31,15 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         if (tray.candidates(oriented.size).empty()) continue;
         const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
         known[i].rows = engine_.free_rows(fine, solid, {});
-        known[i].flood = std::make_unique<FloodFill>(*known[i].rows, solid->extent(), whole(fine.extent()));
+        known[i].region =
+            std::make_unique<ReachableRegion>(*known[i].rows, solid->extent(), whole(fine.extent()), stop);
     }
     Shape asked = shape;
     asked.id |= kOwnIds;
     asked.admits = [&](int index, const VoxelIndex& q) {
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
-        return of.flood->reaches_outside({s * q.x, s * q.y, s * q.z});
+        return of.region->contains({s * q.x, s * q.y, s * q.z});
     };
     return engine_.best_placement(tray, asked, model, stop);
 }

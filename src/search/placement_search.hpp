@@ -63,6 +63,17 @@ class FreeRowReader {
     virtual const Extent& extent() const = 0;
     /// Writes words first .. first + count - 1 of the row (y, z), 64 positions each; bits beyond the extent are 0.
     virtual void words(int y, int z, int first, int count, std::uint64_t* free) = 0;
+    /// What it takes to tell which of the positions `wanted` of a word are free: tells of those and of whatever else is
+    /// found on the way.
+    struct Told {
+        std::uint64_t known = 0, free = 0;
+    };
+    virtual Told tell(int y, int z, int word, std::uint64_t wanted) {
+        static_cast<void>(wanted);
+        Told told{~std::uint64_t{0}, 0};
+        words(y, z, word, 1, &told.free);
+        return told;
+    }
 };
 
 class PlacementSearch {

@@ -34,20 +34,7 @@ FreeRows::FreeRows(const Tray& tray, std::shared_ptr<DilatedRows> rows, const Fr
         origin_[axis] = -(solid.extent()[axis] - 1) - query.padding;
         extent_[axis] = tray.extent()[axis] + solid.extent()[axis] - 1 + 2 * query.padding;
     }
-    constexpr int kLongest = 2 << (DilatedRows::kLevels - 1);
-    std::vector<Look> looks;
-    for (const Run& run : runs_along(solid, 0).runs) {
-        for (int done = 0; done < run.length; done += kLongest) {
-            const int length = std::min(kLongest, run.length - done);
-            const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), DilatedRows::kLevels) - 1;
-            const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
-            looks.push_back({origin_.y + run.start.y, origin_.z + run.start.z, level, begin, begin + length - (1 << level)});
-        }
-    }
-    const std::size_t stride = spreading_stride(looks.size());
-    for (std::size_t i = 0, at = 0; i < looks.size(); ++i, at = (at + stride) % looks.size()) {
-        looks_.push_back(looks[at]);
-    }
+    looks_ = looks_for(solid);
     if (!query.without) return;
     const TrayObject& out = tray.object(*query.without);
     const Extent& e = out.solid->extent();
@@ -71,20 +58,45 @@ const Word* FreeRows::row(int y, int z) {
     return tables.data();
 }
 
-void FreeRows::words(int y, int z, int first, int count, std::uint64_t* free) {
+std::vector<FreeRows::Look> FreeRows::looks_for(const BitGrid& voxels) const {
+    constexpr int kLongest = 2 << (DilatedRows::kLevels - 1);
+    std::vector<Look> looks;
+    for (const Run& run : runs_along(voxels, 0).runs) {
+        for (int done = 0; done < run.length; done += kLongest) {
+            const int length = std::min(kLongest, run.length - done);
+            const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), DilatedRows::kLevels) - 1;
+            const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
+            looks.push_back({origin_.y + run.start.y, origin_.z + run.start.z, level, begin, begin + length - (1 << level)});
+        }
+    }
+    const std::size_t stride = spreading_stride(looks.size());
+    std::vector<Look> spread;
+    spread.reserve(looks.size());
+    for (std::size_t i = 0, at = 0; i < looks.size(); ++i, at = (at + stride) % looks.size()) {
+        spread.push_back(looks[at]);
+    }
+    return spread;
+}
+
+FreeRows::Told FreeRows::tell(int y, int z, int word, std::uint64_t wanted) {
     const Extent& grid = rows_->extent();
     const int words = rows_->words();
+    const int x = 64 * word;
+    Word blocked = x + 64 > extent_.x ? ~((Word{1} << (extent_.x - x)) - 1) : 0;
+    for (const Look& look : looks_) {
+        const int at_y = y + look.y, at_z = z + look.z;
+        if (at_y < 0 || at_y >= grid.y || at_z < 0 || at_z >= grid.z) continue;
+        const Word* table = row(at_y, at_z) + look.level * (words + 2) + 1;
+        blocked |= bits_at(table, words, x + look.begin);
+        if (look.end != look.begin) blocked |= bits_at(table, words, x + look.end);
+        if ((wanted & ~blocked) == 0) return {blocked, 0};
+    }
+    return {~Word{0}, ~blocked};
+}
+
+void FreeRows::words(int y, int z, int first, int count, std::uint64_t* free) {
     for (int i = 0; i < count; ++i) {
-        const int x = 64 * (first + i);
-        Word blocked = x + 64 > extent_.x ? ~((Word{1} << (extent_.x - x)) - 1) : 0;
-        for (const Look& look : looks_) {
-            const int at_y = y + look.y, at_z = z + look.z;
-            if (at_y < 0 || at_y >= grid.y || at_z < 0 || at_z >= grid.z) continue;
-            const Word* table = row(at_y, at_z) + look.level * (words + 2) + 1;
-            blocked |= bits_at(table, words, x + look.begin) | bits_at(table, words, x + look.end);
-            if (blocked == ~Word{0}) break;
-        }
-        free[i] = ~blocked;
+        free[i] = tell(y, z, first + i, ~Word{0}).free;
     }
 }
 

@@ -2,6 +2,7 @@
 /// Free positions of a shape among the objects of Omega_move, some words of bits at a time (for flood
 /// fill and re-insertion, paper sections 4.1 and 4.3).
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -27,6 +28,8 @@ class FreeRows final : public FreeRowReader {
 
     /// O(runs x count) at most.
     void words(int y, int z, int first, int count, std::uint64_t* free) override;
+    /// O(runs) at most; less where all that is wanted collides.
+    Told tell(int y, int z, int word, std::uint64_t wanted) override;
 
   private:
     struct Look {
@@ -35,6 +38,7 @@ class FreeRows final : public FreeRowReader {
         int begin, end;  // bits of it, from the position's x: 64 positions from there on
     };
 
+    std::vector<Look> looks_for(const BitGrid& voxels) const;
     const BitGrid::Word* row(int y, int z);
 
     const Tray& tray_;

@@ -1,0 +1,135 @@
+#include "disassembly/reachable_region.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace spectralpack {
+namespace {
+
+constexpr std::uint64_t kAll = ~std::uint64_t{0};
+
+/// Bits of positions x .. x + 63 that are below `end`.
+std::uint64_t below(int x, int end) {
+    if (end <= x) return 0;
+    return end - x >= 64 ? kAll : (std::uint64_t{1} << (end - x)) - 1;
+}
+
+}  // namespace
+
+ReachableRegion::ReachableRegion(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop)
+    : rows_(rows),
+      solid_(solid),
+      rest_{rest.lo - rows.origin(), rest.hi - rows.origin()},
+      row_words_((rows.extent().x + 63) / 64),
+      known_(static_cast<std::size_t>(rows.extent().y) * static_cast<std::size_t>(rows.extent().z)),
+      stop_(std::move(stop)) {}
+
+ReachableRegion::Word& ReachableRegion::word(int y, int z, int i) {
+    std::unique_ptr<Word[]>& row = known_[static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_.extent().y) +
+                                          static_cast<std::size_t>(y)];
+    if (!row) row = std::make_unique<Word[]>(static_cast<std::size_t>(row_words_));
+    return row[static_cast<std::size_t>(i)];
+}
+
+/// Steps at least along y or z; 0 is outside.
+int ReachableRegion::to_go(int y, int z) const {
+    return std::max(0, std::min({y + solid_.y - rest_.lo.y, rest_.hi.y - y, z + solid_.z - rest_.lo.z, rest_.hi.z - z}));
+}
+
+std::uint64_t ReachableRegion::outside_at(int y, int z, int i) const {
+    if (to_go(y, z) == 0) return kAll;
+    return below(64 * i, rest_.lo.x - solid_.x + 1) | ~below(64 * i, rest_.hi.x);
+}
+
+/// Visits positions, which are free.
+void ReachableRegion::reach(const Some& fresh) {
+    Word& at = word(fresh.y, fresh.z, fresh.i);
+    at.visited |= fresh.positions;
+    walked_.push_back(fresh);
+    if (fresh.positions & outside_at(fresh.y, fresh.z, fresh.i)) {
+        outside_ = true;
+        return;
+    }
+    const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
+    if (open_.size() <= left) open_.resize(left + 1);
+    open_[left].push_back(fresh);
+    least_ = std::min(least_, left);
+    if (at.sideways == 0) sideways_.push_back(fresh);
+    at.sideways |= fresh.positions;
+}
+
+/// Visits those of `neighbours`, next to positions visited, that are free.
+void ReachableRegion::touch(const Some& neighbours) {
+    const auto& [y, z, i, positions] = neighbours;
+    Word& at = word(y, z, i);
+    if (positions & at.outside) {
+        outside_ = true;
+        return;
+    }
+    const std::uint64_t wanted = positions & ~at.visited;
+    if (const std::uint64_t unknown = wanted & ~at.known) {
+        const FreeRowReader::Told told = rows_.tell(y, z, i, unknown);
+        at.known |= told.known;
+        at.free |= told.free;
+    }
+    if (const std::uint64_t fresh = wanted & at.free) reach({y, z, i, fresh});
+}
+
+void ReachableRegion::go_on(const Some& from) {
+    for (int move = 0; move < 4 && !outside_; ++move) {
+        Some to = from;
+        (move < 2 ? to.y : to.z) += move % 2 == 0 ? 1 : -1;
+        if (to.y >= 0 && to.y < rows_.extent().y && to.z >= 0 && to.z < rows_.extent().z) touch(to);
+    }
+}
+
+void ReachableRegion::go_sideways(const Some& where) {
+    const auto& [y, z, i, first] = where;
+    const std::uint64_t from = std::exchange(word(y, z, i).sideways, 0);
+    touch({y, z, i, from << 1});
+    touch({y, z, i, from >> 1});
+    if (from >> 63 && i + 1 < row_words_) touch({y, z, i + 1, 1});
+    if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63});
+}
+
+bool ReachableRegion::contains(const VoxelIndex& start) {
+    const VoxelIndex from = start - rows_.origin();
+    if (!rows_.extent().contains(from)) return true;
+    const std::uint64_t bit = std::uint64_t{1} << (from.x % 64);
+    Word& at = word(from.y, from.z, from.x / 64);
+    if (at.visited & bit) return at.outside & bit;
+
+    outside_ = false;
+    at.known |= bit;
+    at.free |= bit;
+    reach({from.y, from.z, from.x / 64, bit});
+    while (!outside_ && !stop_.stopped()) {
+        while (least_ < open_.size() && open_[least_].empty()) {
+            ++least_;
+        }
+        if (least_ < open_.size()) {
+            const Some next = open_[least_].back();
+            open_[least_].pop_back();
+            go_on(next);
+        } else if (!sideways_.empty()) {
+            const Some next = sideways_.back();
+            sideways_.pop_back();
+            go_sideways(next);
+        } else {
+            break;
+        }
+    }
+    for (const Some& visited : walked_) {
+        Word& there = word(visited.y, visited.z, visited.i);
+        there.sideways = 0;
+        if (outside_) there.outside |= visited.positions;
+    }
+    walked_.clear();
+    open_.clear();
+    sideways_.clear();
+    least_ = 0;
+    return outside_;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,61 @@
+#pragma once
+/// From which positions there is a way to outside (section 4.3): a walk over free positions, 64 side by side at a time.
+/// Each word goes to its neighbours along y and z at once; along x, where little is found that they do not find, last.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/stop.hpp"
+#include "search/placement_search.hpp"
+#include "voxel/voxel_box.hpp"
+
+namespace spectralpack {
+
+class ReachableRegion {
+  public:
+    /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
+    ReachableRegion(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop);
+
+    /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every position
+    /// visited for that is remembered with the answer, and a walk that meets one ends there: none is visited twice.
+    bool contains(const VoxelIndex& start);
+
+  private:
+    /// What is known of 64 positions.
+    struct Word {
+        std::uint64_t known = 0, free = 0;  ///< whether each is free
+        std::uint64_t visited = 0;
+        std::uint64_t outside = 0;   ///< of the visited: there is a way
+        std::uint64_t sideways = 0;  ///< of the visited: to be gone on from along x
+    };
+    /// Some of the positions of word i of row (y, z), from the rows' origin.
+    struct Some {
+        int y = 0, z = 0, i = 0;
+        std::uint64_t positions = 0;
+    };
+
+    Word& word(int y, int z, int i);
+    int to_go(int y, int z) const;
+    std::uint64_t outside_at(int y, int z, int i) const;
+    void reach(const Some& fresh);
+    void touch(const Some& neighbours);
+    void go_on(const Some& from);
+    void go_sideways(const Some& where);
+
+    FreeRowReader& rows_;
+    Extent solid_;
+    VoxelBox rest_;  // from the rows' origin
+    int row_words_;
+    std::vector<std::unique_ptr<Word[]>> known_;  // by z * ny + y; null: nothing known
+    StopToken stop_;
+
+    // The walk under way.
+    bool outside_ = false;
+    std::vector<Some> walked_;
+    std::vector<std::vector<Some>> open_;  // by steps at least to go
+    std::size_t least_ = 0;                // of those that hold something
+    std::vector<Some> sideways_;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,112 @@
+#include "disassembly/reachable_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "core/random.hpp"
+#include "search/cpu/cpu_search.hpp"
+
+namespace spectralpack {
+namespace {
+
+bool is_outside(const VoxelIndex& q, const Extent& solid, const VoxelBox& rest) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (q[axis] + solid[axis] <= rest.lo[axis] || q[axis] >= rest.hi[axis]) return true;
+    }
+    return false;
+}
+
+/// All positions from which outside can be reached, by plain breadth-first search inwards from there.
+BitGrid plain_region(const FreePositions& free, const Extent& solid, const VoxelBox& rest) {
+    const Extent& e = free.free.extent();
+    BitGrid region(e);
+    std::deque<VoxelIndex> open;
+    const auto reach = [&](const VoxelIndex& q) {
+        if (!e.contains(q) || !free.free.get(q.x, q.y, q.z) || region.get(q.x, q.y, q.z)) return;
+        region.set(q.x, q.y, q.z);
+        open.push_back(q);
+    };
+    for (int z = 0; z < e.z; ++z) {
+        for (int y = 0; y < e.y; ++y) {
+            for (int x = 0; x < e.x; ++x) {
+                if (is_outside(free.origin + VoxelIndex{x, y, z}, solid, rest)) reach({x, y, z});
+            }
+        }
+    }
+    while (!open.empty()) {
+        const VoxelIndex at = open.front();
+        open.pop_front();
+        for (int move = 0; move < 6; ++move) {
+            VoxelIndex next = at;
+            next[move / 2] += move % 2 == 0 ? 1 : -1;
+            reach(next);
+        }
+    }
+    return region;
+}
+
+// Rows of up to three words, so that ways lead from word to word.
+TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
+    int inside = 0, closed = 0;
+    for (std::uint64_t seed = 0; seed < 120; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        const Extent n{6 + static_cast<int>(random.below(150)), 5 + static_cast<int>(random.below(5)), 5};
+        TraySetup setup;
+        setup.size = {1.0 * n.x, 1.0 * n.y, 1.0 * n.z};
+        setup.voxel_size = 1;
+        Tray tray(setup);
+        BitGrid walls(n);
+        const std::uint64_t share = 30 + random.below(45);
+        for (int z = 0; z < n.z; ++z) {
+            for (int y = 0; y < n.y; ++y) {
+                for (int x = 0; x < n.x; ++x) {
+                    if (random.below(100) < share) walls.set(x, y, z);
+                }
+            }
+        }
+        tray.add({std::make_shared<const BitGrid>(walls), {}, 0, false});
+        const Extent a{1 + static_cast<int>(random.below(2)), 1 + static_cast<int>(random.below(2)), 1};
+        BitGrid full(a);
+        full.fill(true);
+        Shape shape;
+        shape.orientations.resize(1);
+        shape.orientations.front().solid = std::make_shared<const BitGrid>(full);
+        const auto engine = make_cpu_search({}, Workers(1));
+        const FreePositions free = engine->free_positions(tray, shape, 0, {});
+        const BitGrid expected = plain_region(free, a, whole(n));
+        const auto rows = engine->free_rows(tray, shape.orientations.front().solid, {});
+        ReachableRegion region(*rows, a, whole(n), {});
+        const Extent& e = free.free.extent();
+        for (int asked = 0; asked < 1500; ++asked) {
+            const VoxelIndex at{static_cast<int>(random.below(static_cast<std::uint64_t>(e.x))),
+                                static_cast<int>(random.below(static_cast<std::uint64_t>(e.y))),
+                                static_cast<int>(random.below(static_cast<std::uint64_t>(e.z)))};
+            if (!free.free.get(at.x, at.y, at.z)) continue;
+            const bool found = expected.get(at.x, at.y, at.z);
+            ASSERT_EQ(region.contains(free.origin + at), found);
+            if (!is_outside(free.origin + at, a, whole(n))) ++(found ? inside : closed);
+        }
+    }
+    EXPECT_GT(inside, 1000);
+    EXPECT_GT(closed, 1000);
+}
+
+TEST(ReachableRegion, EndsEarlyWhenStopped) {
+    TraySetup setup;
+    setup.size = {30, 30, 30};
+    setup.voxel_size = 1;
+    const Tray tray(setup);
+    BitGrid dot({1, 1, 1});
+    dot.fill(true);
+    const auto engine = make_cpu_search({}, Workers(1));
+    const auto rows = engine->free_rows(tray, std::make_shared<const BitGrid>(dot), {});
+    StopSource stop;
+    stop.request(StopReason::cancelled);
+    ReachableRegion region(*rows, {1, 1, 1}, whole({30, 30, 30}), stop.token());
+    EXPECT_FALSE(region.contains({15, 15, 15}));
+}
+
+}  // namespace
+}  // namespace spectralpack
