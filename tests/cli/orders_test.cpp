@@ -147,12 +147,7 @@ TEST_F(Orders, WhatMakesNoSenseIsWrongUsage) {
                                                       {"--restarts", "2", "--minimise", "box"},
                                                       {"--beam", "2", "--max-density", "0.3"},
                                                       {"--beam", "2", "--max-layer-fill", "0.3"}};
-    for (const auto& options : wrong) {
-        std::vector<std::string> call{"pack", kSamples};
-        call.insert(call.end(), options.begin(), options.end());
-        const Ran ran = spectralpack(call);
-        EXPECT_EQ(ran.status, 2) << options.front() << ": " << ran.err;
-    }
+    expect_refused(wrong, kSamples);
 }
 
 }  // namespace

@@ -199,12 +199,7 @@ TEST_F(PackModes, WhatDoesNotGoTogetherIsWrongUsage) {
                                                       {"--rotations", "+box"},
                                                       {"--open-height", "--height-at", "bottom", "--height-penalty",
                                                        "0"}};
-    for (const auto& options : wrong) {
-        std::vector<std::string> call{"pack", kSamples};
-        call.insert(call.end(), options.begin(), options.end());
-        const Ran ran = spectralpack(call);
-        EXPECT_EQ(ran.status, 2) << options.front() << ": " << ran.err;
-    }
+    expect_refused(wrong, kSamples);
 }
 
 }  // namespace

@@ -16,6 +16,16 @@ inline Ran spectralpack(std::vector<std::string> arguments, const std::string& i
     return run(arguments, interrupt_when, limits);
 }
 
+/// `pack input` with each of these options ends with status 2.
+inline void expect_refused(const std::vector<std::vector<std::string>>& wrong, const std::string& input) {
+    for (const auto& options : wrong) {
+        std::vector<std::string> call{"pack", input};
+        call.insert(call.end(), options.begin(), options.end());
+        const Ran ran = spectralpack(call);
+        EXPECT_EQ(ran.status, 2) << options.front() << ": " << ran.err;
+    }
+}
+
 inline nlohmann::json read_json(const std::filesystem::path& path) {
     return nlohmann::json::parse(read_text(path));
 }

@@ -7,8 +7,15 @@
 
 #include "core/random.hpp"
 #include "geometry/bvh.hpp"
+#include "geometry/slide.hpp"
 
 namespace spectralpack::test {
+
+inline Vec3 along(AxisDirection d, double way) {
+    Vec3 v;
+    v[d.axis] = d.sign * way;
+    return v;
+}
 
 using Quad = __float128;
 

@@ -12,13 +12,8 @@
 namespace spectralpack {
 namespace {
 
+using test::along;
 using test::Numbers;
-
-Vec3 along(AxisDirection d, double way) {
-    Vec3 v;
-    v[d.axis] = d.sign * way;
-    return v;
-}
 
 Bvh alone(const Corners& t) { return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}}); }
 

@@ -20,12 +20,7 @@ std::vector<PackItem> copies(int parts, int count) {
     return items;
 }
 
-const std::vector<Mat3> kTurns = [] {
-    std::vector<Mat3> turns{Mat3{}};
-    turns.push_back({{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}});
-    turns.push_back({{Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}}});
-    return turns;
-}();
+const std::vector<Mat3> kTurns = test::three_turns();
 
 /// Tori and boxes of growing size.
 Mesh mesh_of(int part) {

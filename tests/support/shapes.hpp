@@ -93,4 +93,9 @@ inline Mesh sphere_mesh(double radius, int rings = 12) {
     return mesh;
 }
 
+/// No turn, and quarter turns about x and y.
+inline std::vector<Mat3> three_turns() {
+    return {Mat3{}, Mat3{{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}}, Mat3{{Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}}}};
+}
+
 }  // namespace spectralpack::test
