@@ -19,6 +19,7 @@ const char* phase_name(Phase phase) {
         case Phase::voxelize: return "voxelize";
         case Phase::search: return "search";
         case Phase::disassemble: return "disassemble";
+        case Phase::reinsert: return "reinsert";
         case Phase::check: return "check";
         case Phase::render: return "render";
         case Phase::write: return "write";

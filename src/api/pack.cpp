@@ -170,10 +170,13 @@ class Run {
         setup.max_layer_fill = options.max_layer_fill;
         setup.interlock = options.interlock;
         setup.take_out = options.take_out;
-        setup.left = [this](int left, int all) {
-            const double work = static_cast<double>(all - left) / static_cast<double>(all);
-            listener_.on_progress({Phase::disassemble, all - left, all, 0, work});
+        const auto telling = [this](Phase phase) {
+            return [this, phase](int left, int all) {
+                listener_.on_progress({phase, all - left, all, 0, static_cast<double>(all - left) / all});
+            };
         };
+        setup.left = telling(Phase::disassemble);
+        setup.to_put_back = telling(Phase::reinsert);
         if (is_open(options)) {
             setup.tray.ceiling = Ceiling::open;
             setup.tray.reference_layers =

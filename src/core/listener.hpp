@@ -6,7 +6,7 @@
 
 namespace spectralpack {
 
-enum class Phase { load, voxelize, search, disassemble, check, render, write };
+enum class Phase { load, voxelize, search, disassemble, reinsert, check, render, write };
 
 struct Progress {
     Phase phase = Phase::load;

@@ -250,6 +250,7 @@ class Untangling {
                 ++(was_taken_out ? result_.report.counts.reinserted : result_.report.counts.added);
             }
             shapes.release(i, again);
+            setup_.to_put_back(static_cast<int>(items.size() - i - 1), static_cast<int>(items.size()));
         }
         // The last one put in comes out first.
         std::reverse(steps.begin(), steps.end());

@@ -27,6 +27,7 @@ struct InterlockSetup {
     std::vector<PackItem> order;     ///< in which copies are put back
     std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;         ///< told while planning
+    Disassembler::Left to_put_back;  ///< told how many copies are still to be tried, while putting back
     Workers workers;
 };
 

@@ -115,6 +115,7 @@ void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, Par
     setup.order = items;
     setup.waiting = result.left_over;
     setup.left = setup_.left;
+    setup.to_put_back = setup_.to_put_back;
     setup.workers = workers_;
     Untangled untangled = untangle(tray, search_, result.placed, setup, stop);
     result.plan = std::move(untangled.plan);

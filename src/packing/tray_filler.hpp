@@ -36,7 +36,7 @@ struct FillSetup {
     bool refine = false;  ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
     TakeOut take_out = TakeOut::lightest;
-    Disassembler::Left left;  ///< told while a tray is taken apart
+    Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 
 /// What became of one tray.

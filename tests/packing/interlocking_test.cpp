@@ -14,7 +14,7 @@ class Interlocking : public testing::Test {
         setup_.voxel_size = 1;
         setup_.surfaces = &surfaces_;
         setup_.shapes = &shapes_;
-        setup_.left = [](int, int) {};
+        setup_.left = setup_.to_put_back = [](int, int) {};
         search_ = make_cpu_search({}, Workers(1));
     }
 
