@@ -43,16 +43,15 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
     std::vector<PackItem> remaining = items;
     bool stopped = false;
     do {
-        std::vector<PackItem> tried = remaining;
-        if (several && limit.try_per_tray > 0) {
-            tried.resize(std::min(tried.size(), static_cast<std::size_t>(limit.try_per_tray)));
-        }
         const auto index = result.trays.size();
+        TrayItems wanted{static_cast<int>(index), remaining,
+                         limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays};
+        if (several && limit.try_per_tray > 0) {
+            wanted.items.resize(std::min(wanted.items.size(), static_cast<std::size_t>(limit.try_per_tray)));
+        }
         FilledTray& tray = result.trays.emplace_back();
         try {
-            filler.fill(
-                static_cast<int>(index), tried, shapes, [&](std::size_t done) { item_done(tray, done); }, stop,
-                tray);
+            filler.fill(wanted, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;

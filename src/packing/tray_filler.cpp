@@ -50,7 +50,7 @@ std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refine
 }
 
 template <class Pack>
-void TrayFiller::fill_one(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
+void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
                           const Pack& pack) {
     Tray tray(setup_.tray);
     const double dx = setup_.tray.voxel_size;
@@ -78,7 +78,7 @@ void TrayFiller::fill_one(int number, const std::vector<PackItem>& items, ShapeS
             refinement->stand(wall);
         }
     }
-    std::vector<StandingPart> fixed = stand_fixed(number, tray, refinement.get());
+    std::vector<StandingPart> fixed = stand_fixed(wanted.number, tray, refinement.get());
     double refining = 0;
     const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
         if (!refinement) return stand_on_grid(shape, best, dx, detail, setup_.wall_gap);
@@ -94,15 +94,15 @@ void TrayFiller::fill_one(int number, const std::vector<PackItem>& items, ShapeS
     double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
     if (setup_.interlock != Interlock::off) {
-        make_removable(tray, std::move(fixed), surfaces, shapes, items, limits, stop, result);
+        make_removable(wanted, tray, std::move(fixed), surfaces, shapes, limits, stop, result);
         if (result.report.counts.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
     if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }
 
-void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
-                                ShapeStore& shapes, const std::vector<PackItem>& items, const GreedyLimits& limits, const StopToken& stop,
-                                FilledTray& result) {
+void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector<StandingPart> fixed,
+                                PartSurfaces& surfaces, ShapeStore& shapes, const GreedyLimits& limits,
+                                const StopToken& stop, FilledTray& result) {
     InterlockSetup setup;
     setup.voxel_size = setup_.tray.voxel_size;
     setup.wall_gap = setup_.wall_gap;
@@ -112,8 +112,8 @@ void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, Par
     setup.shapes = &shapes;
     setup.limits = limits;
     setup.take_out = setup_.take_out;
-    setup.order = items;
-    setup.waiting = result.left_over;
+    setup.order = wanted.items;
+    if (!wanted.next) setup.waiting = result.left_over;
     setup.left = setup_.left;
     setup.to_put_back = setup_.to_put_back;
     setup.workers = workers_;
@@ -124,10 +124,11 @@ void TrayFiller::make_removable(Tray& tray, std::vector<StandingPart> fixed, Par
     untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
 }
 
-void TrayFiller::fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-                      const StopToken& stop, FilledTray& result) {
+void TrayFiller::fill(const TrayItems& wanted, ShapeStore& shapes, const ItemDone& item_done, const StopToken& stop,
+                      FilledTray& result) {
+    const std::vector<PackItem>& items = wanted.items;
     shapes.start_tray(items);
-    fill_one(number, items, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+    fill_one(wanted, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
                                                const GreedyLimits& limits) {
         if (setup_.beam) {
             pack_in_beam(tray, *setup_.beam, setup_.model, items, shapes, settle, item_done, stop, result,
@@ -145,7 +146,7 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, ShapeStore
         items.push_back({share.part, 0});
     }
     shapes.start_tray(items);
-    fill_one(0, {}, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
+    fill_one({}, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
                                           const GreedyLimits& limits) {
         pack_in_shares(tray, search, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
     });

@@ -39,6 +39,13 @@ struct FillSetup {
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 
+/// What one tray is to be filled with.
+struct TrayItems {
+    int number = 0;               ///< of the tray, from 0: which fixed copies stand in it
+    std::vector<PackItem> items;  ///< in the order to try
+    bool next = false;            ///< another tray follows for what finds no place
+};
+
 /// What became of one tray.
 struct FilledTray : GreedyResult {
     std::vector<PackItem> interlocked;  ///< taken out again: they could not be taken out of the finished packing
@@ -51,11 +58,11 @@ class TrayFiller {
     /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that are moved.
     TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
 
-    /// Fills a new tray, the one with this number, with what finds a place of `items`, tried in this order; `shapes`
-    /// makes their voxels. `result` as in pack_greedily(); in the end it is a packing that comes apart, unless
-    /// interlocking is off.
-    void fill(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const ItemDone& item_done,
-              const StopToken& stop, FilledTray& result);
+    /// Fills a new tray with what finds a place of `wanted`; `shapes` makes their voxels. `result` as in pack_greedily();
+    /// in the end it is a packing that comes apart, unless interlocking is off. What finds no place is tried again where
+    /// interlocked copies made room, unless it is left to a next tray.
+    void fill(const TrayItems& wanted, ShapeStore& shapes, const ItemDone& item_done, const StopToken& stop,
+              FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
     /// does; copies then count from 0 again.
@@ -72,11 +79,12 @@ class TrayFiller {
     /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
     /// are placed by; then makes what it packed come apart.
     template <class Pack>
-    void fill_one(int number, const std::vector<PackItem>& items, ShapeStore& shapes, const StopToken& stop, FilledTray& result, const Pack& pack);
+    void fill_one(const TrayItems& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
+                  const Pack& pack);
 
     std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement) const;
-    void make_removable(Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces, ShapeStore& shapes,
-                        const std::vector<PackItem>& items, const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
+    void make_removable(const TrayItems& wanted, Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
+                        ShapeStore& shapes, const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
 
     FillSetup setup_;
     PlacementSearch& search_;
