@@ -274,21 +274,32 @@ class Run {
         TraysLimit limit{options.trays, options.try_per_tray};
         if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
         const double container = volume_of(container_);
-        double volume = 0;
+        // As measured, a search takes about as long as the faces of the copy's box are large.
+        const auto effort = [&](const PackItem& item) {
+            return std::pow(loaded_.box_volume[static_cast<std::size_t>(item.part)], 2.0 / 3);
+        };
+        std::vector<double> efforts{0};  // of the first so many items
+        for (const PackItem& item : items) {
+            efforts.push_back(efforts.back() + effort(item));
+        }
+        double volume = 0, settled_effort = 0;
         std::size_t placed = 0;    // in the tray being filled
         std::int64_t settled = 0;  // in all trays
         std::size_t number = 0;    // of the tray being filled, from 1
         const TrayItemDone item_done = [&](const FilledTray& tray, std::size_t done) {
             if (std::exchange(number, trays.trays.size()) != trays.trays.size()) placed = 0;
             for (; placed < tray.placed.size(); ++placed, ++settled) {
-                volume += loaded_.parts[static_cast<std::size_t>(tray.placed[placed].item.part)].volume;
+                const PackItem& item = tray.placed[placed].item;
+                volume += loaded_.parts[static_cast<std::size_t>(item.part)].volume;
+                settled_effort += effort(item);
             }
             const double density = volume / (container * static_cast<double>(trays.trays.size()));
             // What one tray leaves over the next one tries again.
             const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
             // How many copies will fill the tray is not known before.
             const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(items.size());
-            const double work = options.fill ? density : static_cast<double>(sure) / static_cast<double>(total);
+            const double work =
+                options.fill ? density : (limit.trays == 1 ? efforts[done] : settled_effort) / efforts.back();
             tell({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
         tell({Phase::search, 0, static_cast<std::int64_t>(items.size()), 0, 0});
