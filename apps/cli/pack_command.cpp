@@ -433,7 +433,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--onto", a.onto, "packing file to top up: its copies stay where they are")->group(container);
     sub->add_option("--trays", a.trays, "containers to fill, a number or all [1]")->group(container);
     sub->add_option("--try-per-tray", a.try_per_tray,
-                    "of several trays, how many of the first copies left each one tries; 0 for all [1000]")
+                    "of several trays, one is full once so many parts found no place in it; 0: once all were tried [1000]")
         ->group(container);
     sub->add_option("--gap", a.gap, "least distance between two copies, mm [0.2]")->group(container);
     sub->add_option("--wall-gap", a.wall_gap, "least distance to the walls, mm [0]")->group(container);

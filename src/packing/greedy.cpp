@@ -93,7 +93,9 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
                    const GreedyLimits& limits) {
     Placer placer(tray, search, model, settle, stop, result, limits);
     std::unordered_set<int> hopeless;  // parts that found no place
+    const auto most_hopeless = static_cast<std::size_t>(limits.give_up_after);
     for (std::size_t i = 0; i < items.size(); ++i) {
+        if (most_hopeless > 0 && hopeless.size() >= most_hopeless) return;
         const PackItem& item = items[i];
         bool placed = false;
         if (hopeless.contains(item.part)) {

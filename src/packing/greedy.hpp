@@ -40,6 +40,7 @@ struct GreedyResult {
 struct GreedyLimits {
     Caps* caps = nullptr;  ///< of this tray; null: none
     int most_layers = 0;   ///< without a ceiling: how high the grid may grow; 0: as it needs
+    int give_up_after = 0; ///< parts that find no place; the rest is not tried then. 0: never
 };
 
 /// The best placement of `shape`, a copy of item.part, within the limits. Under an open ceiling `tray` is replaced by a

@@ -44,11 +44,8 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
     bool stopped = false;
     do {
         const auto index = result.trays.size();
-        TrayItems wanted{static_cast<int>(index), remaining,
-                         limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays};
-        if (several && limit.try_per_tray > 0) {
-            wanted.items.resize(std::min(wanted.items.size(), static_cast<std::size_t>(limit.try_per_tray)));
-        }
+        const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
+        const TrayItems wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
         FilledTray& tray = result.trays.emplace_back();
         try {
             filler.fill(wanted, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);

@@ -11,7 +11,7 @@ namespace spectralpack {
 
 struct TraysLimit {
     int trays = 1;         ///< at most; 0: as many as it takes
-    int try_per_tray = 0;  ///< how many of the first copies left each tray tries (n of Algorithm 5); 0: all
+    int try_per_tray = 0;  ///< a tray is full once so many parts found no place in it; 0: once all were tried
 };
 
 struct TraysResult {

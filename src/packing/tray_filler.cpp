@@ -86,7 +86,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
         return standing;
     };
-    const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers};
+    const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers, wanted.give_up_after};
     ReachableSearch reachable(search_);
     PlacementSearch& search =
         setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;

@@ -44,6 +44,7 @@ struct TrayItems {
     int number = 0;               ///< of the tray, from 0: which fixed copies stand in it
     std::vector<PackItem> items;  ///< in the order to try
     bool next = false;            ///< another tray follows for what finds no place
+    int give_up_after = 0;        ///< parts that find no place (GreedyLimits)
 };
 
 /// What became of one tray.

@@ -61,18 +61,19 @@ TEST_F(ManyTrays, NoMoreThanAllowed) {
     EXPECT_EQ(result_.left_over, (std::vector<PackItem>{{1, 8}, {1, 9}}));
 }
 
-TEST_F(ManyTrays, EachTriesTheFirstThatAreLeft) {
+TEST_F(ManyTrays, EachIsFullOnceSoManyPartsFindNoPlace) {
     std::vector<PackItem> items = copies(1, 6);
     items.push_back({0, 0});
-    pack(items, {0, 3});
-    ASSERT_EQ(result_.trays.size(), 3u);
-    EXPECT_EQ(result_.trays[0].placed.size(), 3u);  // though a fourth would fit
-    EXPECT_EQ(result_.trays[1].placed.size(), 3u);
-    EXPECT_EQ(result_.trays[2].placed[0].item, (PackItem{0, 0}));
+    pack(items, {0, 1});
+    ASSERT_EQ(result_.trays.size(), 2u);
+    EXPECT_EQ(result_.trays[0].placed.size(), 4u);  // a fifth finds no place, so part 0 is not tried
+    EXPECT_EQ(result_.trays[0].searches, 5);
+    ASSERT_EQ(result_.trays[1].placed.size(), 3u);
+    EXPECT_EQ(result_.trays[1].placed[2].item, (PackItem{0, 0}));
     // One tray alone tries all.
     result_ = {};
-    pack(items, {1, 3});
-    EXPECT_EQ(result_.trays[0].placed.size(), 4u);
+    pack(items, {1, 1});
+    EXPECT_EQ(result_.trays[0].searches, 6);
 }
 
 TEST_F(ManyTrays, ATrayThatStaysEmptyEndsIt) {
