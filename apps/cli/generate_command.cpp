@@ -22,7 +22,7 @@ constexpr double kTray = 480.0 * 245 * 200;
 
 GeneratedSet set_of(const std::string& name) {
     constexpr std::array kSets{GeneratedSet::pieces, GeneratedSet::mixtures, GeneratedSet::locks,
-                               GeneratedSet::tori, GeneratedSet::letters};
+                               GeneratedSet::tori, GeneratedSet::polyhedra, GeneratedSet::letters};
     std::string known;
     for (const GeneratedSet set : kSets) {
         if (name == generated_set_name(set)) return set;
@@ -53,18 +53,19 @@ int run_generate(GenerateArguments arguments) {
 Command add_generate_command(CLI::App& app) {
     auto* sub = app.add_subcommand("generate", "Make sets of parts to try packing with");
     sub->footer(
-        "pieces    many small and medium parts, each several times\n"
-        "mixtures  large, mostly hollow parts and small, mostly solid ones\n"
-        "locks     rings, links, hooks, frames, cages: what catches in one another\n"
-        "tori      distorted rings\n"
-        "letters   S, I, G, R, A, P, H as containers of 322x322x80 mm\n"
+        "pieces     many small and medium parts, each several times\n"
+        "mixtures   large, mostly hollow parts and small, mostly solid ones\n"
+        "locks      rings, links, hooks, frames, cages: what catches in one another\n"
+        "tori       distorted rings\n"
+        "polyhedra  solids of a few large faces, convex and not\n"
+        "letters    S, I, G, R, A, P, H as containers of 322x322x80 mm\n"
         "The same seed makes the same files on every machine.");
     auto arguments = std::make_shared<GenerateArguments>();
     GenerateArguments& a = *arguments;
-    sub->add_option("SET", a.set, "pieces, mixtures, locks, tori or letters")->required();
+    sub->add_option("SET", a.set, "pieces, mixtures, locks, tori, polyhedra or letters")->required();
     sub->add_option("-o,--output", a.folder, "folder for the STL files and SET.csv")->required();
     sub->add_option("--seed", a.options.seed, "which set of its kind [0]");
-    sub->add_option("--count", a.options.copies, "copies in all [1446, 286, 468, 48]");
+    sub->add_option("--count", a.options.copies, "copies in all [1446, 286, 468, 48, 80]");
     return {sub, [arguments] { return run_generate(*arguments); }};
 }
 

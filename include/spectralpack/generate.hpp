@@ -30,7 +30,7 @@ struct GeneratedFiles {
 /// UsageError for a number of copies that makes no sense, ResourceError where the folder cannot be written.
 GeneratedFiles generate(const GenerateOptions& options, const std::filesystem::path& folder, Listener& listener);
 
-/// "pieces", "mixtures", "locks", "tori", "letters".
+/// "pieces", "mixtures", "locks", "tori", "polyhedra", "letters".
 const char* generated_set_name(GeneratedSet set);
 
 }  // namespace spectralpack

@@ -49,6 +49,7 @@ const char* generated_set_name(GeneratedSet set) {
         case GeneratedSet::mixtures: return "mixtures";
         case GeneratedSet::locks: return "locks";
         case GeneratedSet::tori: return "tori";
+        case GeneratedSet::polyhedra: return "polyhedra";
         case GeneratedSet::letters: return "letters";
     }
     return "";

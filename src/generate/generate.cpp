@@ -7,6 +7,7 @@
 #include "generate/block_parts.hpp"
 #include "generate/dice.hpp"
 #include "generate/letters.hpp"
+#include "generate/polyhedra.hpp"
 #include "generate/turned_parts.hpp"
 
 namespace spectralpack {
@@ -24,6 +25,10 @@ const std::vector<double> kMixturesSizes{9,  14, 20, 24, 29, 34, 40, 46,  52,  5
                                          66, 72, 78, 81, 83, 90, 105, 120, 150, 400};
 const std::vector<double> kLocksSizes{21, 42, 54, 66, 78, 90, 102, 118, 146};
 const std::vector<double> kToriSizes{38, 45, 52, 60, 68, 75, 85};
+
+// So that 80 polyhedra have about the volume that the paper's density and box come to (figure 17): 561 mm^3 each.
+const std::vector<double> kPolyhedraSizes{7, 9, 10, 12, 13, 15, 16, 18, 21, 24};
+constexpr int kPolyhedraCount = 8;
 
 constexpr Vec3 kTray{480, 245, 200};  // mm; whatever is generated fits it as it lies
 
@@ -70,6 +75,15 @@ const std::vector<Kind>& lock_kinds() {
     return kinds;
 }
 
+const std::vector<Kind>& polyhedron_kinds() {
+    static const std::vector<Kind> kinds{{"tetrahedron", tetrahedron}, {"l-block", l_block},
+                                         {"pyramid", pyramid},         {"dart", dart},
+                                         {"frustum", frustum},         {"tee", tee},
+                                         {"bipyramid", bipyramid},     {"star", star},
+                                         {"wedge", wedge},             {"twisted-prism", twisted_prism}};
+    return kinds;
+}
+
 const Kind& one_of(Dice& dice, const std::vector<Kind>& kinds) {
     return kinds[static_cast<std::size_t>(dice.number(0, static_cast<int>(kinds.size()) - 1))];
 }
@@ -111,13 +125,14 @@ Recipe recipe_of(GeneratedSet set) {
         case GeneratedSet::mixtures: return {"mixtures", 286};
         case GeneratedSet::locks: return {"locks", 468};
         case GeneratedSet::tori: return {"tori", 48};
+        case GeneratedSet::polyhedra: return {"polyhedra", 80};
         case GeneratedSet::letters: break;
     }
     return {"letters", 8};
 }
 
-/// One part of a set; its name is that of its kind.
-GeneratedPart roll(GeneratedSet set, Dice& dice) {
+/// Part `number` of a set, from 0; its name is that of its kind.
+GeneratedPart roll(GeneratedSet set, std::size_t number, Dice& dice) {
     const Mat3 rotation = dice.cube_rotation();
     switch (set) {
         case GeneratedSet::pieces:
@@ -135,6 +150,11 @@ GeneratedPart roll(GeneratedSet set, Dice& dice) {
             const int count = dice.chance(0.7) ? 2 : 2 * dice.number(2, 3);
             const Kind& kind = one_of(dice, lock_kinds());
             return {kind.name, finished(kind.make(dice, size), rotation, size), count};
+        }
+        case GeneratedSet::polyhedra: {
+            const Kind& kind = polyhedron_kinds()[number % polyhedron_kinds().size()];
+            const double size = dice.quantile(kPolyhedraSizes);
+            return {kind.name, finished(kind.make(dice, size), rotation, size), kPolyhedraCount};
         }
         default: {
             const double size = dice.quantile(kToriSizes);
@@ -161,7 +181,7 @@ std::vector<GeneratedPart> generate_parts(GeneratedSet set, std::uint64_t seed,
     RandomStream seeds(seed);
     for (int left = copies.value_or(recipe.copies); left > 0;) {
         Dice dice(seeds.next());
-        GeneratedPart part = roll(set, dice);
+        GeneratedPart part = roll(set, parts.size(), dice);
         part.count = std::min(part.count, left);
         left -= part.count;
         char number[16];

@@ -16,6 +16,7 @@ enum class GeneratedSet {
     mixtures,  ///< large, mostly hollow ones and small, mostly solid ones
     locks,     ///< rings, links, hooks, frames, cages: what catches in one another
     tori,      ///< distorted tori (figure 22)
+    polyhedra, ///< ten kinds of few faces, convex and not, each eight times (figure 17)
     letters,   ///< S, I, G, R, A, P, H as containers (appendix B.4)
 };
 
@@ -26,7 +27,7 @@ struct GeneratedPart {
 };
 
 /// The parts of a set, with `copies` copies in all (none: as many as the sets of docs/benchmarks.md:
-/// 1446, 286, 468 and 48). The same seed gives the same bits on every machine, and the first parts do
+/// 1446, 286, 468, 48 and 80). The same seed gives the same bits on every machine, and the first parts do
 /// not depend on how many follow. Letters are always the same seven, whatever the seed. Precondition:
 /// copies >= 1, none for letters.
 std::vector<GeneratedPart> generate_parts(GeneratedSet set, std::uint64_t seed,

@@ -58,7 +58,7 @@ class Sets : public testing::Test {
 };
 
 TEST_F(Sets, GeneratedSetsAreTheSameForASeedAndPackWithoutComplaint) {
-    for (const std::string set : {"pieces", "mixtures", "locks", "tori"}) {
+    for (const std::string set : {"pieces", "mixtures", "locks", "tori", "polyhedra"}) {
         const Ran ran = spectralpack({"generate", set, "--seed", "3", "--count", "20", "-o", in(set)});
         ASSERT_EQ(ran.status, 0) << ran.err;
         EXPECT_TRUE(contains(ran.out, "20 copies")) << ran.out;

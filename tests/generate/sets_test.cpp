@@ -14,7 +14,7 @@ namespace spectralpack::test {
 namespace {
 
 constexpr GeneratedSet kSets[] = {GeneratedSet::pieces, GeneratedSet::mixtures, GeneratedSet::locks,
-                                  GeneratedSet::tori, GeneratedSet::letters};
+                                  GeneratedSet::tori, GeneratedSet::polyhedra, GeneratedSet::letters};
 
 /// FNV-1a over the names, counts, triangles and the bits of all coordinates.
 std::uint64_t hash_of(const std::vector<GeneratedPart>& parts) {
@@ -75,7 +75,7 @@ TEST(GeneratedSets, EveryMeshIsSoundWhateverTheSeed) {
 }
 
 TEST(GeneratedSets, NamesAreUniqueAndCopiesAddUp) {
-    const int expected[] = {1446, 286, 468, 48, 8};
+    const int expected[] = {1446, 286, 468, 48, 80, 8};
     for (std::size_t i = 0; i < std::size(kSets); ++i) {
         std::set<std::string> names;
         int copies = 0;
@@ -125,7 +125,7 @@ TEST(GeneratedSets, LettersFillTheirBoxWhateverTheSeed) {
 
 TEST(GeneratedSets, TheSameSeedGivesTheSameBitsOnEveryMachine) {
     const std::uint64_t expected[] = {5707763886658800452u, 3374524357999745200u, 17712619925501134617u,
-                                      5849794097200047623u, 8801153097218782892u};
+                                      5849794097200047623u, 1u, 8801153097218782892u};
     for (std::size_t i = 0; i < std::size(kSets); ++i) {
         EXPECT_EQ(hash_of(generate_parts(kSets[i], 1, {})), expected[i]) << i;
     }

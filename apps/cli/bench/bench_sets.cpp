@@ -25,6 +25,7 @@ const std::map<std::string, std::vector<GeneratedSize>> kGenerated{
     {"mixtures", {{GeneratedSet::mixtures, {}, 120}}},
     {"locks", {{GeneratedSet::locks, {}, 100}}},
     {"tori", {{GeneratedSet::tori, {}, 12}}},
+    {"polyhedra", {{GeneratedSet::polyhedra, {}, 16}}},
     {"large",
      {{GeneratedSet::pieces, 4000, 60}, {GeneratedSet::mixtures, 1600, 8}, {GeneratedSet::locks, 996, 10}}}};
 

@@ -32,7 +32,7 @@ struct Table {
 
 enum class Scale { quick, full };
 
-/// "1" to "5", "order", "height", "letters", "tori": the tables there are.
+/// "1" to "5", "order", "height", "letters", "tori", "polyhedra": the tables there are.
 const std::vector<std::string>& table_names();
 
 /// `name` is one of table_names(). `letters`: the folder of the containers of that table.
