@@ -130,6 +130,24 @@ TEST_F(Bench, LettersAndToriRun) {
     }
 }
 
+TEST_F(Bench, PolyhedraOfEightyAndSeventySevenAtTwoVoxelSizes) {
+    const Ran ran = bench("polyhedra");
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const auto all = rows("polyhedra");
+    ASSERT_EQ(all.size(), 16u);  // two numbers, two voxel sizes, off and post, tray and fixed set
+    std::map<std::string, int> numbers;
+    for (const auto& row : all) {
+        ++numbers[row.at("set")];
+        EXPECT_TRUE(contains(row.at("command"), " --rotations 30 --gap 0 ")) << row.at("command");
+        EXPECT_EQ(row.at("planned"), contains(row.at("setting"), "post") ? "1" : "0");
+        if (row.at("kind") == "tray") continue;
+        EXPECT_TRUE(contains(row.at("command"), "--tray 36.98x4")) << row.at("command");
+        EXPECT_EQ(row.at("placed"), row.at("copies"));
+    }
+    EXPECT_EQ(numbers, (std::map<std::string, int>{{"polyhedra:77", 8}, {"polyhedra:80", 8}}));
+    EXPECT_TRUE(contains(ran.out, "51.27 %, 56.37 mm, 329 s")) << ran.out;
+}
+
 TEST_F(Bench, SetsOfAFolderArePacked) {
     fs::create_directories(folder_ / "sets");
     for (const char* name : {"pieces", "mixtures", "locks"}) {
