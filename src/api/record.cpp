@@ -11,8 +11,6 @@
 namespace spectralpack {
 namespace {
 
-using PartCopy = std::pair<int, int>;
-
 /// A plan of copies that stand after `first` others.
 Disassembly shifted(Disassembly plan, int first) {
     const auto shift = [&](std::vector<int>& placements) {
@@ -30,10 +28,10 @@ Disassembly shifted(Disassembly plan, int first) {
 }
 
 /// `tray` holds its fixed copies.
-void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray, std::set<PartCopy>& settled) {
+void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray, std::set<PackItem>& settled) {
     if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
     for (const PlacedItem& placed : filled.placed) {
-        settled.emplace(placed.item.part, placed.item.copy);
+        settled.insert(placed.item);
         tray.placements.push_back(
             {placed.item.part, placed.item.copy, placed.orientation, false,
              transform_of(run.loaded, run.plan, placed)});
@@ -54,7 +52,7 @@ void count_what_came_of_shares(const PackRun& run, std::vector<Part>& parts) {
 }
 
 /// Copies that are not placed, and why; `settled` are those that are.
-std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PartCopy> settled) {
+std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PackItem> settled) {
     std::vector<Unplaced> unplaced;
     for (std::size_t i = 0; i < run.loaded.parts.size(); ++i) {
         const bool unusable = !run.loaded.meshes[i];
@@ -68,16 +66,16 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PartCopy> settled
     const FilledTray& last = run.trays.trays.back();
     for (const PackItem& item : last.interlocked) {
         unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
-        settled.emplace(item.part, item.copy);
+        settled.insert(item);
     }
     for (const PackItem& item : run.trays.left_over) {
-        if (!settled.emplace(item.part, item.copy).second) continue;
+        if (!settled.insert(item).second) continue;
         const auto why = last.why.find(item.part);
         unplaced.push_back(
             {item.part, item.copy, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
     }
     for (const PackItem& item : run.plan.items) {
-        if (run.options.fill || settled.contains({item.part, item.copy})) continue;
+        if (run.options.fill || settled.contains(item)) continue;
         unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
     }
     return unplaced;
@@ -130,7 +128,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
 
     if (run.options.fill) count_what_came_of_shares(run, packing.parts);
 
-    std::set<PartCopy> settled;
+    std::set<PackItem> settled;
     packing.trays = fixed_trays(run.loaded);
     packing.trays.resize(std::max(packing.trays.size(), run.trays.trays.size()));
     for (std::size_t t = 0; t < packing.trays.size(); ++t) {

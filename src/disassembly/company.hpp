@@ -72,8 +72,8 @@ class Company {
         std::optional<Path> path;
         VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
     };
-    /// Not to be called from several threads at once. Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
-    /// token has stopped it, there is none and the pocket says nothing.
+    /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
+    /// token has stopped it, there is none and the pocket says nothing. Not to be called from several threads at once.
     Flooded way_out(std::size_t i) const;
 
   private:

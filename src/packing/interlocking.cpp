@@ -16,7 +16,6 @@
 namespace spectralpack {
 namespace {
 
-using PartCopy = std::pair<int, int>;
 using Clock = std::chrono::steady_clock;
 
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
@@ -176,7 +175,6 @@ class Untangling {
         const std::size_t movable = parts.size();
         add_fixed(parts);
         std::vector<bool> removed(parts.size(), false);
-        int removed_count = 0;
         Disassembler disassembler(disassembly_, parts, setup_.left);
         for (;;) {
             disassembler.run();
@@ -187,12 +185,11 @@ class Untangling {
                 for (const int i : select_remove(set, parts, setup_.take_out)) {
                     disassembler.discard(i);
                     removed[static_cast<std::size_t>(i)] = true;
-                    ++removed_count;
                 }
             }
         }
         result_.report.counts = disassembler.counts();
-        result_.report.counts.removed = removed_count;
+        result_.report.counts.removed = static_cast<int>(std::count(removed.begin(), removed.end(), true));
         result_.plan.complete = !stop_.stopped();
         std::vector<PlacedItem> kept, out;
         std::vector<int> renumbered(parts.size(), -1);
@@ -214,20 +211,18 @@ class Untangling {
     }
 
     void put_back(const std::vector<PlacedItem>& removed) {
-        std::set<PartCopy> taken_out;
         std::vector<PackItem> items;
         for (const PlacedItem& item : removed) {
-            taken_out.emplace(item.item.part, item.item.copy);
             items.push_back(item.item);
         }
+        const std::set<PackItem> taken_out(items.begin(), items.end());
         items.insert(items.end(), setup_.waiting.begin(), setup_.waiting.end());
-        std::map<PartCopy, std::size_t> rank;
+        std::map<PackItem, std::size_t> rank;
         for (const PackItem& item : setup_.order) {
-            rank.emplace(PartCopy{item.part, item.copy}, rank.size());
+            rank.emplace(item, rank.size());
         }
-        std::stable_sort(items.begin(), items.end(), [&](const PackItem& a, const PackItem& b) {
-            return rank[{a.part, a.copy}] < rank[{b.part, b.copy}];
-        });
+        std::stable_sort(items.begin(), items.end(),
+                         [&](const PackItem& a, const PackItem& b) { return rank[a] < rank[b]; });
         std::vector<StandingPart> parts = standing();
         std::vector<int> names(parts.size());
         std::iota(names.begin(), names.end(), 0);
@@ -242,7 +237,7 @@ class Untangling {
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
                                put_in(items[i], shapes.at(i), reachable, company, steps);
-            const bool was_taken_out = taken_out.contains({items[i].part, items[i].copy});
+            const bool was_taken_out = taken_out.contains(items[i]);
             if (!again) {
                 hopeless.insert(items[i].part);
                 if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(items[i]);
@@ -259,7 +254,7 @@ class Untangling {
     }
 
     bool put_in(const PackItem& item, const Shape& shape, ReachableSearch& reachable, Company& company,
-                  std::vector<RemovalStep>& steps) {
+                std::vector<RemovalStep>& steps) {
         Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
         const SearchResult found =

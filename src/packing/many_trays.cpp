@@ -5,22 +5,6 @@
 #include <utility>
 
 namespace spectralpack {
-namespace {
-
-std::vector<PackItem> without_placed(const std::vector<PackItem>& items, const GreedyResult& tray) {
-    std::set<std::pair<int, int>> placed;
-    for (const PlacedItem& copy : tray.placed) {
-        placed.emplace(copy.item.part, copy.item.copy);
-    }
-    std::vector<PackItem> rest;
-    for (const PackItem& item : items) {
-        if (!placed.contains({item.part, item.copy})) rest.push_back(item);
-    }
-    return rest;
-}
-
-}  // namespace
-
 std::int64_t TraysResult::searches() const {
     std::int64_t sum = 0;
     for (const FilledTray& tray : trays) {
@@ -53,7 +37,11 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
             result.left_over = tray.left_over;
             throw;
         }
-        remaining = without_placed(remaining, tray);
+        std::set<PackItem> placed;
+        for (const PlacedItem& copy : tray.placed) {
+            placed.insert(copy.item);
+        }
+        remaining = without(remaining, placed);
         result.left_over = tray.left_over;
         stopped = !tray.untried.empty();
         const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());

@@ -34,6 +34,14 @@ double size_of(const PartSize& part, Order order) {
 
 }  // namespace
 
+std::vector<PackItem> without(const std::vector<PackItem>& items, const std::set<PackItem>& out) {
+    std::vector<PackItem> rest;
+    for (const PackItem& item : items) {
+        if (!out.contains(item)) rest.push_back(item);
+    }
+    return rest;
+}
+
 std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
     std::vector<PartSize> sorted = parts;
     std::stable_sort(sorted.begin(), sorted.end(), [&](const PartSize& a, const PartSize& b) {

@@ -1,7 +1,9 @@
 #pragma once
 /// In which order copies are tried (section 3.3).
 
+#include <compare>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,8 +17,11 @@ struct PackItem {
     int part = 0;  ///< index into Packing::parts
     int copy = 0;
 
-    bool operator==(const PackItem&) const = default;
+    auto operator<=>(const PackItem&) const = default;
 };
+
+/// `items` but those in `out`, in their order.
+std::vector<PackItem> without(const std::vector<PackItem>& items, const std::set<PackItem>& out);
 
 /// What ordering needs to know of a part.
 struct PartSize {

@@ -30,16 +30,15 @@ class Best {
 
     FoundOrder found() && {
         FoundOrder found;
-        std::set<std::pair<int, int>> placed;
+        std::set<PackItem> placed;
         for (const FilledTray& tray : trays_.trays) {
             for (const PlacedItem& copy : tray.placed) {
                 found.items.push_back(copy.item);
-                placed.emplace(copy.item.part, copy.item.copy);
+                placed.insert(copy.item);
             }
         }
-        for (const PackItem& item : order_) {
-            if (!placed.contains({item.part, item.copy})) found.items.push_back(item);
-        }
+        const std::vector<PackItem> rest = without(order_, placed);
+        found.items.insert(found.items.end(), rest.begin(), rest.end());
         if (!trays_.trays.empty()) trays_.trays.front().searches += searches_ - trays_.searches();
         found.trays = std::move(trays_);
         found.packings = packings_;

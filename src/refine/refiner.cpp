@@ -217,8 +217,8 @@ Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& dire
     return Walk(setup_, copy, std::move(neighbours)).run(direction);
 }
 
-double Refiner::clearance(const StandingCopy& copy, double upper_bound,
-                          std::optional<CopyId> except) const {
+template <class Counts>
+double Refiner::clearance_to(const StandingCopy& copy, double upper_bound, const Counts& counts) const {
     std::vector<CopyId> ids;
     if (std::isfinite(upper_bound)) {
         ids = index_.near(grown(copy.box(), upper_bound));
@@ -231,18 +231,24 @@ double Refiner::clearance(const StandingCopy& copy, double upper_bound,
     double least = upper_bound;
     for (const CopyId id : ids) {
         const StandingCopy* other = find(id);
-        if (!other || other->wall || id == except) continue;
+        if (!other || other->wall || !counts(id)) continue;
         least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least)
                     .distance;
     }
     return least;
 }
 
+double Refiner::clearance(const StandingCopy& copy, double upper_bound, std::optional<CopyId> except) const {
+    return clearance_to(copy, upper_bound, [&](CopyId id) { return id != except; });
+}
+
 std::optional<double> Refiner::least_gap() const {
     double least = Box::kInfinity;
     for (CopyId id = 0; id < static_cast<CopyId>(copies_.size()); ++id) {
         const StandingCopy* copy = find(id);
-        if (copy && !copy->wall) least = clearance(*copy, least, id);
+        if (!copy || copy->wall) continue;
+        // Each pair once.
+        least = clearance_to(*copy, least, [&](CopyId other) { return other < id; });
     }
     return std::isfinite(least) ? std::optional(least) : std::nullopt;
 }

@@ -78,6 +78,10 @@ class Refiner {
     std::optional<double> least_gap() const;
 
   private:
+    /// clearance() to those copies that `counts(id)` is true of.
+    template <class Counts>
+    double clearance_to(const StandingCopy& copy, double upper_bound, const Counts& counts) const;
+
     RefineSetup setup_;
     std::vector<std::optional<StandingCopy>> copies_;  // by id
     BoxIndex index_;

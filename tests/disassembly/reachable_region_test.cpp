@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "core/random.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "search/plain_region.hpp"
 
 namespace spectralpack {
 namespace {
@@ -15,35 +14,6 @@ bool is_outside(const VoxelIndex& q, const Extent& solid, const VoxelBox& rest) 
         if (q[axis] + solid[axis] <= rest.lo[axis] || q[axis] >= rest.hi[axis]) return true;
     }
     return false;
-}
-
-/// All positions from which outside can be reached, by plain breadth-first search inwards from there.
-BitGrid plain_region(const FreePositions& free, const Extent& solid, const VoxelBox& rest) {
-    const Extent& e = free.free.extent();
-    BitGrid region(e);
-    std::deque<VoxelIndex> open;
-    const auto reach = [&](const VoxelIndex& q) {
-        if (!e.contains(q) || !free.free.get(q.x, q.y, q.z) || region.get(q.x, q.y, q.z)) return;
-        region.set(q.x, q.y, q.z);
-        open.push_back(q);
-    };
-    for (int z = 0; z < e.z; ++z) {
-        for (int y = 0; y < e.y; ++y) {
-            for (int x = 0; x < e.x; ++x) {
-                if (is_outside(free.origin + VoxelIndex{x, y, z}, solid, rest)) reach({x, y, z});
-            }
-        }
-    }
-    while (!open.empty()) {
-        const VoxelIndex at = open.front();
-        open.pop_front();
-        for (int move = 0; move < 6; ++move) {
-            VoxelIndex next = at;
-            next[move / 2] += move % 2 == 0 ? 1 : -1;
-            reach(next);
-        }
-    }
-    return region;
 }
 
 // Rows of up to three words, so that ways lead from word to word.
@@ -75,7 +45,7 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
         shape.orientations.front().solid = std::make_shared<const BitGrid>(full);
         const auto engine = make_cpu_search({}, Workers(1));
         const FreePositions free = engine->free_positions(tray, shape, 0, {});
-        const BitGrid expected = plain_region(free, a, whole(n));
+        const BitGrid expected = test::plain_region(free);
         const auto rows = engine->free_rows(tray, shape.orientations.front().solid, {});
         ReachableRegion region(*rows, a, whole(n), {});
         const Extent& e = free.free.extent();

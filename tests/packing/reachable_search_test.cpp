@@ -2,52 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "core/random.hpp"
 #include "search/brute_force.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "search/plain_region.hpp"
 #include "search/random_scene.hpp"
 
 namespace spectralpack::test {
 namespace {
 
-/// Positions reachable from outside, by plain breadth-first search over the definition's free positions.
-FreePositions plain_reachable(const Tray& tray, const Shape& shape, int index) {
-    FreePositions free = BruteForceSearch().free_positions(tray, shape, index, {});
-    const Extent& e = free.free.extent();
-    BitGrid reached(e);
-    std::deque<VoxelIndex> open;
-    const auto reach = [&](const VoxelIndex& q) {
-        if (!e.contains(q) || !free.free.get(q.x, q.y, q.z) || reached.get(q.x, q.y, q.z)) return;
-        reached.set(q.x, q.y, q.z);
-        open.push_back(q);
-    };
-    for (int z = 0; z < e.z; ++z) {
-        for (int y = 0; y < e.y; ++y) {
-            for (int x = 0; x < e.x; ++x) {
-                const bool rim = x == 0 || y == 0 || z == 0 || x == e.x - 1 || y == e.y - 1 || z == e.z - 1;
-                if (rim) reach({x, y, z});
-            }
-        }
-    }
-    while (!open.empty()) {
-        const VoxelIndex at = open.front();
-        open.pop_front();
-        for (int move = 0; move < 6; ++move) {
-            VoxelIndex next = at;
-            next[move / 2] += move % 2 == 0 ? 1 : -1;
-            reach(next);
-        }
-    }
-    return {free.origin, std::move(reached)};
-}
-
 /// The definition: the best of the candidates that are reachable, no others being admitted.
 SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
     std::vector<FreePositions> reached;
     for (std::size_t i = 0; i < shape.orientations.size(); ++i) {
-        reached.push_back(plain_reachable(tray, shape, static_cast<int>(i)));
+        const FreePositions free = BruteForceSearch().free_positions(tray, shape, static_cast<int>(i), {});
+        reached.push_back({free.origin, plain_region(free)});
     }
     shape.admits = [&](int index, const VoxelIndex& q) {
         const FreePositions& of = reached[static_cast<std::size_t>(index)];
