@@ -122,6 +122,16 @@ TEST_F(Bench, TheLargeSetTellsTimePerPhase) {
     EXPECT_TRUE(contains(read_text(folder_ / "out" / "table-3.md"), "plan / put back"));
 }
 
+TEST_F(Bench, OnlyRowsThatAreAskedFor) {
+    const Ran ran = bench("4", {"--rows", "pieces", "--rows", "locks, spectralpack"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    std::map<std::string, int> sets;
+    for (const auto& row : rows("4")) {
+        ++sets[row.at("set")];
+    }
+    EXPECT_EQ(sets, (std::map<std::string, int>{{"pieces", 2}, {"locks", 2}}));
+}
+
 TEST_F(Bench, LettersAndToriRun) {
     for (const char* table : {"letters", "tori"}) {
         const Ran ran = bench(table);
@@ -182,6 +192,7 @@ TEST_F(Bench, WrongUsageIsSaidBeforeAnythingRuns) {
     EXPECT_EQ(bench("4", {"--peer", "nothing"}).status, 2);
     EXPECT_EQ(bench("4", {"--scale", "huge"}).status, 2);
     EXPECT_EQ(bench("4", {"--time-limit", "0"}).status, 2);
+    EXPECT_EQ(bench("4", {"--rows", "gold"}).status, 2);
     EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

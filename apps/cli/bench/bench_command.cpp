@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BenchArguments {
-    std::vector<std::string> tables, peers;
+    std::vector<std::string> tables, peers, rows;
     std::string folder, mesh_dir, scale = "full";
     std::optional<std::string> sets;
     RunnerOptions runner;
@@ -44,6 +44,19 @@ Peer peer_of(const std::string& text) {
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+/// Of a table's rows those with one of `wanted` in the first two columns; all where nothing is asked for.
+void keep_wanted(Table& table, const std::vector<std::string>& wanted) {
+    if (wanted.empty()) return;
+    std::erase_if(table.rows, [&](const Row& row) {
+        const std::string columns = row.set + ", " + row.setting;
+        return std::none_of(wanted.begin(), wanted.end(),
+                            [&](const std::string& text) { return columns.find(text) != std::string::npos; });
+    });
+    if (table.rows.empty()) {
+        throw UsageError(fmt::format("table {} has no row with the text of --rows in 'set, setting'", table.name));
+    }
+}
+
 int run_bench(const BenchArguments& arguments) {
     const Scale scale = scale_of(arguments.scale);
     std::vector<Peer> peers;
@@ -54,6 +67,8 @@ int run_bench(const BenchArguments& arguments) {
         if (std::find(table_names().begin(), table_names().end(), name) == table_names().end()) {
             throw UsageError(fmt::format("there is no table '{}'; one of {}", printable(name), all_tables()));
         }
+        Table table = make_table(name, scale, "");
+        keep_wanted(table, arguments.rows);
     }
     const fs::path folder = arguments.folder;
     RunnerOptions options = arguments.runner;
@@ -66,7 +81,8 @@ int run_bench(const BenchArguments& arguments) {
         store, sets, options, [](const std::string& line) { fmt::print(stderr, "{}\n", printable(line)); },
         interrupts.token());
     for (const std::string& name : arguments.tables) {
-        const Table table = make_table(name, scale, name == "letters" ? sets.letters().string() : "");
+        Table table = make_table(name, scale, name == "letters" ? sets.letters().string() : "");
+        keep_wanted(table, arguments.rows);
         std::vector<RanRow> rows;
         const auto add = [&](RanRow row) {
             if (row.tray || row.fixed) rows.push_back(std::move(row));
@@ -117,6 +133,9 @@ Command add_bench_command(CLI::App& app) {
     BenchArguments& a = *arguments;
     sub->add_option("--table", a.tables, "which, repeatable: " + all_tables())->required()->expected(1)->take_all();
     sub->add_option("-o,--output", a.folder, "folder for tables, sets and runs")->required();
+    sub->add_option("--rows", a.rows, "only rows with this text in 'set, setting', repeatable: '2 mm', 'pieces, post'")
+        ->expected(1)
+        ->take_all();
     sub->add_option("--scale", a.scale, "full: the paper's sizes; quick: toys, to see that it works [full]");
     sub->add_option("--sets", a.sets, "folder of set files to use instead of generated ones");
     sub->add_option("--mesh-dir", a.mesh_dir, "folder that the paths in those set files start from");
