@@ -52,7 +52,12 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
     }
     fmt::print("tray {}: INTERLOCKED; {} steps{} take out the rest\n", tray, plan.steps.size(), of_groups);
     for (const std::vector<int>& set : plan.interlocked) {
-        fmt::print("  {} hold each other: {}\n", set.size(), names(packing, packing.trays[tray], set));
+        const std::string which = names(packing, packing.trays[tray], set);
+        if (packing.container.physical) {
+            fmt::print("  {} hold each other or cannot leave the container: {}\n", set.size(), which);
+        } else {
+            fmt::print("  {} hold each other: {}\n", set.size(), which);
+        }
     }
 }
 

@@ -71,14 +71,4 @@ std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Worker
     return kind == EngineKind::reference ? memory_of_reference(need, workers) : memory_of_cpu(need);
 }
 
-const char* engine_name(EngineKind kind) {
-    switch (kind) {
-        case EngineKind::automatic: return "auto";
-        case EngineKind::cpu: return "cpu";
-        case EngineKind::cuda: return "cuda";
-        case EngineKind::reference: return "reference";
-    }
-    return "";
-}
-
 }  // namespace spectralpack

@@ -29,7 +29,4 @@ struct EngineNeed {
 /// Bytes an engine of a resolved kind needs without any cache, about.
 std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers);
 
-/// The word for it on the command line and in files.
-const char* engine_name(EngineKind kind);
-
 }  // namespace spectralpack

@@ -21,6 +21,7 @@
 #include "api/order_measures.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"
+#include "model/physical_surfaces.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/order_search.hpp"
@@ -63,8 +64,10 @@ void check_together(const Job& job) {
         if (fixed) refuse(open, "fixed copies and --onto");
         if (options.trays != 1) refuse(open, "several trays");
     }
-    if (job.container.physical && options.interlock != Interlock::off) {
-        throw UsageError("ways out of a physical container are not looked for yet: use --interlock off");
+    if (job.container.physical && is_open(options) && options.interlock != Interlock::off) {
+        throw UsageError("--physical needs walls of some height to lead ways out over: it does not go with " +
+                         std::string(options.open_height ? "--open-height" : "--minimise box") +
+                         ", except with --interlock off");
     }
     if (options.fill && options.trays != 1) refuse("--fill", "several trays");
     if (options.restarts > 1 || options.beam > 1) {
@@ -80,6 +83,17 @@ void check_together(const Job& job) {
         if (job.container.mesh) refuse(cap, "container meshes");
         if (fixed) refuse(cap, "fixed copies and --onto");
     }
+}
+
+/// The job's container. Throws InputError, also where nothing could leave it that has to.
+Container container_of(const Job& job) {
+    Container container = load_container(job.container, job.options.tray, job.unit);
+    if (container.physical && job.options.interlock != Interlock::off && !opens_at_top(container)) {
+        throw InputError(job.container.mesh->file, job.container.mesh->place,
+                         "has no flat face at its top, where a physical container is open: nothing could leave it "
+                         "(--interlock off packs it all the same)");
+    }
+    return container;
 }
 
 /// True where `failure` is a lack of memory, also to let a packing grow higher.
@@ -138,7 +152,7 @@ class Run {
     void load() {
         check_options(options_);
         check_together(job_);
-        container_ = load_container(job_.container, options_.tray, job_.unit);
+        container_ = container_of(job_);
         options_.tray = container_.size;
         loaded_ = load_parts(job_, workers_, listener_);
         require_sound(loaded_, container_, options_, workers_, listener_, stop_);
@@ -476,7 +490,7 @@ Estimate estimate(const Job& job, Listener& listener) {
     check_options(options);
     check_together(job);
     const Workers workers(options.threads);
-    const Container container = load_container(job.container, options.tray, job.unit);
+    const Container container = container_of(job);
     options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);
     require_sound(loaded, container, options, workers, listener, {});

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "disassembly/disassembler.hpp"
 #include "packing/interlocking.hpp"
+#include "packing/physical_walls.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -28,14 +29,15 @@ TraySetup grid_around(const Box& copies, double voxel, double wall_gap, Vec3& co
 /// One tray's copies as they stand.
 class StandingTray {
   public:
-    StandingTray(const TrayPacking& tray, const PartMeshes& meshes, double voxel, double wall_gap,
-                 const Workers& workers)
+    StandingTray(const TrayPacking& tray, const PartMeshes& meshes, const Container& container, double voxel,
+                 double wall_gap, const Workers& workers)
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
         make_surfaces();
         Box box;
         for (const StandingPart& part : parts_) {
             box.add(part.box());
         }
+        if (container.physical) box.add({{}, container.size});
         setup_.grid = grid_around(box, voxel, wall_gap, setup_.corner);
         workers.for_each(static_cast<std::int64_t>(parts_.size()), [&](std::int64_t k) {
             const auto i = static_cast<std::size_t>(k);
@@ -44,6 +46,7 @@ class StandingTray {
             parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
                                 tray_.placements[i].fixed};
         });
+        if (container.physical) parts_.push_back(standing_walls(container, setup_.grid, setup_.corner, workers));
         setup_.ray_spacing = voxel;
         setup_.on_grid = [this](int i) {
             return std::make_shared<const BitGrid>(voxelize(turned(static_cast<std::size_t>(i)), voxel_, workers_));
@@ -51,6 +54,7 @@ class StandingTray {
         setup_.workers = workers;
     }
 
+    /// The copies, then the walls of a physical container.
     const std::vector<StandingPart>& parts() const { return parts_; }
     DisassemblySetup& setup() { return setup_; }
 
@@ -115,10 +119,10 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
             continue;
         }
         const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
-        StandingTray standing(tray, scene.meshes, voxel, scene.packing.options.wall_gap, workers);
+        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
-        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), [&](int, int) {
+        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), [&](int, int) {
             ++done;
             const double work = static_cast<double>(done) / static_cast<double>(total);
             listener.on_progress({Phase::disassemble, done, total, 0, work});

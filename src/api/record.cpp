@@ -6,6 +6,7 @@
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/machine.hpp"
+#include "formats/packing_names.hpp"
 #include "packing/measure.hpp"
 
 namespace spectralpack {
@@ -101,7 +102,7 @@ Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& wo
     metrics.verified = run.verified;
     metrics.orders = run.orders;
     metrics.peak_memory = peak_memory();
-    metrics.engine = engine_name(run.plan.engine);
+    metrics.engine = name_of(kEngineNames, run.plan.engine);
     metrics.threads = workers.threads();
     return metrics;
 }

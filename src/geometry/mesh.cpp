@@ -15,6 +15,17 @@ Box bounding_box(const Mesh& mesh) {
     return box;
 }
 
+Mesh box_surface(const Box& box) {
+    Mesh mesh;
+    for (int i = 0; i < 8; ++i) {
+        mesh.vertices.push_back({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                                 i & 4 ? box.max.z : box.min.z});
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
 double signed_volume(const Mesh& mesh) {
     // Relative to a corner of the mesh, so that a part far from the origin does not lose its digits.
     const Vec3 origin = mesh.vertices.empty() ? Vec3{} : mesh.vertices.front();

@@ -20,6 +20,9 @@ struct Mesh {
 /// Box of the vertices that triangles use.
 Box bounding_box(const Mesh& mesh);
 
+/// The box's surface, two triangles a side.
+Mesh box_surface(const Box& box);
+
 /// Sum of signed tetrahedron volumes (Zhang and Chen 2001): exact for closed meshes, negative when inside-out.
 double signed_volume(const Mesh& mesh);
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr const char* kXometry = "Xometry, HP Multi Jet Fusion design guidelines: maximum build volume";
 constexpr const char* kExaparts = "exaparts.ch, design guidelines (Formiga P110): available space";
+constexpr const char* kSinterit = "Sinterit, sinterit.com/blog/sls-technology/print-with-1kg-pa12: print volume";
 constexpr const char* kPaper = "Cui et al. 2023, section 5: the tray of the experiments";
 constexpr const char* kMaker = "maker's data sheet, from memory";
 
@@ -19,7 +20,7 @@ constexpr std::array<Printer, 10> kPrinters{{
     {"eos-p396", "EOS P 396", {340, 340, 600}, 2, 5, 5, kMaker},
     {"eos-p770", "EOS P 770", {700, 380, 580}, 2, 5, 5, kMaker},
     {"formlabs-fuse1", "Formlabs Fuse 1, Fuse 1+", {165, 165, 300}, 2, 3, 3, kMaker},
-    {"sinterit-lisa-x", "Sinterit Lisa X", {130, 180, 330}, 2, 3, 3, kMaker},
+    {"sinterit-lisa-x", "Sinterit Lisa X", {130, 180, 330}, 2, 3, 3, kSinterit, true},
     {"stratasys-h350", "Stratasys H350", {315, 208, 293}, 2, 5, 5, kMaker},
     {"inkbit-vista", "Inkbit Vista", {500, 250, 200}, 1, 1, 1, kMaker},
 }};

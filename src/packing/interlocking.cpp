@@ -106,8 +106,9 @@ class Untangling {
                const StopToken& stop)
         : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop) {
         disassembly_.search = &search;
-        disassembly_.grid = finest_setup(tray.setup());
-        disassembly_.corner = {setup.wall_gap, setup.wall_gap, setup.wall_gap};
+        disassembly_.grid = setup.walls ? setup.walls->grid : finest_setup(tray.setup());
+        const double corner = setup.wall_gap - (setup.walls ? setup.walls->margin * disassembly_.grid.voxel_size : 0);
+        disassembly_.corner = {corner, corner, corner};
         disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
         disassembly_.on_grid = [this](int i) {
             const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
@@ -147,16 +148,27 @@ class Untangling {
 
     StandingPart as_standing(const PlacedItem& item) {
         return {setup_.surfaces->at(item.item.part, item.orientation), item.offset,
-                on_finest(tray_.object(item.object))};
+                in_grid(tray_.object(item.object))};
+    }
+
+    /// An object of the tray in the grid that ways out are looked for in.
+    TrayObject in_grid(const TrayObject& object) const {
+        return setup_.walls ? setup_.walls->moved(on_finest(object)) : on_finest(object);
     }
 
     /// The fixed ones come after all others, so that names are indices into `placed`.
     void add_fixed(std::vector<StandingPart>& parts) const {
         for (StandingPart part : setup_.fixed) {
-            part.object = on_finest(part.object);
+            part.object = in_grid(part.object);
             part.object.fixed = true;
             parts.push_back(std::move(part));
         }
+    }
+
+    /// All that stays: fixed copies, and the walls of a physical container.
+    void add_what_stays(std::vector<StandingPart>& parts) const {
+        add_fixed(parts);
+        if (setup_.walls) parts.push_back(setup_.walls->part);
     }
 
     std::optional<double> least_gap() {
@@ -173,7 +185,7 @@ class Untangling {
     std::vector<PlacedItem> disassemble() {
         std::vector<StandingPart> parts = standing();
         const std::size_t movable = parts.size();
-        add_fixed(parts);
+        add_what_stays(parts);
         std::vector<bool> removed(parts.size(), false);
         Disassembler disassembler(disassembly_, parts, setup_.left);
         for (;;) {
@@ -226,12 +238,12 @@ class Untangling {
         std::vector<StandingPart> parts = standing();
         std::vector<int> names(parts.size());
         std::iota(names.begin(), names.end(), 0);
-        add_fixed(parts);
+        add_what_stays(parts);
         names.resize(parts.size(), -1);
         Company company(disassembly_, names, parts);
         ShapeStore& shapes = *setup_.shapes;
         shapes.start_tray(items);
-        ReachableSearch reachable(search_);
+        ReachableSearch reachable(search_, setup_.walls);
         std::unordered_set<int> hopeless;
         std::vector<RemovalStep> steps;
         for (std::size_t i = 0; i < items.size(); ++i) {
@@ -304,13 +316,16 @@ Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>&
     return Untangling(tray, search, placed, setup, stop).run();
 }
 
-Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts,
+Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts, std::size_t copies,
                              const Disassembler::Left& left) {
     Disassembler disassembler(setup, std::move(parts), left);
     disassembler.run();
     Disassembly plan;
     plan.steps = disassembler.steps();
     if (!setup.stop.stopped()) plan.interlocked = disassembler.stuck();
+    for (std::vector<int>& set : plan.interlocked) {
+        std::erase_if(set, [&](int part) { return static_cast<std::size_t>(part) >= copies; });
+    }
     plan.complete = !setup.stop.stopped() && plan.interlocked.empty();
     return plan;
 }

@@ -11,6 +11,7 @@
 #include "model/disassembly.hpp"
 #include "packing/greedy.hpp"
 #include "packing/part_surfaces.hpp"
+#include "packing/physical_walls.hpp"
 #include "packing/shape_store.hpp"
 
 namespace spectralpack {
@@ -21,6 +22,7 @@ struct InterlockSetup {
     CostModel model;
     PartSurfaces* surfaces = nullptr;
     std::vector<StandingPart> fixed; ///< what stands in the tray besides `placed`, and never moves
+    const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
     ShapeStore* shapes = nullptr;    ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::lightest;
@@ -52,8 +54,9 @@ struct Untangled {
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 
-/// Makes the plan for copies that stand; takes nothing out. `interlocked` names the sets that hold each other.
+/// Makes the plan for parts that stand; takes nothing out. `interlocked` names the sets that hold each other, of the
+/// first `copies` parts: what comes after them is a container.
 Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts,
-                             const Disassembler::Left& left);
+                             std::size_t copies, const Disassembler::Left& left);
 
 }  // namespace spectralpack

@@ -24,7 +24,7 @@ struct Known {
 SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                              const StopToken& stop) {
     const Tray& fine = finest(tray);
-    const int s = tray.detail();
+    const int s = tray.detail(), margin = walls_ ? walls_->margin : 0;
     std::vector<Known> known(shape.orientations.size());
     for (std::size_t i = 0; i < known.size(); ++i) {
         const OrientedShape& oriented = shape.orientations[i];
@@ -39,25 +39,28 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     asked.admits = [&](int index, const VoxelIndex& q) {
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
-        return of.region->contains({s * q.x, s * q.y, s * q.z});
+        return of.region->contains({s * q.x + margin, s * q.y + margin, s * q.z + margin});
     };
     return engine_.best_placement(tray, asked, model, stop);
 }
 
 const Tray& ReachableSearch::finest(const Tray& tray) {
-    if (tray.detail() == 1) return tray;
+    if (tray.detail() == 1 && !walls_) return tray;
     if (!finest_ || followed_ != tray.instance()) {
-        finest_.emplace(finest_setup(tray.setup()));
+        finest_.emplace(walls_ ? walls_->grid : finest_setup(tray.setup()));
+        if (walls_) finest_->add(walls_->part.object);
+        ids_.clear();
+        done_ = 0;
         followed_ = tray.instance();
     }
-    // Ids are given in the order of the journal.
-    for (auto i = static_cast<std::size_t>(finest_->version()); i < tray.journal().size(); ++i) {
-        const TrayChange& change = tray.journal()[i];
+    for (; done_ < tray.journal().size(); ++done_) {
+        const TrayChange& change = tray.journal()[done_];
         if (!change.added) {
-            finest_->remove(change.id);
+            finest_->remove(ids_[static_cast<std::size_t>(change.id)]);
             continue;
         }
-        finest_->add(on_finest(tray.object(change.id)));
+        const TrayObject object = on_finest(tray.object(change.id));
+        ids_.push_back(finest_->add(walls_ ? walls_->moved(object) : object));  // ids are given in the journal's order
     }
     return *finest_;
 }

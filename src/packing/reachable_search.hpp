@@ -11,14 +11,17 @@
 #include <optional>
 #include <vector>
 
+#include "packing/physical_walls.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {
 
 class ReachableSearch final : public PlacementSearch {
   public:
-    /// `engine` outlives it.
-    explicit ReachableSearch(PlacementSearch& engine) : engine_(engine) {}
+    /// `engine` and `walls` outlive it. With walls, which are those of the trays that are asked about, what leaves has to
+    /// pass them, too.
+    explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr)
+        : engine_(engine), walls_(walls) {}
 
     /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. A walk
     /// outwards answers that and is remembered while the engine searches, so that each position is visited once at most.
@@ -35,12 +38,16 @@ class ReachableSearch final : public PlacementSearch {
     std::int64_t memory() const override { return engine_.memory(); }
 
   private:
-    /// The tray in the voxels that collisions are decided on: itself, or a copy of it in those that follows it.
+    /// The tray in the voxels that collisions are decided on: itself, or a copy of it in those, with the walls, that
+    /// follows it.
     const Tray& finest(const Tray& tray);
 
     PlacementSearch& engine_;
-    std::optional<Tray> finest_;            // where voxels for collisions are finer than those of positions
+    const PhysicalWalls* walls_;
+    std::optional<Tray> finest_;            // where voxels for collisions are finer than those of positions, or with walls
+    std::vector<ObjectId> ids_;             // there, by those in the tray
     std::uint64_t followed_ = 0;            // the tray that it follows
+    std::size_t done_ = 0;                  // of its journal
 };
 
 }  // namespace spectralpack

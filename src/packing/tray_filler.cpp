@@ -21,6 +21,9 @@ constexpr int kRefineRounds = 3;
 TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of,
                        const Workers& workers)
     : setup_(std::move(setup)), search_(search), part_of_(std::move(part_of)), workers_(workers) {
+    if (setup_.container.physical && setup_.interlock != Interlock::off) {
+        physical_ = physical_walls(setup_.container, finest_setup(setup_.tray), setup_.wall_gap, workers_);
+    }
     if (setup_.refine) walls_ = wall_surfaces(setup_.container, setup_.wall_gap);
     for (const FixedCopy& copy : setup_.fixed) {
         trays_with_fixed_ = std::max(trays_with_fixed_, copy.tray + 1);
@@ -87,7 +90,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
         return standing;
     };
     const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers, wanted.give_up_after};
-    ReachableSearch reachable(search_);
+    ReachableSearch reachable(search_, physical_ ? &*physical_ : nullptr);
     PlacementSearch& search =
         setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
     pack(tray, search, settle, limits);
@@ -109,6 +112,7 @@ void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector
     setup.model = setup_.model;
     setup.surfaces = &surfaces;
     setup.fixed = std::move(fixed);
+    setup.walls = physical_ ? &*physical_ : nullptr;
     setup.shapes = &shapes;
     setup.limits = limits;
     setup.take_out = setup_.take_out;

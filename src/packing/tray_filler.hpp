@@ -91,7 +91,8 @@ class TrayFiller {
     PlacementSearch& search_;
     PartSurfaces::PartOf part_of_;
     Workers workers_;
-    std::vector<StandingCopy> walls_;  // for refinement
+    std::vector<StandingCopy> walls_;        // for refinement
+    std::optional<PhysicalWalls> physical_;  // where ways out have to pass them
     int trays_with_fixed_ = 0;
     double refine_seconds_ = 0, untangle_seconds_ = 0;
     std::optional<double> least_gap_;

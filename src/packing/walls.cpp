@@ -8,17 +8,6 @@
 namespace spectralpack {
 namespace {
 
-Mesh box_surface(const Box& box) {
-    Mesh mesh;
-    for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                 i & 4 ? box.max.z : box.min.z});
-    }
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return mesh;
-}
-
 /// All round the mesh's solid, which is a hollow in it.
 Mesh surroundings(const Mesh& mesh) {
     const Box box = bounding_box(mesh);

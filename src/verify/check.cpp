@@ -180,7 +180,7 @@ CheckReport check_packing(const Packing& packing,
         report.plans.emplace_back();
         if (has_plan && !report.stopped) {
             const Replay replay =
-                replay_plan(packing, tray, here, workers, stop, [&](std::size_t done, std::size_t total) {
+                replay_plan(packing, tray, here, walls->physical(), workers, stop, [&](std::size_t done, std::size_t total) {
                     tell(done, total, comparing, 1 - comparing);
                 });
             report.stopped = replay.stopped;

@@ -60,10 +60,10 @@ struct Verdict {
 
 class PlanReplay {
   public:
-    PlanReplay(const Packing& packing, int tray, const std::vector<Copy>& copies)
-        : packing_(packing), tray_(tray), placements_(packing.trays[static_cast<std::size_t>(tray)].placements),
+    PlanReplay(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls)
+        : packing_(packing), tray_(tray), walls_(walls), placements_(packing.trays[static_cast<std::size_t>(tray)].placements),
           plan_(*packing.trays[static_cast<std::size_t>(tray)].disassembly), copy_of_(placements_.size()),
-          company_(placements_.size(), 0), own_step_(placements_.size()) {
+          company_(placements_.size(), kInTray), own_step_(placements_.size()) {
         for (const Copy& copy : copies) {
             copy_of_[static_cast<std::size_t>(copy.placement)] = &copy;
         }
@@ -130,6 +130,11 @@ class PlanReplay {
             if (company_[i] == fresh) stage.leaving.push_back(copy_of_[i]);
             if (company_[i] == company) stage.left.push_back(copy_of_[i]);
         }
+        if (company == kInTray) {
+            for (const Copy& wall : walls_) {
+                stage.left.push_back(&wall);
+            }
+        }
         return stage;
     }
 
@@ -177,14 +182,16 @@ class PlanReplay {
     void report(const Stage& stage, const Verdict& verdict) {
         replay_.report.sweeps += verdict.sweeps;
         if (verdict.obstacle) {
-            find(stage.step, {verdict.leaving->placement, verdict.obstacle->placement}, verdict.depth,
+            std::vector<int> who{verdict.leaving->placement};
+            if (!is_wall(verdict.obstacle)) who.push_back(verdict.obstacle->placement);
+            find(stage.step, std::move(who), verdict.depth,
                  name(verdict.leaving) + " runs into " + name(verdict.obstacle) + ", at least " +
                      short_number(verdict.depth) + " mm deep, after " + short_number(verdict.travelled) +
                      " mm of its way");
         }
         if (verdict.inside) {
             find(stage.step, {verdict.inside->placement}, verdict.sticking,
-                 name(verdict.inside) + " ends inside the bounding box of what is left, " +
+                 name(verdict.inside) + " ends inside the bounding box of what is left" + (walls_.empty() ? ", " : " and of the container, ") +
                      short_number(verdict.sticking) + " mm from outside");
         }
     }
@@ -236,23 +243,30 @@ class PlanReplay {
     }
 
     std::string name(std::size_t placement) const { return copy_name(packing_, placements_[placement]); }
-    std::string name(const Copy* copy) const { return name(static_cast<std::size_t>(copy->placement)); }
+    std::string name(const Copy* copy) const {
+        return is_wall(copy) ? "the container" : name(static_cast<std::size_t>(copy->placement));
+    }
+    static bool is_wall(const Copy* copy) { return copy->placement < 0; }
+
+    static constexpr int kInTray = 0;
 
     const Packing& packing_;
     const int tray_;
+    const std::vector<Copy>& walls_;
     const std::vector<Placement>& placements_;
     const Disassembly& plan_;
     std::vector<const Copy*> copy_of_;                 ///< by placement; null: not there
-    std::vector<int> company_;                         ///< by placement: 0 in the tray, else 1 + the step it left in
+    std::vector<int> company_;                         ///< by placement: kInTray, else 1 + the step it left in
     std::vector<std::optional<std::size_t>> own_step_; ///< by placement: the step that took it out by itself
     Replay replay_;
 };
 
 }  // namespace
 
-Replay replay_plan(const Packing& packing, int tray, const std::vector<Copy>& copies, const Workers& workers,
-                   const StopToken& stop, const std::function<void(std::size_t, std::size_t)>& tell) {
-    return PlanReplay(packing, tray, copies).run(workers, stop, tell);
+Replay replay_plan(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls,
+                   const Workers& workers, const StopToken& stop,
+                   const std::function<void(std::size_t, std::size_t)>& tell) {
+    return PlanReplay(packing, tray, copies, walls).run(workers, stop, tell);
 }
 
 }  // namespace spectralpack

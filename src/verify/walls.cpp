@@ -1,6 +1,7 @@
 #include "verify/walls.hpp"
 
 #include "core/error.hpp"
+#include "model/physical_surfaces.hpp"
 #include "verify/words.hpp"
 
 namespace spectralpack {
@@ -54,6 +55,19 @@ Walls::Walls(const Packing& packing, const Box& all) : packing_(packing) {
         if (!keep_out.mesh) add_box(box, keep_out.box);
         add("keep-out " + std::to_string(i), keep_out.mesh ? surface_of(*keep_out.mesh) : box);
     }
+    if (!container.physical) return;
+    for (const Mesh& surface : physical_surfaces(container)) {
+        if (surface.triangles.empty()) continue;
+        physical_.push_back(std::make_unique<const Solid>(surface, Transform{}, deep_enough(kCheckTolerance)));
+    }
+}
+
+std::vector<Copy> Walls::physical() const {
+    std::vector<Copy> walls;
+    for (const auto& solid : physical_) {
+        walls.push_back({-1, {solid.get(), Transform{}}, solid->box()});
+    }
+    return walls;
 }
 
 std::vector<Finding> Walls::judge(int tray, const std::vector<Copy>& copies, const Workers& workers,

@@ -22,6 +22,10 @@ class Walls {
     std::vector<Finding> judge(int tray, const std::vector<Copy>& copies, const Workers& workers,
                                const StopToken& stop) const;
 
+    /// What of a physical container is in the way of what leaves (model/physical_surfaces.hpp), for replay_plan(); none
+    /// where it is not physical. Refers to this.
+    std::vector<Copy> physical() const;
+
   private:
     struct Wall {
         std::string name;  ///< what a copy reaches into
@@ -30,6 +34,7 @@ class Walls {
 
     const Packing& packing_;
     std::vector<Wall> walls_;
+    std::vector<std::unique_ptr<const Solid>> physical_;
 };
 
 }  // namespace spectralpack

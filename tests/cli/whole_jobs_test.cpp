@@ -152,6 +152,125 @@ TEST_F(WholeJob, FillsAMesh) {
     EXPECT_TRUE(contains(checked.out, "the outside of the container")) << checked.out;
 }
 
+struct Vec2 {
+    double x = 0, z = 0;
+};
+
+/// A bottle's inside: 40 x 20 mm and 20 high, then a neck of 16 x 20 mm up to 40.
+Mesh bottle_mesh() {
+    const Vec2 corners[] = {{0, 0}, {40, 0}, {40, 20}, {28, 20}, {28, 40}, {12, 40}, {12, 20}, {0, 20}};
+    const Triangle faces[] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 6}, {0, 6, 7}, {6, 3, 4}, {6, 4, 5}};  // seen from -y
+    Mesh mesh;
+    for (const double y : {0.0, 20.0}) {
+        for (const Vec2& corner : corners) {
+            mesh.vertices.push_back({corner.x, y, corner.z});
+        }
+    }
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        const std::uint32_t j = (i + 1) % 8;
+        mesh.triangles.push_back({i, j + 8, j});
+        mesh.triangles.push_back({i, i + 8, j + 8});
+    }
+    for (const Triangle& f : faces) {
+        mesh.triangles.push_back(f);
+        mesh.triangles.push_back({f[0] + 8, f[2] + 8, f[1] + 8});
+    }
+    return mesh;
+}
+
+double top_of(const json& packing, const json& step) {
+    double z = packing["trays"][0]["placements"][step["placements"][0].get<std::size_t>()]["transform"][2][3];
+    for (const json& move : step["path"]) {
+        z += move[2].get<double>();
+    }
+    return z;
+}
+
+TEST_F(WholeJob, WhatLeavesABottleLeavesThroughItsNeck) {
+    stl("bottle.stl", bottle_mesh());
+    const std::vector<std::string> options{at("cube.stl") + ":6", "--container", at("bottle.stl"), "--no-refine"};
+    ASSERT_EQ(pack(options).status, 0);
+    json packing = build();
+    EXPECT_EQ(packing["metrics"]["placed"], 6);
+    expect_sound();
+    // That plan goes through the walls.
+    packing["container"]["physical"] = true;
+    std::ofstream(at("through.json")) << packing;
+    const Ran through = spectralpack({"check", at("through.json")});
+    EXPECT_EQ(through.status, 1);
+    EXPECT_TRUE(contains(through.out, "runs into the container")) << through.out;
+
+    for (const char* interlock : {"post", "place"}) {
+        std::vector<std::string> physical = options;
+        physical.insert(physical.end(), {"--physical", "--interlock", interlock});
+        const Ran ran = pack(physical);
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        packing = build();
+        EXPECT_EQ(packing["metrics"]["placed"], 6);
+        EXPECT_TRUE(packing["container"]["physical"]);
+        ASSERT_EQ(packing["trays"][0]["disassembly"]["steps"].size(), 6u);
+        bool corners = false;
+        for (const json& step : packing["trays"][0]["disassembly"]["steps"]) {
+            EXPECT_GE(top_of(packing, step), 40);
+            corners = corners || step["path"].size() > 1;
+        }
+        EXPECT_TRUE(corners) << "from beside the neck";
+        const Ran checked = spectralpack({"check", at("build.json"), "--require-plan"});
+        EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+        EXPECT_EQ(spectralpack({"plan", at("build.json"), "--voxel", "1", "-o", at("planned.json")}).status, 0);
+        EXPECT_EQ(spectralpack({"check", at("planned.json"), "--require-plan"}).status, 0);
+    }
+}
+
+TEST_F(WholeJob, WhatIsTooWideForTheNeckStaysOut) {
+    stl("bottle.stl", bottle_mesh());
+    stl("wide.stl", cube_mesh(18));
+    const std::vector<std::string> options{at("wide.stl"), at("cube.stl") + ":2", "--container", at("bottle.stl")};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), options.begin(), options.end());
+        return pack(more);
+    };
+    ASSERT_EQ(with({}).status, 0);
+    EXPECT_EQ(build()["metrics"]["placed"], 3);
+    ASSERT_EQ(with({"--physical", "--interlock", "off"}).status, 0);
+    EXPECT_EQ(build()["metrics"]["placed"], 3);
+    const Ran planned = spectralpack({"plan", at("build.json")});
+    EXPECT_EQ(planned.status, 1);
+    EXPECT_TRUE(contains(planned.out, "1 hold each other or cannot leave the container: wide copy 0")) << planned.out;
+    const char* reasons[] = {"interlocked", "tray_full"};
+    for (const char* interlock : {"post", "place"}) {
+        ASSERT_EQ(with({"--physical", "--interlock", interlock}).status, 0);
+        EXPECT_EQ(build()["metrics"]["placed"], 2);
+        ASSERT_EQ(build()["unplaced"].size(), 1u);
+        EXPECT_EQ(build()["unplaced"][0]["reason"], reasons[interlock == std::string("place")]);
+        EXPECT_EQ(spectralpack({"check", at("build.json"), "--require-plan"}).status, 0);
+    }
+}
+
+TEST_F(WholeJob, ACrateIsLeftUpwardsAndRoundItsKeepOuts) {
+    for (const char* gap : {"0", "1.5"}) {
+        const Ran ran = pack({at("cube.stl") + ":12", "--tray", "44x44x44", "--physical", "--keep-out", "14,0,22,44,44,26",
+                              "--wall-gap", gap});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const json packing = build();
+        EXPECT_EQ(packing["metrics"]["placed"], 12);
+        for (const json& step : packing["trays"][0]["disassembly"]["steps"]) {
+            EXPECT_GE(top_of(packing, step), 44);
+        }
+        const Ran checked = spectralpack({"check", at("build.json"), "--require-plan"});
+        EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+    }
+}
+
+TEST_F(WholeJob, AContainerThatNothingCanLeaveIsNamed) {
+    stl("tube.stl", torus_mesh(40, 18, 48, 24));
+    const Ran closed = pack({at("cube.stl"), "--container", at("tube.stl"), "--physical"});
+    EXPECT_EQ(closed.status, 3);
+    EXPECT_TRUE(contains(closed.err, "tube.stl") && contains(closed.err, "no flat face at its top")) << closed.err;
+    EXPECT_EQ(pack({at("cube.stl"), "--container", at("tube.stl"), "--physical", "--interlock", "off"}).status, 0);
+    EXPECT_EQ(pack({at("cube.stl"), "--tray", "40x40", "--open-height", "--physical"}).status, 2);
+}
+
 TEST_F(WholeJob, RefinementStaysInTheMeshAndOutOfKeepOuts) {
     stl("tube.stl", torus_mesh(40, 18, 48, 24));
     stl("ball.stl", torus_mesh(5, 4, 16, 12));

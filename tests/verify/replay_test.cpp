@@ -130,6 +130,40 @@ TEST_F(Pile, FixedCopiesStayAndAreInTheWay) {
     EXPECT_FALSE(plan_findings().empty());
 }
 
+TEST_F(Pile, APhysicalContainerIsInTheWayToo) {
+    const auto steps = [&](const Path& first) {
+        plan().steps = {{{1}, first}, {{0}, {{0, 0, 100}}}, {{2}, {{0, 0, 100}}}};
+    };
+    steps({{0, 0, 90}});
+    expect_follows();
+    packing_.container.physical = true;
+    expect_follows();
+    steps({{0, 0, 30}, {50, 0, 0}, {0, 0, 60}});  // round about, within
+    expect_follows();
+    steps({{0, 0, 80}});
+    expect_fails({1}, "ends inside the bounding box of what is left and of the container, 10 mm");
+    steps({{-20, 0, 0}});
+    expect_fails({1}, "part1 #0 runs into the container");
+    packing_.container.physical = false;
+    expect_follows();
+}
+
+TEST_F(Pile, WhatLeavesLastLeavesAPhysicalContainer) {
+    packing_.container.physical = true;
+    plan().steps = {{{1}, {{0, 0, 90}}}, {{0}, {{0, 0, 100}}}, {{2}, {}}};
+    expect_fails({2}, "of the container");
+}
+
+TEST_F(Pile, PhysicalKeepOutsAreInTheWay) {
+    packing_.container.keep_out = {{Box{{0, 0, 50}, {40, 40, 52}}}};
+    plan().steps = {{{1}, {{0, 0, 90}}}, {{0}, {{0, 0, 100}}}, {{2}, {{0, 0, 100}}}};
+    expect_follows();
+    packing_.container.physical = true;
+    expect_fails({1}, "runs into the container");
+    plan().steps = {{{1}, {{50, 0, 0}, {0, 0, 90}}}, {{2}, {{40, 0, 0}, {0, 0, 100}}}, {{0}, {{50, 0, 0}, {0, 0, 100}}}};
+    expect_follows();
+}
+
 TEST_F(Pile, ImpossibleStepsAreFindingsNotCrashes) {
     const std::vector<RemovalStep> wrong{{{}, {}},   {{7}, {}},       {{-1}, {}},
                                          {{0}, {{Box::kInfinity, 0, 0}}}, {{1}, {{0, 0, 10}}}, {{1}, {{0, 0, 10}}}};
