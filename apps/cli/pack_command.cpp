@@ -428,7 +428,7 @@ Command add_pack_command(CLI::App& app) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group(container);
-    sub->add_flag("--physical", a.physical, "walls and keep-outs are really there: nothing leaves through them")
+    sub->add_flag("--physical", a.physical, "walls and keep-outs are really there: what leaves, leaves over the top, which is open")
         ->group(container);
     sub->add_option("--onto", a.onto, "packing file to top up: its copies stay where they are")->group(container);
     sub->add_option("--trays", a.trays, "containers to fill, a number or all [1]")->group(container);

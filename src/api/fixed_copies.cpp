@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "api/plan.hpp"
 #include "formats/mesh_reader.hpp"
 #include "verify/check.hpp"
 
@@ -128,6 +129,7 @@ void require_sound(const LoadedJob& loaded, const Container& container, const Pa
     if (loaded.fixed.empty()) return;
     Packing packing;
     packing.container = container;
+    packing.container.open_height = is_open(options);
     packing.options = options;
     packing.parts.assign(loaded.parts.begin(), loaded.parts.begin() + static_cast<std::ptrdiff_t>(loaded.fixed_parts));
     packing.trays = fixed_trays(loaded);

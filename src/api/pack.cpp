@@ -50,38 +50,41 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) 
     return by_part;
 }
 
-/// What the options, each right by itself, cannot do together yet.
+/// What the options, each right by itself, cannot do together.
 void check_together(const Job& job) {
     const PackOptions& options = job.options;
-    const bool walls = job.container.mesh || !job.container.keep_out.empty();
-    const bool fixed = job.onto || !job.fixed.empty();
-    const auto refuse = [](const std::string& what, const std::string& with) {
-        throw UsageError(what + " does not go with " + with + " yet");
+    const auto refuse = [](const std::string& what, const std::string& with, const std::string& why) {
+        throw UsageError(what + " does not go with " + with + ": " + why);
     };
     if (is_open(options)) {
-        const std::string open = options.minimise == Minimise::box ? "--minimise box" : "--open-height";
-        if (walls) refuse(open, "container meshes and keep-outs");
-        if (fixed) refuse(open, "fixed copies and --onto");
-        if (options.trays != 1) refuse(open, "several trays");
+        const bool box = options.minimise == Minimise::box;
+        const std::string open = box ? "--minimise box" : "--open-height";
+        if (job.container.mesh || !job.container.keep_out.empty()) {
+            refuse(open, "container meshes and keep-outs", "they have a height of their own");
+        }
+        if (box && (job.onto || !job.fixed.empty())) {
+            refuse(open, "fixed copies and --onto", "they stand on a base that is given");
+        }
+        if (options.trays != 1) refuse(open, "several trays", "without a ceiling one holds all");
+        if (job.onto && job.onto->packing.trays.size() > 1) {
+            refuse(open, "--onto a build of several trays", "without a ceiling one holds all");
+        }
+        if (job.container.physical && options.interlock != Interlock::off) {
+            refuse(open, "--physical", "ways out lead over the top of walls, which have no height then (with --interlock "
+                                       "off nothing is looked for)");
+        }
     }
-    if (job.container.physical && is_open(options) && options.interlock != Interlock::off) {
-        throw UsageError("--physical needs walls of some height to lead ways out over: it does not go with " +
-                         std::string(options.open_height ? "--open-height" : "--minimise box") +
-                         ", except with --interlock off");
+    if (options.fill && options.trays != 1) {
+        refuse("--fill", "several trays", "all would be alike; fill one and build it as often as needed");
     }
-    if (options.fill && options.trays != 1) refuse("--fill", "several trays");
     if (options.restarts > 1 || options.beam > 1) {
         const std::string orders = options.restarts > 1 ? "--restarts" : "--beam";
-        if (options.fill) refuse(orders, "--fill");
-        if (options.minimise == Minimise::box) refuse(orders, "--minimise box");
+        if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
+        if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it searches among bases instead");
     }
     if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
-        refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill");
-    }
-    if (options.max_density || options.max_layer_fill) {
-        const std::string cap = options.max_density ? "--max-density" : "--max-layer-fill";
-        if (job.container.mesh) refuse(cap, "container meshes");
-        if (fixed) refuse(cap, "fixed copies and --onto");
+        refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill",
+               "its states keep no account of what is full; use --restarts");
     }
 }
 

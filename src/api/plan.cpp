@@ -187,6 +187,16 @@ void plan_orientations(const LoadedJob& loaded, const PackOptions& options, cons
     }
 }
 
+/// Layers that hold the fixed copies whole.
+int fixed_layers(const LoadedJob& loaded, double voxel) {
+    double top = 0;
+    for (const FixedPlacement& fixed : loaded.fixed) {
+        const Mesh& mesh = *loaded.meshes[static_cast<std::size_t>(fixed.placement.part)];
+        top = std::max(top, bounding_box(transformed(mesh, fixed.placement.transform)).max.z);
+    }
+    return top > 0 ? voxels_in(top, voxel) : 0;
+}
+
 /// Layers to begin with under an open ceiling: what the parts' boxes would fill, and one part's longest side.
 int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& options) {
     constexpr double kFilled = 0.5;  // of the parts' boxes, about what they come to when they are packed
@@ -198,7 +208,7 @@ int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& o
         longest = std::max(longest, loaded.parts[i].to_mm() * std::max({size.x, size.y, size.z}));
     }
     const Vec3 space = room(options);
-    return voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
+    return fixed_layers(loaded, options.voxel) + voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
 }
 
 Extent with_layers(Extent grid, int layers) {
@@ -335,7 +345,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         for (int step = 1 << 20; step > 0; step /= 2) {
             if (plan.memory + engines(plan.most_layers + step) <= plan.memory_limit) plan.most_layers += step;
         }
-        plan.grid.z = std::min(plan.grid.z, plan.most_layers);
+        plan.grid.z = std::max(std::min(plan.grid.z, plan.most_layers), fixed_layers(loaded, options.voxel));
     }
     plan.memory += engines(plan.grid.z);
     plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;

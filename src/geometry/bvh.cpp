@@ -57,7 +57,7 @@ class Builder {
 
 }  // namespace
 
-Bvh::Bvh(const Mesh& mesh) : vertices_(mesh.vertices) {
+Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
     Builder builder(mesh);
     nodes_ = std::move(builder.nodes_);
     for (const Node& node : nodes_) {
@@ -69,7 +69,7 @@ Bvh::Bvh(const Mesh& mesh) : vertices_(mesh.vertices) {
         triangles_.push_back(mesh.triangles[i]);
     }
     refit();
-    faces_outwards_ = is_closed(mesh) && signed_volume(mesh) > 0;
+    faces_outwards_ = faces_outwards || (is_closed(mesh) && signed_volume(mesh) > 0);
 }
 
 void Bvh::refit() {

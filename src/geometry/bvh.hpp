@@ -31,7 +31,8 @@ class Bvh {
 
     /// Splits at the median centroid along the longest axis: O(n log n), depth about log2 n, the
     /// same tree on every machine. Preconditions: finite coordinates, indices in range.
-    explicit Bvh(const Mesh& mesh);
+    /// `faces_outwards`: it is known that they do, though the mesh is not closed.
+    explicit Bvh(const Mesh& mesh, bool faces_outwards = false);
 
     /// The tree of transformed(mesh, {linear, 0}): same shape, boxes fitted anew. O(n).
     Bvh turned(const Mat3& linear) const;
@@ -46,7 +47,7 @@ class Bvh {
     }
     Box box() const { return nodes_.empty() ? Box{} : nodes_.front().box; }
 
-    /// The triangles face outwards: the mesh is closed and its signed volume is positive.
+    /// The triangles face outwards: the mesh is closed and its signed volume is positive, or it was said so.
     bool faces_outwards() const { return faces_outwards_; }
 
     std::int64_t bytes() const;

@@ -22,21 +22,21 @@ std::string percent(double share) {
 
 Caps::Caps(const CapSetup& setup, CapParts parts) : setup_(setup), parts_(std::move(parts)) {}
 
+double Caps::most(std::size_t k) const {
+    const std::vector<double>& sections = setup_.sections;
+    const double section = sections.empty() ? setup_.base : k < sections.size() ? sections[k] : 0;
+    return *setup_.layer_fill * section * (1 + kRounding);
+}
+
 std::string Caps::why_not(int part) const {
     if (!setup_.density) return "";
-    const Vec3& size = setup_.container;
-    const double density = (volume_ + parts_.volume(part)) / (size.x * size.y * size.z);
+    const double density = (volume_ + parts_.volume(part)) / setup_.volume;
     if (density <= *setup_.density * (1 + kRounding)) return "";
     return "the density would come to " + percent(density) + ", beyond the cap of " + percent(*setup_.density);
 }
 
-/// Of a mesh that is placed with its lowest point at z: areas from layer 0 to its top.
 std::vector<double> Caps::sections(int part, int orientation, const Vec3& offset) const {
-    const Mesh mesh = transformed(parts_.turned_mesh(part, orientation), {Mat3{}, offset});
-    const double top = bounding_box(mesh).max.z;
-    std::vector<double> areas(static_cast<std::size_t>(std::max(0.0, std::ceil(top / setup_.voxel_size))), 0);
-    add_section_areas(mesh, setup_.voxel_size, areas);
-    return areas;
+    return section_areas(transformed(parts_.turned_mesh(part, orientation), {Mat3{}, offset}), setup_.voxel_size);
 }
 
 const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& min) {
@@ -55,7 +55,6 @@ const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& 
 
 const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
     if (!setup_.layer_fill) return nullptr;
-    const double most = *setup_.layer_fill * setup_.container.x * setup_.container.y * (1 + kRounding);
     allowed_.by_index.clear();
     for (const OrientedShape& oriented : shape.orientations) {
         const std::vector<double>& areas = profile(part, oriented.orientation, oriented.min);
@@ -63,7 +62,7 @@ const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
         for (std::size_t z = 0; z < open.size(); ++z) {
             for (std::size_t k = 0; k < areas.size() && open[z]; ++k) {
                 const double there = z + k < area_.size() ? area_[z + k] : 0;
-                open[z] = there + areas[k] <= most;
+                open[z] = there + areas[k] <= most(z + k);
             }
         }
     }
@@ -72,10 +71,9 @@ const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
 
 bool Caps::may_stand(int part, int orientation, const Vec3& offset) const {
     if (!setup_.layer_fill) return true;
-    const double most = *setup_.layer_fill * setup_.container.x * setup_.container.y * (1 + kRounding);
     const std::vector<double> areas = sections(part, orientation, offset);
     for (std::size_t k = 0; k < areas.size(); ++k) {
-        if ((k < area_.size() ? area_[k] : 0) + areas[k] > most) return false;
+        if ((k < area_.size() ? area_[k] : 0) + areas[k] > most(k)) return false;
     }
     return true;
 }
@@ -86,11 +84,18 @@ void Caps::remove(int part, int orientation, const Vec3& offset) { count(-1, par
 
 void Caps::count(int copies, int part, int orientation, const Vec3& offset) {
     volume_ += copies * parts_.volume(part);
-    if (!setup_.layer_fill) return;
-    const std::vector<double> areas = sections(part, orientation, offset);
+    if (setup_.layer_fill) add_areas(copies, sections(part, orientation, offset));
+}
+
+void Caps::add_fixed(const Mesh& mesh) {
+    volume_ += signed_volume(mesh);
+    if (setup_.layer_fill) add_areas(1, section_areas(mesh, setup_.voxel_size));
+}
+
+void Caps::add_areas(int times, const std::vector<double>& areas) {
     if (area_.size() < areas.size()) area_.resize(areas.size(), 0);
     for (std::size_t k = 0; k < areas.size(); ++k) {
-        area_[k] += copies * areas[k];
+        area_[k] += times * areas[k];
     }
 }
 

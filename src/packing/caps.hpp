@@ -17,8 +17,10 @@ namespace spectralpack {
 
 struct CapSetup {
     std::optional<double> density;     ///< share of the container's volume
-    std::optional<double> layer_fill;  ///< share of the container's base, in each layer
-    Vec3 container;                    ///< size, mm
+    std::optional<double> layer_fill;  ///< share of the container's cross-section, in each layer
+    double volume = 0;                 ///< the container's, mm^3; of no interest without a cap on density
+    double base = 0;                   ///< of a box: its cross-section in every layer, mm^2
+    std::vector<double> sections;      ///< of a container mesh, by layer, mm^2; above there is none. Empty: a box
     double wall_gap = 0;               ///< mm; the grid starts so high
     double voxel_size = 2;             ///< also the thickness of a layer, as in measure_tray()
 };
@@ -45,6 +47,9 @@ class Caps {
     /// True where a copy moved off the grid keeps the cap on layers too. `offset`: of the turned mesh, mm.
     bool may_stand(int part, int orientation, const Vec3& offset) const;
 
+    /// What stands in the tray besides copies that are packed. `mesh`: where it stands, mm.
+    void add_fixed(const Mesh& mesh);
+
     /// A copy stands there now.
     void add(int part, int orientation, const Vec3& offset);
 
@@ -56,6 +61,9 @@ class Caps {
 
   private:
     void count(int copies, int part, int orientation, const Vec3& offset);
+    void add_areas(int times, const std::vector<double>& areas);
+    /// Of layer `k`, the area that may be filled, mm^2.
+    double most(std::size_t k) const;
     const std::vector<double>& profile(int part, int orientation, const Vec3& min);
     std::vector<double> sections(int part, int orientation, const Vec3& offset) const;
 

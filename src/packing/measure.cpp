@@ -34,6 +34,13 @@ void add_section_areas(const Mesh& mesh, double thickness, std::vector<double>& 
     }
 }
 
+std::vector<double> section_areas(const Mesh& mesh, double thickness) {
+    const double top = bounding_box(mesh).max.z;
+    std::vector<double> areas(static_cast<std::size_t>(std::max(0.0, std::ceil(top / thickness))), 0);
+    add_section_areas(mesh, thickness, areas);
+    return areas;
+}
+
 double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr<const Mesh>>& meshes) {
     double top = 0;
     for (const Placement& placement : tray.placements) {

@@ -14,6 +14,9 @@ namespace spectralpack {
 /// start at z = 0. Signed, so that hollows count as empty.
 void add_section_areas(const Mesh& mesh, double thickness, std::vector<double>& area);
 
+/// The same areas of one mesh, from z = 0 up to its top.
+std::vector<double> section_areas(const Mesh& mesh, double thickness);
+
 /// Top of the tray's placements, mm; 0 where there are none. `meshes` as below.
 double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr<const Mesh>>& meshes);
 

@@ -73,7 +73,7 @@ StandingPart standing_walls(const Container& container, const TraySetup& grid, c
     }
     TrayObject object{std::move(voxels), {}};
     object.fixed = true;
-    return {std::make_shared<const Bvh>(together(physical_surfaces(container))), {}, std::move(object)};
+    return {std::make_shared<const Bvh>(together(physical_surfaces(container)), true), {}, std::move(object)};
 }
 
 TrayObject PhysicalWalls::moved(TrayObject object) const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "packing/measure.hpp"
 #include "packing/reachable_search.hpp"
 #include "packing/walls.hpp"
 #include "voxel/voxelize.hpp"
@@ -15,6 +16,19 @@ namespace {
 // Section 3.2: moves of at most two voxels along an axis, three rounds of x, y and z.
 constexpr double kLongestMove = 2;
 constexpr int kRefineRounds = 3;
+
+CapSetup cap_setup(const FillSetup& setup) {
+    const Container& container = setup.container;
+    CapSetup caps;
+    caps.density = setup.max_density;
+    caps.layer_fill = setup.max_layer_fill;
+    caps.volume = volume_of(container);
+    caps.base = container.size.x * container.size.y;
+    if (container.mesh) caps.sections = section_areas(*container.mesh->surface, setup.tray.voxel_size);
+    caps.wall_gap = setup.wall_gap;
+    caps.voxel_size = setup.tray.voxel_size;
+    return caps;
+}
 
 }  // namespace
 
@@ -30,7 +44,7 @@ TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::P
     }
 }
 
-std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refinement* refinement) const {
+std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refinement* refinement, Caps* caps) const {
     std::vector<StandingPart> standing;
     const Vec3 corner{setup_.wall_gap, setup_.wall_gap, setup_.wall_gap};
     const std::vector<double>& gaps = setup_.tray.gap_classes;
@@ -47,6 +61,7 @@ std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refine
         const ObjectId id = tray.add(std::move(object));
         const auto surface = std::make_shared<const Bvh>(mesh);
         if (refinement) refinement->stand({surface, {}, copy.gap});
+        if (caps) caps->add_fixed(mesh);
         standing.push_back({surface, {}, tray.object(id)});
     }
     return standing;
@@ -61,8 +76,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
     PartSurfaces surfaces(part_of_, workers_);
     std::optional<Caps> caps;
     if (setup_.max_density || setup_.max_layer_fill) {
-        caps.emplace(CapSetup{setup_.max_density, setup_.max_layer_fill, setup_.container.size,
-                              setup_.wall_gap, dx},
+        caps.emplace(cap_setup(setup_),
                      CapParts{[&](int part) { return surfaces.part(part).volume; },
                               [&](int part, int orientation) { return surfaces.turned_mesh(part, orientation); }});
     }
@@ -81,7 +95,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
             refinement->stand(wall);
         }
     }
-    std::vector<StandingPart> fixed = stand_fixed(wanted.number, tray, refinement.get());
+    std::vector<StandingPart> fixed = stand_fixed(wanted.number, tray, refinement.get(), caps ? &*caps : nullptr);
     double refining = 0;
     const Settle settle = [&](const PackItem& item, const Shape& shape, const BestPlacement& best) {
         if (!refinement) return stand_on_grid(shape, best, dx, detail, setup_.wall_gap);

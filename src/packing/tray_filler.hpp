@@ -83,7 +83,7 @@ class TrayFiller {
     void fill_one(const TrayItems& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
                   const Pack& pack);
 
-    std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement) const;
+    std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
     void make_removable(const TrayItems& wanted, Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
                         ShapeStore& shapes, const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
 

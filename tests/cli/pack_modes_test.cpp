@@ -190,6 +190,9 @@ TEST_F(PackModes, CapsAreKeptAndSaid) {
 TEST_F(PackModes, WhatDoesNotGoTogetherIsWrongUsage) {
     const std::vector<std::vector<std::string>> wrong{{"--tray", "100x90"},
                                                       {"--fill", "--open-height"},
+                                                      {"--fill", "--trays", "2"},
+                                                      {"--open-height", "--trays", "all"},
+                                                      {"--open-height", "--keep-out", "0,0,0,5,5,5"},
                                                       {"--max-density", "0.3", "--open-height"},
                                                       {"--max-density", "30"},
                                                       {"--max-layer-fill", "0"},

@@ -271,6 +271,51 @@ TEST_F(WholeJob, AContainerThatNothingCanLeaveIsNamed) {
     EXPECT_EQ(pack({at("cube.stl"), "--tray", "40x40", "--open-height", "--physical"}).status, 2);
 }
 
+TEST_F(WholeJob, CapsInAMeshAreOfItsVolumeAndSections) {
+    stl("bottle.stl", bottle_mesh());  // 22.4 of 32 cm3; 800 mm2 below, 320 in the neck
+    ASSERT_EQ(pack({at("cube.stl") + ":30", "--container", at("bottle.stl"), "--max-density", "0.5"}).status, 0);
+    EXPECT_EQ(build()["metrics"]["placed"], 11);
+    EXPECT_LE(build()["metrics"]["density"], 0.5);
+    expect_sound();
+    ASSERT_EQ(pack({at("cube.stl") + ":30", "--container", at("bottle.stl"), "--max-layer-fill", "0.5", "--no-refine"}).status, 0);
+    EXPECT_EQ(build()["metrics"]["placed"], 4 + 4 + 1 + 1) << "half of each layer";
+    EXPECT_TRUE(contains(build()["unplaced"][0]["detail"], "cap of 50 %")) << build()["unplaced"][0];
+    expect_sound();
+}
+
+TEST_F(WholeJob, CapsCountFixedCopies) {
+    ASSERT_EQ(pack({at("slab.stl"), "--tray", "40x40x40"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");  // a quarter of it
+    ASSERT_EQ(pack({at("cube.stl") + ":30", "--onto", at("old.json"), "--max-density", "0.35"}).status, 0);
+    EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 6u);
+    EXPECT_NEAR(build()["metrics"]["density"], 0.25 + 6 / 64.0, 1e-9);
+    ASSERT_EQ(pack({at("cube.stl") + ":60", "--onto", at("old.json"), "--max-layer-fill", "0.5", "--no-refine"}).status, 0);
+    EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 3 * 8u) << "the layers of the slab are full";
+    expect_sound();
+}
+
+TEST_F(WholeJob, WithoutACeilingOnTopOfWhatStands) {
+    stl("pole.stl", box_mesh({0, 0, 0}, {10, 10, 90}));
+    ASSERT_EQ(pack({at("pole.stl"), at("slab.stl"), "--tray", "50x40x100", "--rotations", "none"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    for (const char* at_top : {"top", "bottom"}) {
+        const Ran ran = pack({at("cube.stl") + ":40", "--onto", at("old.json"), "--tray", "50x40", "--open-height",
+                              "--height-at", at_top, "--verify-with", "reference:5"});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const json packing = build();
+        EXPECT_EQ(packing["trays"][0]["placements"].size(), 42u);
+        EXPECT_TRUE(packing["trays"][0]["placements"][0]["fixed"]);
+        EXPECT_EQ(packing["container"]["size"], json({50, 40, 90})) << "as high as the pole";
+        double top = 0;
+        for (std::size_t i = 2; i < 42; ++i) {
+            top = std::max(top, packing["trays"][0]["placements"][i]["transform"][2][3].get<double>());
+        }
+        EXPECT_LE(top, 30) << "beside the pole and on the slab";
+        expect_sound();
+    }
+    EXPECT_EQ(pack({at("cube.stl"), "--onto", at("old.json"), "--tray", "50x40", "--minimise", "box"}).status, 2);
+}
+
 TEST_F(WholeJob, RefinementStaysInTheMeshAndOutOfKeepOuts) {
     stl("tube.stl", torus_mesh(40, 18, 48, 24));
     stl("ball.stl", torus_mesh(5, 4, 16, 12));

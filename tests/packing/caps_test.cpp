@@ -49,11 +49,10 @@ class CappedTray : public testing::Test {
     }
 
     const Mesh cube_ = test::cube_mesh(5);
-    const Vec3 size_{20, 20, 22};
 };
 
 TEST_F(CappedTray, OfADensityTakesTheCopiesThatKeepIt) {
-    const GreedyResult result = pack({0.25, std::nullopt, size_, 0, 1}, 30);
+    const GreedyResult result = pack({0.25, std::nullopt, 8800, 400, {}, 0, 1}, 30);
     EXPECT_EQ(result.placed.size(), 17u);  // 17 x 125 of 8800 mm^3 are 24.1 %
     EXPECT_EQ(result.left_over.size(), 13u);
     EXPECT_EQ(result.searches, 17);
@@ -62,18 +61,35 @@ TEST_F(CappedTray, OfADensityTakesTheCopiesThatKeepIt) {
 
 TEST_F(CappedTray, OfLayersGoesOnAboveThem) {
     // A cube's section is 1/16 of the base: 5 in a layer are 31.25 %. Four layers of cubes of 5 mm fit into 22 mm.
-    const GreedyResult result = pack({std::nullopt, 0.32, size_, 0, 1}, 30);
+    const GreedyResult result = pack({std::nullopt, 0.32, 8800, 400, {}, 0, 1}, 30);
     EXPECT_EQ(result.placed.size(), 20u);
     for (const double area : areas(result)) {
         EXPECT_LE(area, 0.32 * 400 + 1e-9);
     }
     EXPECT_NE(result.why.at(0).find("cap of 32 %"), std::string::npos) << result.why.at(0);
-    EXPECT_EQ(pack({std::nullopt, 1.0, size_, 0, 1}, 100).placed.size(), 64u);
-    EXPECT_EQ(pack({std::nullopt, 0.06, size_, 0, 1}, 100).placed.size(), 0u);
+    EXPECT_EQ(pack({std::nullopt, 1.0, 8800, 400, {}, 0, 1}, 100).placed.size(), 64u);
+    EXPECT_EQ(pack({std::nullopt, 0.06, 8800, 400, {}, 0, 1}, 100).placed.size(), 0u);
+}
+
+TEST_F(CappedTray, OfAMeshIsOfItsSections) {
+    // 200 mm2 up to 10 mm, 100 above, nothing from 15 mm on: 4, then 2 cubes of 25 mm2 fill half of a layer.
+    std::vector<double> sections(10, 200.0);
+    sections.resize(15, 100.0);
+    EXPECT_EQ(pack({std::nullopt, 0.5, 0, 0, sections, 0, 1}, 30).placed.size(), 4u + 4 + 2);
+}
+
+TEST_F(CappedTray, CountsWhatIsFixed) {
+    Caps caps({0.25, 0.1, 8800, 400, {}, 0, 1}, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
+    caps.add_fixed(test::box_mesh({0, 0, 0}, {6, 6, 8}));
+    EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 0})) << "36 + 25 of 40 mm2";
+    EXPECT_TRUE(caps.may_stand(0, 0, {10, 10, 8}));
+    EXPECT_EQ(caps.why_not(0), "");
+    caps.add_fixed(test::box_mesh({0, 0, 8}, {20, 20, 13}));
+    EXPECT_NE(caps.why_not(0), "") << "2288 + 125 of 2200 mm3";
 }
 
 TEST_F(CappedTray, CountsWhatStandsOffTheGrid) {
-    Caps caps({std::nullopt, 0.1, size_, 0, 1}, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
+    Caps caps({std::nullopt, 0.1, 8800, 400, {}, 0, 1}, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
     EXPECT_TRUE(caps.may_stand(0, 0, {0, 0, 0.3}));
     caps.add(0, 0, {0, 0, 0.3});
     EXPECT_FALSE(caps.may_stand(0, 0, {10, 10, 0}));
