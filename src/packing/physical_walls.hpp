@@ -11,7 +11,8 @@ namespace spectralpack {
 /// As its surfaces and as voxels of `grid`, whose lower corner is `corner`: those wholly outside the container's box
 /// (beside it and below), not wholly inside a container mesh, or entered by a keep-out. Layers that reach above the
 /// container's top hold keep-outs alone.
-StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner, const Workers& workers);
+StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner,
+                            const Workers& workers);
 
 /// The same for a tray's grid, which it makes larger, so that there are voxels outside the container all round.
 struct PhysicalWalls {
@@ -25,6 +26,7 @@ struct PhysicalWalls {
 
 /// `tray`: in the voxels that collisions are decided on (finest_setup()), its lower corner `wall_gap` mm inside the
 /// container. Precondition: the container has a height.
-PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap, const Workers& workers);
+PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap,
+                             const Workers& workers);
 
 }  // namespace spectralpack

@@ -18,8 +18,8 @@ namespace spectralpack {
 
 class ReachableSearch final : public PlacementSearch {
   public:
-    /// `engine` and `walls` outlive it. With walls, which are those of the trays that are asked about, what leaves has to
-    /// pass them, too.
+    /// `engine` and `walls` outlive it. With walls, which are those of the trays that are asked about, what leaves has
+    /// to pass them, too.
     explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr)
         : engine_(engine), walls_(walls) {}
 
@@ -44,7 +44,7 @@ class ReachableSearch final : public PlacementSearch {
 
     PlacementSearch& engine_;
     const PhysicalWalls* walls_;
-    std::optional<Tray> finest_;            // where voxels for collisions are finer than those of positions, or with walls
+    std::optional<Tray> finest_;            // where collisions are decided on finer voxels than positions, or with walls
     std::vector<ObjectId> ids_;             // there, by those in the tray
     std::uint64_t followed_ = 0;            // the tray that it follows
     std::size_t done_ = 0;                  // of its journal

@@ -51,5 +51,17 @@ TEST(Progress, NoneSaysNothing) {
     EXPECT_TRUE(ran.err.empty()) << ran.err;
 }
 
+TEST(Threads, MoreThanTheMachineHasAreNoReasonToWarn) {
+    TemporaryFolder folder;
+    const std::string packing = (folder / "a.json").string();
+    const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--voxel", "8", "--threads", "64", "-o",
+                                  packing, "-o", (folder / "a.png").string()});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(read_json(packing)["metrics"]["threads"], 64);
+    const Ran drawn = spectralpack({"render", packing, "--threads", "64", "-o", (folder / "b.png").string()});
+    EXPECT_EQ(drawn.status, 0) << drawn.err;
+    EXPECT_FALSE(contains(ran.err + drawn.err, "TBB")) << ran.err << drawn.err;
+}
+
 }  // namespace
 }  // namespace spectralpack::test

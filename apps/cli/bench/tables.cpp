@@ -15,6 +15,7 @@ struct Sizes {
     std::string tori_base;
     std::string large_tray, large_base;  // that hold the large set
     std::string coarse, fine;            // voxels, mm: the paper's 2 and 1
+    std::string turned;                  // where orientations are many: the paper's 2
     std::string small_coarse, small_fine;  // for polyhedra of one or two cm: 0.25 is the paper's
     int pieces, mixtures, locks;         // copies of the fixed sets
     int large;
@@ -24,9 +25,9 @@ struct Sizes {
 };
 
 const Sizes& sizes(Scale scale) {
-    static const Sizes full{"480x245x200", "480x245", "120x120", "1430x730x597", "1430x730", "2", "1", "0.5", "0.25", 500, 120, 150, 1000,
+    static const Sizes full{"480x245x200", "480x245", "120x120", "1430x730x597", "1430x730", "2", "1", "2", "0.5", "0.25", 500, 120, 150, 1000,
                             60, {"S", "I", "G", "R", "A", "P", "H"}, 20};
-    static const Sizes quick{"240x200x100", "240x200", "120x120", "480x245x200", "480x245", "5", "4", "2", "1", 60, 20, 20, 60, 4, {"I"}, 3};
+    static const Sizes quick{"240x200x100", "240x200", "120x120", "480x245x200", "480x245", "5", "4", "10", "2", "1", 60, 20, 20, 60, 4, {"I"}, 3};
     return scale == Scale::full ? full : quick;
 }
 
@@ -135,7 +136,7 @@ Table angles(const Sizes& s) {
     for (std::size_t set = 0; set < std::size(kBenchmarks); ++set) {
         for (std::size_t k = 0; k < std::size(steps); ++k) {
             table.rows.push_back(row(s, kBenchmarks[set], fmt::format("{}°", steps[k]),
-                                     {"--voxel", s.coarse, "--rotations", steps[k]}, paper[set][k]));
+                                     {"--voxel", s.turned, "--rotations", steps[k]}, paper[set][k]));
         }
     }
     return table;
