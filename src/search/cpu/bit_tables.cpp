@@ -28,7 +28,7 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
       column_(grid.y + 2 * margin),
       table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
     const std::int64_t groups = checked_product({fine_layers, part_count(detail)}) + coarse_layers;
-    const std::int64_t words = checked_product({table_, groups, kTables}) + column_ + 64;
+    const std::int64_t words = checked_product({table_, groups, kTables}) + (kTileLayers - 1) * up() + column_ + 64;
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }

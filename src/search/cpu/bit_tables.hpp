@@ -53,6 +53,11 @@ class BitTables {
 
     /// Words to the neighbouring tile along x.
     std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
+    /// Words to the tile above.
+    std::ptrdiff_t up() const { return static_cast<std::ptrdiff_t>(columns_ * column_); }
+    /// Of a look-up for so many tiles one above the other the lowest need only be in the table; what the others hold
+    /// beyond it means nothing.
+    static constexpr int kTileLayers = 4;
     /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as
     /// offsets.
     const std::uint64_t* tile(int bx, int y, int z) const {

@@ -127,27 +127,31 @@ HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t least, std::uint32_t limit,
 #if HWY_TARGET == HWY_SCALAR
 
 /// live[j] &= ~(OR over groups, over their offsets o, of bits (tile + o)[j] and up, shifted right
-/// by the group's shift), the bits that move in coming from (tile + o + next)[j]. j in [0, 8).
-HWY_INLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next,
-                          const std::int32_t* offsets, const LookupGroup* groups,
-                          std::size_t group_count, std::uint64_t* live) {
-    std::uint64_t blocked[kTileRows] = {};
-    for (std::size_t g = 0; g < group_count; ++g) {
-        std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
-        for (std::int32_t i = groups[g].begin; i < groups[g].end; ++i) {
-            const std::uint64_t* at = tile + offsets[i];
+/// by the group's shift), the bits that move in coming from (tile + o + next)[j]. j in [0, kTileRows).
+/// So for kLayers tiles one above the other, `up` words apart, whose live words lie kTileRows apart.
+template <int kLayers>
+HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::ptrdiff_t up,
+                           const std::int32_t* offsets, const LookupGroup* groups, std::size_t group_count,
+                           std::uint64_t* live) {
+    for (int z = 0; z < kLayers; ++z, tile += up, live += kTileRows) {
+        std::uint64_t blocked[kTileRows] = {};
+        for (std::size_t g = 0; g < group_count; ++g) {
+            std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
+            for (std::int32_t i = groups[g].begin; i < groups[g].end; ++i) {
+                const std::uint64_t* at = tile + offsets[i];
+                for (int j = 0; j < kTileRows; ++j) {
+                    low[j] |= at[j];
+                    high[j] |= at[next + j];
+                }
+            }
+            const int shift = groups[g].shift;
             for (int j = 0; j < kTileRows; ++j) {
-                low[j] |= at[j];
-                high[j] |= at[next + j];
+                blocked[j] |= low[j] >> shift | (shift == 0 ? 0 : high[j] << (64 - shift));
             }
         }
-        const int shift = groups[g].shift;
         for (int j = 0; j < kTileRows; ++j) {
-            blocked[j] |= low[j] >> shift | (shift == 0 ? 0 : high[j] << (64 - shift));
+            live[j] &= ~blocked[j];
         }
-    }
-    for (int j = 0; j < kTileRows; ++j) {
-        live[j] &= ~blocked[j];
     }
 }
 
@@ -181,34 +185,50 @@ HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const
 
 #else
 
-HWY_INLINE void BlockTile(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next,
-                          const std::int32_t* HWY_RESTRICT offsets,
-                          const LookupGroup* HWY_RESTRICT groups, std::size_t group_count,
-                          std::uint64_t* HWY_RESTRICT live) {
+template <int kLayers>
+HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next, std::ptrdiff_t up,
+                           const std::int32_t* HWY_RESTRICT offsets, const LookupGroup* HWY_RESTRICT groups,
+                           std::size_t group_count, std::uint64_t* HWY_RESTRICT live) {
     const hn::CappedTag<std::uint64_t, kTileRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
+    using V = hn::Vec<decltype(d)>;
     for (std::size_t j = 0; j < kTileRows; j += kStep) {
-        auto blocked = hn::Zero(d);
+        V blocked[kLayers];
+        for (int z = 0; z < kLayers; ++z) {
+            blocked[z] = hn::Zero(d);
+        }
         for (std::size_t g = 0; g < group_count; ++g) {
             const LookupGroup& group = groups[g];
-            auto low = hn::Zero(d);
             if (group.shift == 0) {
                 for (std::int32_t i = group.begin; i < group.end; ++i) {
-                    low = hn::Or(low, hn::LoadU(d, tile + j + offsets[i]));
+                    const std::uint64_t* at = tile + j + offsets[i];
+                    for (int z = 0; z < kLayers; ++z) {
+                        blocked[z] = hn::Or(blocked[z], hn::LoadU(d, at + z * up));
+                    }
                 }
-                blocked = hn::Or(blocked, low);
                 continue;
             }
-            auto high = hn::Zero(d);
+            V low[kLayers], high[kLayers];
+            for (int z = 0; z < kLayers; ++z) {
+                low[z] = hn::Zero(d);
+                high[z] = hn::Zero(d);
+            }
             for (std::int32_t i = group.begin; i < group.end; ++i) {
                 const std::uint64_t* at = tile + j + offsets[i];
-                low = hn::Or(low, hn::LoadU(d, at));
-                high = hn::Or(high, hn::LoadU(d, at + next));
+                for (int z = 0; z < kLayers; ++z) {
+                    low[z] = hn::Or(low[z], hn::LoadU(d, at + z * up));
+                    high[z] = hn::Or(high[z], hn::LoadU(d, at + z * up + next));
+                }
             }
-            blocked = hn::Or(blocked, hn::Or(hn::ShiftRightSame(low, group.shift),
-                                             hn::ShiftLeftSame(high, 64 - group.shift)));
+            for (int z = 0; z < kLayers; ++z) {
+                blocked[z] = hn::Or3(blocked[z], hn::ShiftRightSame(low[z], group.shift),
+                                     hn::ShiftLeftSame(high[z], 64 - group.shift));
+            }
         }
-        hn::StoreU(hn::AndNot(blocked, hn::LoadU(d, live + j)), d, live + j);
+        for (int z = 0; z < kLayers; ++z) {
+            std::uint64_t* at = live + z * kTileRows + j;
+            hn::StoreU(hn::AndNot(blocked[z], hn::LoadU(d, at)), d, at);
+        }
     }
 }
 

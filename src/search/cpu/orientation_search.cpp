@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 constexpr int kBlock = TrayTables::kBlock;
 // Bricks are looked at in pairs, whose blocks fill the lanes of one sum.
 static_assert(kPair * kBlocksX == kLanes);
+static_assert(kBrickZ <= BitTables::kTileLayers);
 // A coarse sum that has come to less than this part of its share of the limit is not going to rule
 // anything out.
 constexpr int kMostSkipped = 24;
@@ -163,9 +164,7 @@ class Pass {
         if (state_.sifted(bx, by, bz)) return false;
         state_.set_sifted(bx, by, bz);
         std::uint64_t* live = state_.live(bx, by, bz);
-        for (int i = 0; i < kBrickZ; ++i) {
-            Block(0, kSiftBatches, bx, by, kBrickZ * bz + i, live + kBrickY * i);
-        }
+        SiftLayers(bx, by, bz, live);
         for (int j = 0; j < kBlocksY; ++j) {
             std::uint64_t any = 0;
             for (int z = 0; z < kBrickZ; ++z) {
@@ -182,6 +181,19 @@ class Pass {
         return true;
     }
 
+    /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
+    void SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
+        const BitTables& bits = context_.tables.bits();
+        const CollisionPlan& plan = t_.collision;
+        if (plan.batches.empty()) return;
+        const CollisionPlan::Batch& first = plan.batches.front();
+        BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
+                            plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
+        for (int i = 0; i < kBrickZ; ++i) {
+            Block(1, kSiftBatches, bx, by, kBrickZ * bz + i, live + kBrickY * i);
+        }
+    }
+
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z,
                std::uint64_t* words) const {
@@ -195,8 +207,8 @@ class Pass {
             }
             if (any == 0) return;
             const CollisionPlan::Batch& batch = plan.batches[b];
-            BlockTile(tile, bits.next(), plan.offsets.data(), plan.groups.data() + batch.begin,
-                      static_cast<std::size_t>(batch.end - batch.begin), words);
+            BlockTiles<1>(tile, bits.next(), bits.up(), plan.offsets.data(), plan.groups.data() + batch.begin,
+                          static_cast<std::size_t>(batch.end - batch.begin), words);
         }
     }
 
