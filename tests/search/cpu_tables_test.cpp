@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "random_scene.hpp"
 #include "search/cpu/cover.hpp"
@@ -163,9 +165,22 @@ TEST(Cover, TakesACubeAtOnce) {
     EXPECT_EQ(cover(solid, solid).size(), 1u);
 }
 
+/// What cells say, whatever their order.
+std::set<std::tuple<std::int64_t, std::uint32_t, std::uint16_t>> placed_cells(const CellPlan& plan) {
+    std::set<std::tuple<std::int64_t, std::uint32_t, std::uint16_t>> cells;
+    for (const SolidCell& cell : plan.cells) {
+        cells.insert({cell.offset, cell.weight, cell.drop});
+    }
+    EXPECT_FALSE(cells.empty());
+    return cells;
+}
+
 TEST(OrientationRuns, ExchangeTheirAxes) {
     RandomStream random(14);
-    const TrayTables tables;
+    TrayTables tables;
+    TraySetup setup;
+    setup.size = {100, 90, 80};
+    tables.follow(Tray(setup), 3, true, Workers(1));
     for (int i = 0; i < 30; ++i) {
         const Extent extent = random_extent(random, {2, 2, 2}, {70, 30, 20});
         const auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
@@ -178,13 +193,14 @@ TEST(OrientationRuns, ExchangeTheirAxes) {
         const VoxelIndex turned_offset{offset[axes[0]], offset[axes[1]], offset[axes[2]]};
         const BitGrid turned_wide = permuted(wide->voxels, axes);
         const OrientationRuns runs =
-            permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, turned->extent(), tables);
+            permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, tables);
         EXPECT_EQ(runs.widened.front().offset, turned_offset);
         EXPECT_EQ(drawn(runs.widened.front().pieces, turned_wide.extent()), turned_wide);
         const Runs expected = runs_along(*turned, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
         EXPECT_EQ(runs.least, depth_sums(*turned, expected, expected));
+        EXPECT_EQ(placed_cells(runs.cells), placed_cells(make_runs({0, {}, {}, turned, {}}, 1, true, tables).cells));
     }
 }
 

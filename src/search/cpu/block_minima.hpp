@@ -42,6 +42,7 @@ class BlockMinima {
 /// A part of a solid, a cube's worth of it, seen from one point c: where phi(c + q) >= v, its voxels come to
 /// weight * max(0, v - drop) above their least.
 struct SolidCell {
+    VoxelIndex block;          ///< c's
     std::int64_t offset = 0;   ///< of c's block from the position's block
     std::uint32_t weight = 0;  ///< voxels
     std::uint16_t drop = 0;    ///< their mean distance from c, rounded up, and their least

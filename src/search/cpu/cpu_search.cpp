@@ -47,7 +47,7 @@ class CpuSearch final : public PlacementSearch {
                 const OrientedShape& oriented = shape.orientations[k];
                 if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
                 runs[k] = turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes,
-                                            oriented.solid->extent(), tables_)
+                                            tables_)
                                  : make_runs(oriented, tray.detail(),
                                              tray.detail() == 1 ? tables_.apart() : covers, tables_);
             });

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 #include <span>
-#include <tuple>
+#include <utility>
 
 #include "search/cpu/depths.hpp"
 
@@ -90,6 +89,45 @@ void append_batch(std::span<const Lookup> pieces, CollisionPlan& plan) {
                             static_cast<std::int32_t>(pieces.size())});
 }
 
+/// Clears bits [begin, end) of a row.
+void clear_stretch(BitGrid::Word* row, int begin, int end) {
+    using Word = BitGrid::Word;
+    const Word from = ~Word{0} << (begin % 64), to = ~Word{0} >> (63 - (end - 1) % 64);
+    const int first = begin / 64, last = (end - 1) / 64;
+    if (first == last) {
+        row[first] &= ~(from & to);
+        return;
+    }
+    row[first] &= ~from;
+    std::fill(row + first + 1, row + last, Word{0});
+    row[last] &= ~to;
+}
+
+/// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
+/// direction. (Beyond 2^21 voxels along an axis it would be another order, and nothing but speed depends on it.)
+template <class T, class Voxel>
+std::vector<std::uint32_t> by_place(const std::vector<T>& items, const Voxel& voxel) {
+    struct Key {
+        std::uint64_t place;
+        std::uint32_t index;
+    };
+    std::vector<Key> keys;
+    keys.reserve(items.size());
+    for (const T& item : items) {
+        const VoxelIndex v = voxel(item);
+        keys.push_back({(static_cast<std::uint64_t>(v.z) << 42) | (static_cast<std::uint64_t>(v.y) << 21) |
+                            static_cast<std::uint64_t>(v.x),
+                        static_cast<std::uint32_t>(keys.size())});
+    }
+    std::ranges::sort(keys, {}, [](const Key& key) { return std::pair(key.place, key.index); });
+    std::vector<std::uint32_t> order;
+    order.reserve(keys.size());
+    for (const Key& key : keys) {
+        order.push_back(key.index);
+    }
+    return order;
+}
+
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     OrientationRuns::Widened result;
     result.offset = wide.offset;
@@ -101,20 +139,14 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     result.core = cover(core.voxels, core.voxels);
     result.core_offset = core.offset;
     BitGrid skin = wide.voxels;
-    const Extent& n = core.voxels.extent();
-    for (int z = 0; z < n.z; ++z) {
-        for (int y = 0; y < n.y; ++y) {
-            for (int w = 0; w < core.voxels.words_per_row(); ++w) {
-                for (BitGrid::Word bits = core.voxels.row(y, z)[w]; bits != 0; bits &= bits - 1) {
-                    const VoxelIndex first{detail * (64 * w + std::countr_zero(bits) + core.offset.x) - wide.offset.x,
-                                           detail * (y + core.offset.y) - wide.offset.y,
-                                           detail * (z + core.offset.z) - wide.offset.z};
-                    for (int part = 0; part < part_count(detail); ++part) {
-                        skin.set(first.x + part % detail, first.y + part / detail % detail,
-                                 first.z + part / (detail * detail), false);
-                    }
-                }
-            }
+    for (const Run& run : runs_along(core.voxels, 0).runs) {
+        VoxelIndex first;
+        for (int axis = 0; axis < 3; ++axis) {
+            first[axis] = detail * (run.start[axis] + core.offset[axis]) - wide.offset[axis];
+        }
+        for (int row = 0; row < detail * detail; ++row) {
+            clear_stretch(skin.row(first.y + row % detail, first.z + row / detail), first.x,
+                          first.x + detail * run.length);
         }
     }
     result.pieces = cover(wide.voxels, std::move(skin));
@@ -151,11 +183,8 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
     return result;
 }
 
-OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent,
-                         const TrayTables& tables) {
+OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables) {
     const auto exchanged = [&](const VoxelIndex& v) { return VoxelIndex{v[axes[0]], v[axes[1]], v[axes[2]]}; };
-    // Ascending, so that they walk memory in one direction.
-    const auto rank = [](const VoxelIndex& v) { return std::make_tuple(v.z, v.y, v.x); };
     const auto pieces = [&](std::vector<Piece> all) {
         for (Piece& piece : all) {
             int turned = 0;
@@ -164,23 +193,22 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
             }
             piece = {{turned, piece.form.level}, exchanged(piece.corner)};
         }
-        std::ranges::sort(all, [&](const Piece& a, const Piece& b) { return rank(a.corner) < rank(b.corner); });
-        return all;
+        std::vector<Piece> ordered;
+        ordered.reserve(all.size());
+        for (const std::uint32_t i : by_place(all, [](const Piece& piece) { return piece.corner; })) {
+            ordered.push_back(all[i]);
+        }
+        return ordered;
     };
 
     OrientationRuns result;
-    std::vector<std::size_t> order(runs.solid.runs.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::vector<Run> turned = runs.solid.runs;
-    for (Run& run : turned) {
-        run.start = exchanged(run.start);
-    }
-    std::ranges::sort(order,
-                      [&](std::size_t a, std::size_t b) { return rank(turned[a].start) < rank(turned[b].start); });
+    const std::vector<Run>& solid = runs.solid.runs;
     result.solid.axis = static_cast<int>(std::ranges::find(axes, runs.solid.axis) - axes.begin());
     result.solid.voxels = runs.solid.voxels;
-    for (const std::size_t i : order) {
-        result.solid.runs.push_back(turned[i]);
+    result.solid.runs.reserve(solid.size());
+    result.least.reserve(solid.size());
+    for (const std::uint32_t i : by_place(solid, [&](const Run& run) { return exchanged(run.start); })) {
+        result.solid.runs.push_back({exchanged(solid[i].start), solid[i].length});
         result.least.push_back(runs.least[i]);
     }
     for (const OrientationRuns::Widened& wide : runs.widened) {
@@ -189,7 +217,11 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
     }
     result.of_class = runs.of_class;
     result.walled = pieces(runs.walled);
-    result.cells = plan_cells(result.solid, extent, tables.minima(), tables.phi().most(), tables.apart());
+    result.cells = runs.cells;
+    for (SolidCell& cell : result.cells.cells) {
+        cell.block = exchanged(cell.block);
+        cell.offset = tables.minima().offset(cell.block);
+    }
     return result;
 }
 

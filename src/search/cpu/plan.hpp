@@ -35,9 +35,9 @@ struct OrientationRuns {
 /// For searches in the tray that `tables` follow. `covers`: covers_solid() of the whole shape.
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables);
 
-/// What make_runs() would give, but for the order of pieces, for an orientation whose voxels are those of the one with
-/// these runs with the axes exchanged. `extent`: of its solid. O(runs log runs).
-OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const Extent& extent, const TrayTables& tables);
+/// What make_runs() would give, but for the order of pieces and cells, for an orientation whose voxels are those of the
+/// one with these runs with the axes exchanged. O(runs log runs).
+OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables);
 
 /// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
 /// phi >= 1 on every voxel of the solid.
