@@ -101,6 +101,27 @@ BlockingGraph::BlockingGraph(std::size_t count) : count_(count), words_((count +
     }
 }
 
+BlockingGraph BlockingGraph::among(const std::vector<std::size_t>& members) const {
+    constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    std::vector<std::size_t> renumbered(count_, kNone);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        renumbered[members[i]] = i;
+    }
+    BlockingGraph graph(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const AxisDirection up{axis, 1};
+            for_each(row(index(up), members[i]), [&](std::size_t other) {
+                if (renumbered[other] != kNone) graph.add(i, up, renumbered[other]);
+            });
+            for (const std::uint32_t other : passed_[axis][members[i]]) {
+                if (renumbered[other] != kNone) graph.add_passed(i, up, renumbered[other]);
+            }
+        }
+    }
+    return graph;
+}
+
 void BlockingGraph::add(std::size_t copy, AxisDirection direction, std::size_t other) {
     const int there = index(direction), back = index({direction.axis, -direction.sign});
     Word& word = row(there, copy)[other / 64];

@@ -17,6 +17,9 @@ class BlockingGraph {
     /// No edges. Memory: 6 count^2 bits, and some bytes for each pair known to pass.
     explicit BlockingGraph(std::size_t count);
 
+    /// What this graph knows of `members`, which become 0, 1, ... of the new one.
+    BlockingGraph among(const std::vector<std::size_t>& members) const;
+
     std::size_t count() const { return count_; }
     bool present(std::size_t copy) const { return present_[copy]; }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "disassembly/flood_fill.hpp"
+#include "disassembly/reachable_region.hpp"
 #include "geometry/slides_past.hpp"
 #include "voxel/voxelize.hpp"
 
@@ -96,6 +97,15 @@ std::vector<Box> voxel_boxes_of(const std::vector<StandingPart>& parts) {
     return boxes;
 }
 
+template <class T>
+std::vector<T> picked(const std::vector<T>& from, const Company::Members& members) {
+    std::vector<T> some;
+    for (const std::size_t i : members) {
+        some.push_back(from[i]);
+    }
+    return some;
+}
+
 VoxelIndex voxel(const Vec3& corner) {
     return {static_cast<int>(corner.x), static_cast<int>(corner.y), static_cast<int>(corner.z)};
 }
@@ -115,6 +125,14 @@ Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vec
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         index_.add(static_cast<std::int64_t>(i), boxes_[i]);
         objects_.push_back(tray_.add(parts_[i].object));
+    }
+}
+
+Company::Company(const Company& whole, const Members& members)
+    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members)) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const auto known = whole.on_grid_.find(members[i]);
+        if (known != whole.on_grid_.end()) on_grid_.emplace(i, known->second);
     }
 }
 
@@ -253,7 +271,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
         solid = made;
     }
     const std::unique_ptr<FreeRowReader> rows = setup_.search->free_rows(tray_, solid, {objects_[i], 1});
-    FloodFill flood(*rows, solid->extent(), others, setup_.stop);
+    ReachableRegion region(*rows, solid->extent(), others, setup_.stop);
 
     // Where to start: on the grid where it stands; off it, at free positions near by.
     struct Start {
@@ -261,14 +279,14 @@ Company::Flooded Company::way_out(std::size_t i) const {
         VoxelIndex position;
     };
     std::vector<Start> starts;
-    if (on_grid && flood.free(nearest)) {
+    if (on_grid && region.free(nearest)) {
         starts.push_back({0, nearest});
     } else {
         for (int z = -kSnapReach; z <= kSnapReach; ++z) {
             for (int y = -kSnapReach; y <= kSnapReach; ++y) {
                 for (int x = -kSnapReach; x <= kSnapReach; ++x) {
                     const VoxelIndex position = nearest + VoxelIndex{x, y, z};
-                    if (!flood.free(position)) continue;
+                    if (!region.free(position)) continue;
                     const Vec3 there{position.x * dx, position.y * dx, position.z * dx};
                     starts.push_back({length(there - at), position});
                 }
@@ -278,7 +296,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
     }
     int snaps = 0;
     for (const Start& start : starts) {
-        if (flood.visited(start.position)) continue;
+        if (region.visited(start.position)) continue;
         Path path;
         if (start.away > 0) {
             if (++snaps > kSnaps) break;
@@ -287,8 +305,10 @@ Company::Flooded Company::way_out(std::size_t i) const {
             if (!there_by) continue;
             path = std::move(*there_by);
         }
-        const std::vector<VoxelIndex> way = flood.way_out(start.position);
-        if (way.empty()) continue;
+        if (!region.contains(start.position)) continue;
+        const std::vector<VoxelIndex> way =
+            FloodFill(*rows, solid->extent(), others, setup_.stop).way_out(start.position);
+        if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
             const VoxelIndex d = way[k] - way[k - 1];
             path.push_back({d.x * dx, d.y * dx, d.z * dx});
@@ -296,7 +316,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
         if (const std::optional<Path> out = out_along(i, merged(path))) return {shortened(i, *out), {}};
         break;  // voxels and meshes disagree, which only rounding can make them do
     }
-    VoxelBox pocket = hull(flood.pocket(), {nearest, nearest + VoxelIndex{1, 1, 1}});
+    VoxelBox pocket = hull(region.visited_box(), {nearest, nearest + VoxelIndex{1, 1, 1}});
     const Extent& e = solid->extent();
     const int reach = kSnapReach + 1;
     pocket.lo = pocket.lo - VoxelIndex{reach, reach, reach};

@@ -42,6 +42,8 @@ class Company {
     using Members = std::vector<std::size_t>;
 
     Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
+    /// `members` of `whole`, which become 0, 1, ..., to themselves.
+    Company(const Company& whole, const Members& members);
 
     std::size_t size() const { return parts_.size(); }
     const StandingPart& part(std::size_t i) const { return parts_[i]; }

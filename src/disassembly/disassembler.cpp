@@ -21,6 +21,8 @@ bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).emp
 /// A company being taken apart.
 class Disassembler::Yard {
   public:
+    using Members = Company::Members;
+
     Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
         : owner_(owner),
           company_(owner.setup_, std::move(names), std::move(parts)),
@@ -33,6 +35,14 @@ class Disassembler::Yard {
         cast_rays(standing, owner.setup_.ray_spacing, graph_, owner.setup_.workers);
         turns_ = highest_first(company_.movable());
     }
+
+    /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
+    Yard(const Yard& founder, const Members& members, std::vector<std::optional<VoxelBox>> pockets)
+        : owner_(founder.owner_),
+          company_(founder.company_, members),
+          graph_(founder.graph_.among(members)),
+          pockets_(std::move(pockets)),
+          turns_(highest_first(company_.movable())) {}
 
     const Company& company() const { return company_; }
 
@@ -53,12 +63,14 @@ class Disassembler::Yard {
     }
 
   private:
-    using Members = Company::Members;
-
-    void remove(std::size_t i) {
+    VoxelBox voxels(std::size_t i) const {
         const TrayObject& object = company_.part(i).object;
         const Extent& e = object.solid->extent();
-        const VoxelBox gone{object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
+        return {object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
+    }
+
+    void remove(std::size_t i) {
+        const VoxelBox gone = voxels(i);
         company_.remove(i);
         graph_.remove(i);
         pockets_[i].reset();
@@ -187,15 +199,18 @@ class Disassembler::Yard {
     }
 
     void found_company(const Members& group, Company::Path path) {
-        std::vector<int> names;
-        std::vector<StandingPart> parts;
+        // A pocket that only they close stays closed.
+        std::vector<std::optional<VoxelBox>> pockets;
         for (const std::size_t i : group) {
-            names.push_back(company_.name(i));
-            parts.push_back(company_.part(i));
+            pockets.push_back(pockets_[i]);
+            for (std::size_t other = 0; pockets.back() && other < company_.size(); ++other) {
+                if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
+                if (meet(*pockets.back(), voxels(other))) pockets.back().reset();
+            }
         }
+        owner_.yards_.emplace_back(*this, group, std::move(pockets));
         leave(group, std::move(path));
         ++owner_.counts_.groups;
-        owner_.yards_.emplace_back(owner_, std::move(names), std::move(parts));
         owner_.yards_.back().run();
     }
 

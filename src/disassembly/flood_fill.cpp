@@ -41,17 +41,6 @@ bool FloodFill::is_free(Row& row, const VoxelIndex& at) {
     return row.free[word] >> (at.x % 64) & 1;
 }
 
-bool FloodFill::free(const VoxelIndex& position) {
-    const VoxelIndex at = position - rows_.origin();
-    if (!rows_.extent().contains(at)) return true;
-    return is_free(row(at.y, at.z), at);
-}
-
-bool FloodFill::visited(const VoxelIndex& position) {
-    const VoxelIndex at = position - rows_.origin();
-    return rows_.extent().contains(at) && row(at.y, at.z).came[static_cast<std::size_t>(at.x)] != 0;
-}
-
 int FloodFill::to_go(const VoxelIndex& at) const {
     int least = std::numeric_limits<int>::max();
     for (int axis = 0; axis < 3; ++axis) {
@@ -80,7 +69,6 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
             if (came != 0) continue;
             if (++visited_ % kPoll == 0 && stop_.stopped()) return {};
             came = entry.came;
-            pocket_ = hull(pocket_, {entry.at + rows_.origin(), entry.at + rows_.origin() + VoxelIndex{1, 1, 1}});
             if (to_go(entry.at) == 0) return trace(entry.at);
             // The move that led here is tried first (it is pushed last), for few corners.
             const int ahead = entry.came == kStart ? 0 : entry.came - 1;

@@ -14,20 +14,13 @@ class FloodFill {
   public:
     /// `rows`: free positions of the copy's voxels of this extent, itself not in the way. Outside is where its box
     /// does not meet `rest`, the box of all other voxels (of which none may lie outside the rows' grid). When stopped a
-    /// walk ends where it is, as if there were no way, and what it has visited says nothing.
+    /// walk ends where it is, as if there were no way.
     FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop = {});
 
-    bool free(const VoxelIndex& position);
-    /// In a pocket that a walk has found to be closed.
-    bool visited(const VoxelIndex& position);
-
     /// A shortest way from `start`, which is free, to outside: its ends and corners, axis-parallel from one to the
-    /// next. Empty when there is none; then all that can be reached from `start` has been visited. Best-first by
+    /// next. Empty when there is none. Best-first by
     /// steps gone and steps at least to go, which are exact (A*); each word of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
-
-    /// The box of all positions visited.
-    const VoxelBox& pocket() const { return pocket_; }
 
   private:
     struct Row {
@@ -54,7 +47,6 @@ class FloodFill {
     VoxelBox rest_;                 // from the rows' origin
     std::vector<std::int32_t> of_;  // index into known_ by z * ny + y, -1: not computed
     std::vector<Row> known_;
-    VoxelBox pocket_;
     StopToken stop_;
     std::int64_t visited_ = 0;
 };

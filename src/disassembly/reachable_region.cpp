@@ -59,6 +59,15 @@ void ReachableRegion::reach(const Some& fresh) {
     at.sideways |= fresh.positions;
 }
 
+/// Finds out which of `wanted`, positions of the word `at`, are free.
+void ReachableRegion::look(Word& at, const Some& wanted) {
+    const std::uint64_t unknown = wanted.positions & ~at.known;
+    if (unknown == 0) return;
+    const FreeRowReader::Told told = rows_.tell(wanted.y, wanted.z, wanted.i, unknown);
+    at.known |= told.known;
+    at.free |= told.free;
+}
+
 /// Visits those of `neighbours`, next to positions visited, that are free.
 void ReachableRegion::touch(const Some& neighbours) {
     const auto& [y, z, i, positions] = neighbours;
@@ -68,11 +77,7 @@ void ReachableRegion::touch(const Some& neighbours) {
         return;
     }
     const std::uint64_t wanted = positions & ~at.visited;
-    if (const std::uint64_t unknown = wanted & ~at.known) {
-        const FreeRowReader::Told told = rows_.tell(y, z, i, unknown);
-        at.known |= told.known;
-        at.free |= told.free;
-    }
+    look(at, {y, z, i, wanted});
     if (const std::uint64_t fresh = wanted & at.free) reach({y, z, i, fresh});
 }
 
@@ -91,6 +96,20 @@ void ReachableRegion::go_sideways(const Some& where) {
     touch({y, z, i, from >> 1});
     if (from >> 63 && i + 1 < row_words_) touch({y, z, i + 1, 1});
     if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63});
+}
+
+bool ReachableRegion::free(const VoxelIndex& position) {
+    const VoxelIndex at = position - rows_.origin();
+    if (!rows_.extent().contains(at)) return true;
+    const std::uint64_t bit = std::uint64_t{1} << (at.x % 64);
+    Word& of = word(at.y, at.z, at.x / 64);
+    look(of, {at.y, at.z, at.x / 64, bit});
+    return of.free & bit;
+}
+
+bool ReachableRegion::visited(const VoxelIndex& position) {
+    const VoxelIndex at = position - rows_.origin();
+    return rows_.extent().contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
 }
 
 bool ReachableRegion::contains(const VoxelIndex& start) {
@@ -124,6 +143,10 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
         Word& there = word(visited.y, visited.z, visited.i);
         there.sideways = 0;
         if (outside_) there.outside |= visited.positions;
+        const int x = 64 * visited.i;
+        const VoxelIndex lo{x + std::countr_zero(visited.positions), visited.y, visited.z};
+        const VoxelIndex hi{x + 64 - std::countl_zero(visited.positions), visited.y + 1, visited.z + 1};
+        visited_box_ = hull(visited_box_, {lo + rows_.origin(), hi + rows_.origin()});
     }
     walked_.clear();
     open_.clear();

@@ -17,9 +17,16 @@ class ReachableRegion {
     /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
     ReachableRegion(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop);
 
+    bool free(const VoxelIndex& position);
+    /// On a walk so far.
+    bool visited(const VoxelIndex& position);
+
     /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every position
     /// visited for that is remembered with the answer, and a walk that meets one ends there: none is visited twice.
     bool contains(const VoxelIndex& start);
+
+    /// Around all positions visited so far.
+    const VoxelBox& visited_box() const { return visited_box_; }
 
   private:
     /// What is known of 64 positions.
@@ -39,6 +46,7 @@ class ReachableRegion {
     int to_go(int y, int z) const;
     std::uint64_t outside_at(int y, int z, int i) const;
     void reach(const Some& fresh);
+    void look(Word& at, const Some& wanted);
     void touch(const Some& neighbours);
     void go_on(const Some& from);
     void go_sideways(const Some& where);
@@ -49,6 +57,7 @@ class ReachableRegion {
     int row_words_;
     std::vector<std::unique_ptr<Word[]>> known_;  // by z * ny + y; null: nothing known
     StopToken stop_;
+    VoxelBox visited_box_;
 
     // The walk under way.
     bool outside_ = false;

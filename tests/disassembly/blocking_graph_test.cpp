@@ -101,5 +101,24 @@ TEST(BlockingGraph, GroupsAgreeWithReachability) {
     }
 }
 
+TEST(BlockingGraph, KeepsAmongSomeWhatItKnowsOfThem) {
+    const AxisDirection up{2, 1}, left{0, -1};
+    BlockingGraph graph(5);
+    graph.add(1, up, 4);
+    graph.add(4, left, 3);
+    graph.add(2, up, 1);
+    graph.add_passed(3, left, 1);
+    graph.add_passed(0, up, 1);
+    const BlockingGraph some = graph.among({1, 3, 4});
+    ASSERT_EQ(some.count(), 3u);
+    EXPECT_EQ(some.blockers(0, up), 1);
+    EXPECT_EQ(some.blockers(0, {2, -1}), 0) << "2 is not among them";
+    EXPECT_EQ(some.blockers(2, left), 1);
+    EXPECT_EQ(some.blockers(1, {0, 1}), 1);
+    EXPECT_TRUE(some.passed(1, left, 0));
+    EXPECT_TRUE(some.passed(0, {0, 1}, 1));
+    EXPECT_FALSE(some.passed(2, left, 0));
+}
+
 }  // namespace
 }  // namespace spectralpack

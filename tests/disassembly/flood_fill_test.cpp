@@ -105,35 +105,26 @@ TEST(FloodFill, FindsShortestWaysThroughRandomVoxels) {
 }
 
 TEST(FloodFill, EndsEarlyWhenStopped) {
-    // A hollow of 8000 positions without a way out.
+    // A hollow of 8000 positions with a hole in the far corner.
     TraySetup setup;
     setup.size = {22, 22, 22};
     setup.voxel_size = 1;
     Tray tray(setup);
     BitGrid walls = filled({22, 22, 22});
     subtract(walls, filled({20, 20, 20}), {1, 1, 1});
+    subtract(walls, filled({1, 1, 1}), {21, 20, 20});
     tray.add({std::make_shared<const BitGrid>(walls), {}, 0, false});
     const auto solid = std::make_shared<const BitGrid>(filled({1, 1, 1}));
     const ObjectId self = tray.add({solid, {3, 3, 3}, 0, false});
     const auto engine = make_cpu_search({}, Workers(1));
-    const auto visited = [&](const StopToken& stop) {
+    const auto way = [&](const StopToken& stop) {
         const auto rows = engine->free_rows(tray, solid, {self, 1});
-        FloodFill flood(*rows, {1, 1, 1}, whole({22, 22, 22}), stop);
-        EXPECT_TRUE(flood.way_out({3, 3, 3}).empty());
-        int count = 0;
-        for (int z = 0; z < 22; ++z) {
-            for (int y = 0; y < 22; ++y) {
-                for (int x = 0; x < 22; ++x) {
-                    count += flood.visited({x, y, z});
-                }
-            }
-        }
-        return count;
+        return FloodFill(*rows, {1, 1, 1}, whole({22, 22, 22}), stop).way_out({3, 3, 3});
     };
-    EXPECT_EQ(visited({}), 8000);
+    EXPECT_FALSE(way({}).empty());
     StopSource stop;
     stop.request(StopReason::time_limit);
-    EXPECT_LT(visited(stop.token()), 5000);
+    EXPECT_TRUE(way(stop.token()).empty());
 }
 
 }  // namespace

@@ -10,21 +10,22 @@ DilatedRows::DilatedRows(const Tray& tray)
       instance_(tray.instance()),
       version_(tray.version()),
       words_((extent_.x + kShift + 63) / 64),
+      empty_(row_words(), 0),
       rows_(static_cast<std::size_t>(extent_.y) * static_cast<std::size_t>(extent_.z)) {}
 
 DilatedRows::~DilatedRows() {
-    for (std::atomic<Word*>& row : rows_) {
-        delete[] row.load();
+    for (const std::atomic<const Word*>& row : rows_) {
+        if (row.load() != empty_row()) delete[] row.load();
     }
 }
 
 void DilatedRows::drop(int y, int z) {
-    std::atomic<Word*>& row =
+    std::atomic<const Word*>& row =
         rows_[static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)];
-    if (const Word* gone = row.exchange(nullptr)) {
-        delete[] gone;
-        --made_;
-    }
+    const Word* gone = row.exchange(nullptr);
+    if (gone == nullptr || gone == empty_row()) return;
+    delete[] gone;
+    --made_;
 }
 
 void DilatedRows::follow(const Tray& tray) {
@@ -60,13 +61,18 @@ void DilatedRows::dilate(const Word* voxels, Word* tables) const {
 }
 
 const DilatedRows::Word* DilatedRows::row(const Tray& tray, int y, int z) {
-    std::atomic<Word*>& wanted =
+    std::atomic<const Word*>& wanted =
         rows_[static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)];
     if (const Word* made = wanted.load(std::memory_order_acquire)) return made;
     const BitGrid voxels = tray.omega_move({{0, y, z}, {extent_.x, y + 1, z + 1}}, std::nullopt);
+    const Word* expected = nullptr;
+    const Word* first = voxels.row(0, 0);
+    if (std::all_of(first, first + (extent_.x + 63) / 64, [](Word word) { return word == 0; })) {
+        wanted.compare_exchange_strong(expected, empty_row(), std::memory_order_acq_rel);
+        return empty_row();
+    }
     auto tables = std::make_unique<Word[]>(row_words());
-    dilate(voxels.row(0, 0), tables.get());
-    Word* expected = nullptr;
+    dilate(first, tables.get());
     if (!wanted.compare_exchange_strong(expected, tables.get(), std::memory_order_acq_rel)) return expected;
     ++made_;
     return tables.release();

@@ -33,6 +33,8 @@ class DilatedRows {
     /// Bit X + kShift of table k, from its second word on: something in voxels X .. X + 2^k - 1 of the row. `tray` as it
     /// was followed last. Several threads may ask at once. O(words of the row) when first asked for.
     const Word* row(const Tray& tray, int y, int z);
+    /// What row() gives for every row with nothing in it: zeros.
+    const Word* empty_row() const { return empty_.data(); }
 
     /// Fills the tables of a row with these voxels; `tables` are zero before.
     void dilate(const Word* voxels, Word* tables) const;
@@ -46,7 +48,9 @@ class DilatedRows {
     std::uint64_t instance_;
     std::uint64_t version_;
     int words_;
-    std::vector<std::atomic<Word*>> rows_;  // by z * ny + y; owned; null: not asked for since it changed
+    std::vector<Word> empty_;
+    // By z * ny + y; owned, but for empty_; null: not asked for since it changed.
+    std::vector<std::atomic<const Word*>> rows_;
     std::atomic<std::int64_t> made_{0};     // rows
 };
 

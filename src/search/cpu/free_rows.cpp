@@ -81,12 +81,15 @@ std::vector<FreeRows::Look> FreeRows::looks_for(const BitGrid& voxels) const {
 FreeRows::Told FreeRows::tell(int y, int z, int word, std::uint64_t wanted) {
     const Extent& grid = rows_->extent();
     const int words = rows_->words();
+    const Word* nothing = rows_->empty_row();
     const int x = 64 * word;
     Word blocked = x + 64 > extent_.x ? ~((Word{1} << (extent_.x - x)) - 1) : 0;
     for (const Look& look : looks_) {
         const int at_y = y + look.y, at_z = z + look.z;
         if (at_y < 0 || at_y >= grid.y || at_z < 0 || at_z >= grid.z) continue;
-        const Word* table = row(at_y, at_z) + look.level * (words + 2) + 1;
+        const Word* tables = row(at_y, at_z);
+        if (tables == nothing) continue;
+        const Word* table = tables + look.level * (words + 2) + 1;
         blocked |= bits_at(table, words, x + look.begin);
         if (look.end != look.begin) blocked |= bits_at(table, words, x + look.end);
         if ((wanted & ~blocked) == 0) return {blocked, 0};
