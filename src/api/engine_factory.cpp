@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "search/cpu/bit_tables.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "search/cpu/dilated_rows.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -33,7 +34,7 @@ constexpr bool kHasReference = false;
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
 /// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each part
-/// on the way; margins round up.
+/// on the way; margins round up. For ways out the fine voxels' rows dilated.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
@@ -41,7 +42,11 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
     };
     const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
     const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
-    return 16 * padded(0) + bits * padded(need.overhang) / 8;
+    std::int64_t rows = 0;
+    if (need.free_rows) {
+        rows = DilatedRows::most_bytes({need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
+    }
+    return 16 * padded(0) + bits * padded(need.overhang) / 8 + rows;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "api/engine_factory.hpp"
 #include "api/machine.hpp"
+#include "geometry/bvh.hpp"
 #include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
 #include "packing/shape_store.hpp"
@@ -134,12 +135,30 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
     return bytes;
 }
 
+/// Bytes of the surfaces of a tray's copies for sliding and leaving, about: it holds at most its volume of material, and
+/// copies of a part share those of an orientation.
+std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
+                             double container_volume) {
+    if (!options.refine && options.interlock == Interlock::off) return 0;
+    double bytes = 0, material = 0;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        const int copies = copies_to_pack(loaded, i);
+        if (!loaded.meshes[i] || !plan.too_large[i].empty() || copies == 0) continue;
+        const std::size_t surfaces = std::min(static_cast<std::size_t>(copies), plan.orientations[i]->size());
+        bytes += static_cast<double>(surfaces) * static_cast<double>(Bvh::most_bytes(*loaded.meshes[i]));
+        material += copies * loaded.parts[i].volume;
+    }
+    const double share = is_open(options) || material <= container_volume ? 1 : container_volume / material;
+    return static_cast<std::int64_t>(share * bytes);
+}
+
 /// Bytes of the engines in such a grid, without caches.
 std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, const PackOptions& options,
                             const Workers& workers) {
     const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
     const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
-                          static_cast<int>(plan.gap_classes.size()), options.detail};
+                          static_cast<int>(plan.gap_classes.size()), options.detail,
+                          options.interlock != Interlock::off};
     // A beam has a tray and an engine for each of its states.
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers);
@@ -336,7 +355,8 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
                             ? options.memory
                             : static_cast<std::int64_t>(kShareOfFree *
                                                         static_cast<double>(available_memory()));
-    plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
+    plan.memory_of_surfaces = surfaces_memory(plan, loaded, options, container_volume);
+    plan.memory = plan.memory_of_surfaces + parts_memory(options.voxel, options.detail, plan, loaded);
     const auto engines = [&](int layers) {
         return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
     };
@@ -376,7 +396,7 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
         return Extent{coarser(plan.grid.x), coarser(plan.grid.y), coarser(plan.grid.z)};
     };
     while (fitting < coarsest &&
-           parts_memory(fitting, options.detail, plan, loaded) +
+           plan.memory_of_surfaces + parts_memory(fitting, options.detail, plan, loaded) +
                    engines_memory(fitting, grid_at(fitting), plan, options, workers) >
                plan.memory_limit) {
         fitting *= 1.1;

@@ -22,6 +22,7 @@ struct Plan {
     Extent grid;                       ///< with open height, as high as it starts
     int most_layers = 0;               ///< open height: as high as memory lets it grow
     std::int64_t memory = 0;           ///< bytes the run needs without caches, meshes included
+    std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;            ///< bytes left for caches
     std::int64_t keep = 0;             ///< bytes of voxels that may be held from one tray to the next

@@ -24,6 +24,8 @@ class Disassembler {
     void run();
 
     const std::vector<RemovalStep>& steps() const { return steps_; }
+    /// Movable copies that have neither left nor been discarded.
+    int standing() const { return standing_; }
     /// Copies that hold each other, fixed ones among them: each a company of which no copy and no group of copies that
     /// was looked at can leave; ascending. After a run that was not stopped these are all that stand, but for fixed
     /// ones that nothing is left with.

@@ -109,4 +109,10 @@ std::int64_t Bvh::bytes() const {
                                      nodes_.size() * sizeof(Node));
 }
 
+std::int64_t Bvh::most_bytes(const Mesh& mesh) {
+    const std::size_t leaves = mesh.triangles.size() / (kLeafTriangles / 2) + 1;
+    return static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) + mesh.triangles.size() * sizeof(Triangle) +
+                                     2 * leaves * sizeof(Node));
+}
+
 }  // namespace spectralpack

@@ -51,6 +51,8 @@ class Bvh {
     bool faces_outwards() const { return faces_outwards_; }
 
     std::int64_t bytes() const;
+    /// What bytes() of the mesh's tree is at most: a leaf holds more than half of kLeafTriangles, unless it is the root.
+    static std::int64_t most_bytes(const Mesh& mesh);
 
   private:
     Bvh() = default;

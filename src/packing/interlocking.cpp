@@ -202,7 +202,7 @@ class Untangling {
         }
         result_.report.counts = disassembler.counts();
         result_.report.counts.removed = static_cast<int>(std::count(removed.begin(), removed.end(), true));
-        result_.plan.complete = !stop_.stopped();
+        result_.plan.complete = disassembler.standing() == 0;
         std::vector<PlacedItem> kept, out;
         std::vector<int> renumbered(parts.size(), -1);
         for (std::size_t i = 0; i < movable; ++i) {
@@ -326,7 +326,7 @@ Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<Standing
     for (std::vector<int>& set : plan.interlocked) {
         std::erase_if(set, [&](int part) { return static_cast<std::size_t>(part) >= copies; });
     }
-    plan.complete = !setup.stop.stopped() && plan.interlocked.empty();
+    plan.complete = disassembler.standing() == 0;
     return plan;
 }
 

@@ -50,8 +50,8 @@ struct Untangled {
 /// and goes on. Then puts back what was taken out, and puts in what had found no place before, in the order of the job,
 /// each at its best reachable placement on the grid, if it does come out from there. Those come out first in the
 /// plan. `placed` and `tray` end as the packing that the plan is of. When stopped, the
-/// plan is not complete, and what has been found interlocked until then is out; what had not been tried by then is not
-/// among `interlocked`.
+/// plan is complete only if all that stands had been planned by then, and what has been found interlocked until then is
+/// out; what had not been tried by then is not among `interlocked`.
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 

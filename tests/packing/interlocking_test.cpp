@@ -168,5 +168,15 @@ TEST_F(Interlocking, AStopLeavesAnIncompletePlan) {
     EXPECT_EQ(placed_.size(), 1u);
 }
 
+TEST_F(Interlocking, AStopAfterTheLastRemovalLeavesAWholePlan) {
+    put(ring(), 0, {10, 10, 20});
+    put(test::cube_mesh(8), 0, {40, 40, 0});
+    StopSource stop;
+    setup_.left = [&](int left, int) {
+        if (left == 0) stop.request(StopReason::time_limit);
+    };
+    expect_complete(untangle_all(stop.token()));
+}
+
 }  // namespace
 }  // namespace spectralpack

@@ -9,7 +9,7 @@ DilatedRows::DilatedRows(const Tray& tray)
     : extent_(tray.extent()),
       instance_(tray.instance()),
       version_(tray.version()),
-      words_((extent_.x + kShift + 63) / 64),
+      words_(words_for(extent_)),
       empty_(row_words(), 0),
       rows_(static_cast<std::size_t>(extent_.y) * static_cast<std::size_t>(extent_.z)) {}
 
@@ -81,6 +81,12 @@ const DilatedRows::Word* DilatedRows::row(const Tray& tray, int y, int z) {
 std::int64_t DilatedRows::bytes() const {
     return static_cast<std::int64_t>(rows_.size() * sizeof(void*)) +
            made_.load() * static_cast<std::int64_t>(row_words() * sizeof(Word));
+}
+
+std::int64_t DilatedRows::most_bytes(const Extent& extent) {
+    const auto rows = static_cast<std::int64_t>(extent.y) * extent.z;
+    return rows * static_cast<std::int64_t>(sizeof(void*) + sizeof(Word) * kLevels *
+                                                                static_cast<std::size_t>(words_for(extent) + 2));
 }
 
 }  // namespace spectralpack

@@ -40,9 +40,12 @@ class DilatedRows {
     void dilate(const Word* voxels, Word* tables) const;
 
     std::int64_t bytes() const;
+    /// Of all rows of such a grid: what bytes() comes to at most.
+    static std::int64_t most_bytes(const Extent& extent);
 
   private:
     void drop(int y, int z);
+    static int words_for(const Extent& extent) { return (extent.x + kShift + 63) / 64; }
 
     Extent extent_;
     std::uint64_t instance_;
