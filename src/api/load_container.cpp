@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
 #include "geometry/mesh_inspect.hpp"
+#include "model/physical_surfaces.hpp"
 
 namespace spectralpack {
 namespace {
@@ -93,6 +94,16 @@ Container load_container(const ContainerSource& source, const Vec3& tray, double
     }
     for (const KeepOutSource& keep_out : source.keep_out) {
         container.keep_out.push_back(load_keep_out(keep_out, default_unit));
+    }
+    return container;
+}
+
+Container container_of(const Job& job) {
+    Container container = load_container(job.container, job.options.tray, job.unit);
+    if (container.physical && job.options.interlock != Interlock::off && !opens_at_top(container)) {
+        throw InputError(job.container.mesh->file, job.container.mesh->place,
+                         "has no flat face at its top, where a physical container is open: nothing could leave it "
+                         "(--interlock off packs it all the same)");
     }
     return container;
 }

@@ -5,6 +5,7 @@
 
 #include "model/container_source.hpp"
 #include "model/packing.hpp"
+#include "spectralpack/pack.hpp"
 
 namespace spectralpack {
 
@@ -16,6 +17,9 @@ StandingMesh load_standing_mesh(const MeshSource& source, double default_unit);
 /// Throws InputError for a mesh that is not closed, saying where it is open, or that reaches below the origin; and for
 /// keep-outs that are not closed.
 Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit);
+
+/// The job's container. Throws as load_container does, and where nothing could leave it that has to.
+Container container_of(const Job& job);
 
 /// As load_container, for a container that a packing file describes.
 void load_surfaces(Container& container);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -14,18 +13,18 @@
 #include <tuple>
 #include <utility>
 
+#include "api/check_together.hpp"
 #include "api/engine_factory.hpp"
+#include "api/fill_setup.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
 #include "api/order_measures.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"
-#include "model/physical_surfaces.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/order_search.hpp"
-#include "packing/walls.hpp"
 #include "search/verifying_search.hpp"
 
 namespace spectralpack {
@@ -48,55 +47,6 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) 
         by_part.push_back(ids.emplace(key, ids.size() + 1).first->second);
     }
     return by_part;
-}
-
-/// What the options, each right by itself, cannot do together.
-void check_together(const Job& job) {
-    const PackOptions& options = job.options;
-    const auto refuse = [](const std::string& what, const std::string& with, const std::string& why) {
-        throw UsageError(what + " does not go with " + with + ": " + why);
-    };
-    if (is_open(options)) {
-        const bool box = options.minimise == Minimise::box;
-        const std::string open = box ? "--minimise box" : "--open-height";
-        if (job.container.mesh || !job.container.keep_out.empty()) {
-            refuse(open, "container meshes and keep-outs", "they have a height of their own");
-        }
-        if (box && (job.onto || !job.fixed.empty())) {
-            refuse(open, "fixed copies and --onto", "they stand on a base that is given");
-        }
-        if (options.trays != 1) refuse(open, "several trays", "without a ceiling one holds all");
-        if (job.onto && job.onto->packing.trays.size() > 1) {
-            refuse(open, "--onto a build of several trays", "without a ceiling one holds all");
-        }
-        if (job.container.physical && options.interlock != Interlock::off) {
-            refuse(open, "--physical", "ways out lead over the top of walls, which have no height then (with --interlock "
-                                       "off nothing is looked for)");
-        }
-    }
-    if (options.fill && options.trays != 1) {
-        refuse("--fill", "several trays", "all would be alike; fill one and build it as often as needed");
-    }
-    if (options.restarts > 1 || options.beam > 1) {
-        const std::string orders = options.restarts > 1 ? "--restarts" : "--beam";
-        if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
-        if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it searches among bases instead");
-    }
-    if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
-        refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill",
-               "its states keep no account of what is full; use --restarts");
-    }
-}
-
-/// The job's container. Throws InputError, also where nothing could leave it that has to.
-Container container_of(const Job& job) {
-    Container container = load_container(job.container, job.options.tray, job.unit);
-    if (container.physical && job.options.interlock != Interlock::off && !opens_at_top(container)) {
-        throw InputError(job.container.mesh->file, job.container.mesh->place,
-                         "has no flat face at its top, where a physical container is open: nothing could leave it "
-                         "(--interlock off packs it all the same)");
-    }
-    return container;
 }
 
 /// True where `failure` is a lack of memory, also to let a packing grow higher.
@@ -162,66 +112,8 @@ class Run {
     }
 
     /// `base`: of the grid, in voxels.
-    FillSetup fill_setup(const BaseSize& base) const {
-        const PackOptions& options = options_;
-        const double wall = 2 * options.wall_gap;
-        FillSetup setup;
-        setup.container = container_;
-        setup.container.size = tray_size(options);
-        if (options.minimise == Minimise::box) {
-            setup.container.size.x = base.x * options.voxel + wall;
-            setup.container.size.y = base.y * options.voxel + wall;
-        }
-        setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
-        setup.tray.blocked = blocked_voxels(container_, plan_.grid, options.voxel, options.wall_gap, workers_);
-        setup.tray.blocked_is_physical = container_.physical;
-        require_free(setup.tray.blocked);
-        setup.tray.voxel_size = options.voxel;
-        setup.tray.detail = options.detail;
-        setup.tray.gap_classes = plan_.gap_classes;
-        setup.wall_gap = options.wall_gap;
-        setup.model = {plan_.height_penalty,
-                       height_reference(options) == HeightReference::top ? HeightAt::top : HeightAt::bottom};
-        setup.refine = options.refine;
-        setup.max_density = options.max_density;
-        setup.max_layer_fill = options.max_layer_fill;
-        setup.interlock = options.interlock;
-        setup.take_out = options.take_out;
-        const auto telling = [this](Phase phase) {
-            return [this, phase](int left, int all) {
-                listener_.on_progress({phase, all - left, all, 0, static_cast<double>(all - left) / all});
-            };
-        };
-        setup.left = telling(Phase::disassemble);
-        setup.to_put_back = telling(Phase::reinsert);
-        if (is_open(options)) {
-            setup.tray.ceiling = Ceiling::open;
-            setup.tray.reference_layers =
-                std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / options.voxel - 1e-9)));
-            setup.tray.size.z = plan_.grid.z * options.voxel;
-            setup.container.size.z = Box::kInfinity;
-            setup.most_layers = plan_.most_layers;
-        }
-        for (const FixedPlacement& fixed : loaded_.fixed) {
-            const auto part = static_cast<std::size_t>(fixed.placement.part);
-            setup.fixed.push_back(
-                {fixed.tray, loaded_.meshes[part], fixed.placement.transform, loaded_.parts[part].gap});
-        }
-        return setup;
-    }
-
-    void require_free(const BitGrid& blocked) const {
-        if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
-        std::string what = "no voxel of " + number_text(options_.voxel) + " mm is wholly free";
-        if (options_.wall_gap > 0) what += " and " + number_text(options_.wall_gap) + " mm from the walls";
-        if (container_.mesh) throw InputError(container_.mesh->file, "", "as a container, " + what);
-        throw UsageError("between the keep-outs " + what);
-    }
-
-    static std::string number_text(double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%g", value);
-        return text;
+    FillSetup setup_on(const BaseSize& base) const {
+        return fill_setup({loaded_, plan_, container_, options_}, base, listener_, workers_);
     }
 
     void search(TraysResult& trays) {
@@ -258,7 +150,7 @@ class Run {
 
     /// Packs into trays of one size.
     void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
-        pack_items(plan_.items, fill_setup(base), engine, stop_, [&](const Progress& progress) {
+        pack_items(plan_.items, setup_on(base), engine, stop_, [&](const Progress& progress) {
             listener_.on_progress(progress);
         }, trays);
     }
@@ -390,7 +282,7 @@ class Run {
     /// tried, that is the packing on the grid.
     void search_orders(PlacementSearch& engine, TraysResult& trays) {
         keep_shapes_ = plan_.keeps_all;
-        const FillSetup as_asked = fill_setup({plan_.grid.x, plan_.grid.y});
+        const FillSetup as_asked = setup_on({plan_.grid.x, plan_.grid.y});
         FillSetup on_grid = as_asked;
         on_grid.refine = false;
         on_grid.interlock = Interlock::off;
@@ -486,39 +378,6 @@ class Run {
 
 PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
     return Run(job, listener, stop).run();
-}
-
-Estimate estimate(const Job& job, Listener& listener) {
-    PackOptions options = job.options;
-    check_options(options);
-    check_together(job);
-    const Workers workers(options.threads);
-    const Container container = container_of(job);
-    options.tray = container.size;
-    const LoadedJob loaded = load_parts(job, workers, listener);
-    require_sound(loaded, container, options, workers, listener, {});
-    const Plan plan = make_plan(loaded, container, options, workers);
-    Estimate estimate;
-    estimate.grid = plan.grid;
-    estimate.container = tray_size(options);
-    estimate.orientations = static_cast<int>(plan.most_orientations);
-    estimate.parts = static_cast<int>(loaded.parts.size());
-    for (const Part& part : loaded.parts) {
-        estimate.copies += part.count;
-    }
-    estimate.searches = static_cast<std::int64_t>(plan.items.size());
-    estimate.memory = plan.memory;
-    estimate.memory_limit = plan.memory_limit;
-    estimate.box_ratio = plan.box_ratio;
-    estimate.volume_ratio = plan.volume_ratio;
-    estimate.height_penalty = plan.height_penalty;
-    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
-        if (!plan.too_large[i].empty()) {
-            estimate.too_large.push_back(loaded.parts[i].name + " " + plan.too_large[i]);
-        }
-    }
-    estimate.unusable = loaded.unusable;
-    return estimate;
 }
 
 }  // namespace spectralpack

@@ -1,0 +1,47 @@
+#include "api/check_together.hpp"
+
+#include <string>
+
+#include "api/plan.hpp"
+#include "core/error.hpp"
+
+namespace spectralpack {
+
+void check_together(const Job& job) {
+    const PackOptions& options = job.options;
+    const auto refuse = [](const std::string& what, const std::string& with, const std::string& why) {
+        throw UsageError(what + " does not go with " + with + ": " + why);
+    };
+    if (is_open(options)) {
+        const bool box = options.minimise == Minimise::box;
+        const std::string open = box ? "--minimise box" : "--open-height";
+        if (job.container.mesh || !job.container.keep_out.empty()) {
+            refuse(open, "container meshes and keep-outs", "they have a height of their own");
+        }
+        if (box && (job.onto || !job.fixed.empty())) {
+            refuse(open, "fixed copies and --onto", "they stand on a base that is given");
+        }
+        if (options.trays != 1) refuse(open, "several trays", "without a ceiling one holds all");
+        if (job.onto && job.onto->packing.trays.size() > 1) {
+            refuse(open, "--onto a build of several trays", "without a ceiling one holds all");
+        }
+        if (job.container.physical && options.interlock != Interlock::off) {
+            refuse(open, "--physical", "ways out lead over the top of walls, which have no height then (with --interlock "
+                                       "off nothing is looked for)");
+        }
+    }
+    if (options.fill && options.trays != 1) {
+        refuse("--fill", "several trays", "all would be alike; fill one and build it as often as needed");
+    }
+    if (options.restarts > 1 || options.beam > 1) {
+        const std::string orders = options.restarts > 1 ? "--restarts" : "--beam";
+        if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
+        if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it searches among bases instead");
+    }
+    if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
+        refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill",
+               "its states keep no account of what is full; use --restarts");
+    }
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,43 @@
+#include "api/check_together.hpp"
+#include "api/fixed_copies.hpp"
+#include "api/load.hpp"
+#include "api/load_container.hpp"
+#include "api/plan.hpp"
+#include "spectralpack/pack.hpp"
+
+namespace spectralpack {
+
+Estimate estimate(const Job& job, Listener& listener) {
+    PackOptions options = job.options;
+    check_options(options);
+    check_together(job);
+    const Workers workers(options.threads);
+    const Container container = container_of(job);
+    options.tray = container.size;
+    const LoadedJob loaded = load_parts(job, workers, listener);
+    require_sound(loaded, container, options, workers, listener, {});
+    const Plan plan = make_plan(loaded, container, options, workers);
+    Estimate estimate;
+    estimate.grid = plan.grid;
+    estimate.container = tray_size(options);
+    estimate.orientations = static_cast<int>(plan.most_orientations);
+    estimate.parts = static_cast<int>(loaded.parts.size());
+    for (const Part& part : loaded.parts) {
+        estimate.copies += part.count;
+    }
+    estimate.searches = static_cast<std::int64_t>(plan.items.size());
+    estimate.memory = plan.memory;
+    estimate.memory_limit = plan.memory_limit;
+    estimate.box_ratio = plan.box_ratio;
+    estimate.volume_ratio = plan.volume_ratio;
+    estimate.height_penalty = plan.height_penalty;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        if (!plan.too_large[i].empty()) {
+            estimate.too_large.push_back(loaded.parts[i].name + " " + plan.too_large[i]);
+        }
+    }
+    estimate.unusable = loaded.unusable;
+    return estimate;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,78 @@
+#include "api/fill_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "core/error.hpp"
+#include "packing/walls.hpp"
+
+namespace spectralpack {
+namespace {
+
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+void require_free(const BitGrid& blocked, const Container& container, const PackOptions& options) {
+    if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
+    std::string what = "no voxel of " + number_text(options.voxel) + " mm is wholly free";
+    if (options.wall_gap > 0) what += " and " + number_text(options.wall_gap) + " mm from the walls";
+    if (container.mesh) throw InputError(container.mesh->file, "", "as a container, " + what);
+    throw UsageError("between the keep-outs " + what);
+}
+
+}  // namespace
+
+FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& listener, const Workers& workers) {
+    const auto& [loaded, plan, container, options] = source;
+    const double wall = 2 * options.wall_gap;
+    FillSetup setup;
+    setup.container = container;
+    setup.container.size = tray_size(options);
+    if (options.minimise == Minimise::box) {
+        setup.container.size.x = base.x * options.voxel + wall;
+        setup.container.size.y = base.y * options.voxel + wall;
+    }
+    setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
+    setup.tray.blocked = blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers);
+    setup.tray.blocked_is_physical = container.physical;
+    require_free(setup.tray.blocked, container, options);
+    setup.tray.voxel_size = options.voxel;
+    setup.tray.detail = options.detail;
+    setup.tray.gap_classes = plan.gap_classes;
+    setup.wall_gap = options.wall_gap;
+    setup.model = {plan.height_penalty,
+                   height_reference(options) == HeightReference::top ? HeightAt::top : HeightAt::bottom};
+    setup.refine = options.refine;
+    setup.max_density = options.max_density;
+    setup.max_layer_fill = options.max_layer_fill;
+    setup.interlock = options.interlock;
+    setup.take_out = options.take_out;
+    const auto telling = [&listener](Phase phase) {
+        return [&listener, phase](int left, int all) {
+            listener.on_progress({phase, all - left, all, 0, static_cast<double>(all - left) / all});
+        };
+    };
+    setup.left = telling(Phase::disassemble);
+    setup.to_put_back = telling(Phase::reinsert);
+    if (is_open(options)) {
+        setup.tray.ceiling = Ceiling::open;
+        setup.tray.reference_layers =
+            std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / options.voxel - 1e-9)));
+        setup.tray.size.z = plan.grid.z * options.voxel;
+        setup.container.size.z = Box::kInfinity;
+        setup.most_layers = plan.most_layers;
+    }
+    for (const FixedPlacement& fixed : loaded.fixed) {
+        const auto part = static_cast<std::size_t>(fixed.placement.part);
+        setup.fixed.push_back(
+            {fixed.tray, loaded.meshes[part], fixed.placement.transform, loaded.parts[part].gap});
+    }
+    return setup;
+}
+
+}  // namespace spectralpack
