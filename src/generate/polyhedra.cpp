@@ -37,12 +37,14 @@ Outline uneven(Dice& dice, int corners, double size) {
 
 Mesh tetrahedron(Dice& dice, double size) {
     const double lean = dice.between(-0.15, 0.15) * size;
-    return single_pyramid(uneven(dice, 3, size), {lean, 0, dice.mm(0.35 * size, 0.8 * size)});
+    const double height = dice.mm(0.35 * size, 0.8 * size);
+    return single_pyramid(uneven(dice, 3, size), {lean, 0, height});
 }
 
 Mesh pyramid(Dice& dice, double size) {
     const double lean = dice.between(-0.2, 0.2) * size;
-    return single_pyramid(uneven(dice, dice.number(4, 5), size), {lean, 0, dice.mm(0.3 * size, 0.7 * size)});
+    const double height = dice.mm(0.3 * size, 0.7 * size);
+    return single_pyramid(uneven(dice, dice.number(4, 5), size), {lean, 0, height});
 }
 
 Mesh frustum(Dice& dice, double size) {
@@ -57,7 +59,8 @@ Mesh frustum(Dice& dice, double size) {
 
 Mesh bipyramid(Dice& dice, double size) {
     const Outline belt = uneven(dice, dice.number(4, 6), size);
-    return double_pyramid(belt, {0, 0, dice.mm(0.2 * size, 0.4 * size)}, {0, 0, -dice.mm(0.1 * size, 0.3 * size)});
+    const double below = dice.mm(0.1 * size, 0.3 * size), above = dice.mm(0.2 * size, 0.4 * size);
+    return double_pyramid(belt, {0, 0, above}, {0, 0, -below});
 }
 
 Mesh twisted_prism(Dice& dice, double size) {
@@ -72,8 +75,8 @@ Mesh dart(Dice& dice, double size) {
     const double wing = dice.mm(0.35 * size, 0.5 * size), notch = dice.mm(0.15 * size, 0.3 * size);
     const Outline belt{{size, 0}, {0, wing}, {notch, 0}, {0, -wing}};
     const double middle = (notch + size) / 2;
-    return double_pyramid(belt, {middle, 0, dice.mm(0.15 * size, 0.3 * size)},
-                          {middle, 0, -dice.mm(0.1 * size, 0.2 * size)});
+    const double below = dice.mm(0.1 * size, 0.2 * size), above = dice.mm(0.15 * size, 0.3 * size);
+    return double_pyramid(belt, {middle, 0, above}, {middle, 0, -below});
 }
 
 Mesh star(Dice& dice, double size) {
@@ -83,7 +86,8 @@ Mesh star(Dice& dice, double size) {
     for (std::size_t i = 1; i < belt.size(); i += 2) {
         belt[i] = {inner * belt[i].x, inner * belt[i].y};
     }
-    return double_pyramid(belt, {0, 0, dice.mm(0.2 * size, 0.35 * size)}, {0, 0, -dice.mm(0.1 * size, 0.25 * size)});
+    const double below = dice.mm(0.1 * size, 0.25 * size), above = dice.mm(0.2 * size, 0.35 * size);
+    return double_pyramid(belt, {0, 0, above}, {0, 0, -below});
 }
 
 }  // namespace spectralpack
