@@ -451,7 +451,7 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--height-penalty", a.height_penalty, "how much height costs: auto, or p of p z^3 [auto]")
         ->group(search);
     sub->add_option("--height-at", a.height_at,
-                    "where height counts: bottom, or top (then before proximity) [bottom; top without a ceiling]")
+                    "where height counts: bottom, or top (before proximity: lower, in half the time) [bottom; top without a ceiling]")
         ->group(search);
     sub->add_option("--order", a.order,
                     "which copies first: size (of the box, largest first), volume (of the solid), mixed (geometric mean\n"
