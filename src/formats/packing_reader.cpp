@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 /// Reads a tray's disassembly plan and keeps track of who still stands with whom.
 class PlanReader {
   public:
-    explicit PlanReader(const std::vector<Placement>& placements)
-        : placements_(placements), company_(placements.size(), 0), left_in_(placements.size()) {}
+    /// `walls`: those of a physical container stand in the tray, too.
+    PlanReader(const std::vector<Placement>& placements, bool walls)
+        : placements_(placements), walls_(walls), company_(placements.size(), 0), left_in_(placements.size()) {}
 
     Disassembly read(const Node& node) {
         Disassembly plan;
@@ -66,7 +67,9 @@ class PlanReader {
             }
         }
         const bool group = step.placements.size() > 1;
-        if (group && std::cmp_equal(std::count(company_.begin(), company_.end(), company), step.placements.size())) {
+        const bool leaves_walls = walls_ && company == 0;
+        if (group && !leaves_walls &&
+            std::cmp_equal(std::count(company_.begin(), company_.end(), company), step.placements.size())) {
             named.fail("is all that stands together: a group must leave something behind");
         }
         ++steps_;
@@ -79,6 +82,7 @@ class PlanReader {
     }
 
     const std::vector<Placement>& placements_;
+    const bool walls_;
     int steps_ = 0;                            ///< read so far
     std::vector<int> company_;                 ///< by placement: 0 in the tray, else 1 + the step it left in
     std::vector<std::optional<int>> left_in_;  ///< by placement: the step that took it out by itself
@@ -210,7 +214,7 @@ class PackingReader {
                 v->for_each([&](const Node& area) { tray.layers.area.push_back(area.number()); });
             }
         }
-        if (const auto v = node.find("disassembly")) tray.disassembly = PlanReader(tray.placements).read(*v);
+        if (const auto v = node.find("disassembly")) tray.disassembly = PlanReader(tray.placements, packing_.container.physical).read(*v);
         packing_.trays.push_back(std::move(tray));
     }
 

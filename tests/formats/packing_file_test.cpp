@@ -233,6 +233,18 @@ TEST(PackingFile, PlansThatTakeOutWhatIsNotThereAreRefused) {
     }
 }
 
+TEST(PackingFile, AllMayLeaveTogetherWhatPhysicalWallsStandRound) {
+    Packing packing = with_steps({{{0, 1, 2, 3}, {{0, 0, 9}}}});
+    packing.trays[0].placements.resize(4);
+    for (Placement& placement : packing.trays[0].placements) {
+        placement.fixed = false;
+    }
+    EXPECT_TRUE(contains(refusal([&] { read_text_as_packing(packing_to_json(packing, ".")); }).cause(),
+                         "all that stands together"));
+    packing.container.physical = true;
+    EXPECT_EQ(read_text_as_packing(packing_to_json(packing, ".")).trays[0].disassembly->steps.size(), 1u);
+}
+
 TEST(PackingFile, WhatIsNoJsonIsRefused) {
     const std::string whole = test::read_text(golden("packing.json"));
     for (std::size_t length = 0; length + 2 < whole.size(); length += 97) {
