@@ -104,7 +104,7 @@ Command add_plan_command(CLI::App& app) {
         ->take_all()
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    sub->add_option("--voxel", arguments->settings.voxel, "voxel size of the search for ways out, mm [the packing's]");
+    sub->add_option("--voxel", arguments->settings.voxel, "voxel size of the search for ways out, mm [that of the packing's collisions: voxel / detail]");
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
     sub->add_flag("--json", arguments->json, "print the findings as JSON");

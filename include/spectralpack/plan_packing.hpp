@@ -12,7 +12,7 @@
 namespace spectralpack {
 
 struct PlanSettings {
-    std::optional<double> voxel;  ///< of the flood fill, mm; none: the packing's own
+    std::optional<double> voxel;  ///< of the flood fill, mm; none: that of the packing's collisions, voxel / detail
     int threads = 0;              ///< 0: all the machine has
 };
 

@@ -102,7 +102,7 @@ class StandingTray {
 
 std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
                                       const StopToken& stop) {
-    const double voxel = settings.voxel.value_or(scene.packing.options.voxel);
+    const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
     if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
     const Workers workers(settings.threads);
     std::int64_t total = 0;
