@@ -113,9 +113,9 @@ std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_
     return static_cast<std::int64_t>(bytes * static_cast<double>(orientations));
 }
 
-/// Bytes that do not depend on the grid: meshes and the voxels of the parts that are held at once, or of `all`.
+/// Bytes that do not depend on the grid: meshes, surfaces and the voxels of the parts that are held at once, or of `all`.
 std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded, bool all = false) {
-    std::int64_t bytes = kProgramMemory;
+    std::int64_t bytes = kProgramMemory + plan.memory_of_surfaces;
     std::vector<std::int64_t> shapes;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!loaded.meshes[i]) continue;
@@ -356,7 +356,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
                             : static_cast<std::int64_t>(kShareOfFree *
                                                         static_cast<double>(available_memory()));
     plan.memory_of_surfaces = surfaces_memory(plan, loaded, options, container_volume);
-    plan.memory = plan.memory_of_surfaces + parts_memory(options.voxel, options.detail, plan, loaded);
+    plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
     const auto engines = [&](int layers) {
         return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
     };
@@ -396,7 +396,7 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
         return Extent{coarser(plan.grid.x), coarser(plan.grid.y), coarser(plan.grid.z)};
     };
     while (fitting < coarsest &&
-           plan.memory_of_surfaces + parts_memory(fitting, options.detail, plan, loaded) +
+           parts_memory(fitting, options.detail, plan, loaded) +
                    engines_memory(fitting, grid_at(fitting), plan, options, workers) >
                plan.memory_limit) {
         fitting *= 1.1;

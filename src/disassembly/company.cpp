@@ -32,11 +32,6 @@ bool meet(const Box& a, const Box& b) {
     return true;
 }
 
-VoxelBox voxels_of(const TrayObject& object) {
-    const Extent& e = object.solid->extent();
-    return {object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
-}
-
 Vec3 along(AxisDirection direction, double way) {
     Vec3 move;
     move[direction.axis] = direction.sign * way;
@@ -85,7 +80,7 @@ std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
 
 /// Voxel indices as coordinates.
 Box voxel_box(const StandingPart& part) {
-    const VoxelBox box = voxels_of(part.object);
+    const VoxelBox box = part.object.box();
     return {{1.0 * box.lo.x, 1.0 * box.lo.y, 1.0 * box.lo.z}, {1.0 * box.hi.x, 1.0 * box.hi.y, 1.0 * box.hi.z}};
 }
 

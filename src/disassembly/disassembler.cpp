@@ -63,14 +63,8 @@ class Disassembler::Yard {
     }
 
   private:
-    VoxelBox voxels(std::size_t i) const {
-        const TrayObject& object = company_.part(i).object;
-        const Extent& e = object.solid->extent();
-        return {object.position, object.position + VoxelIndex{e.x, e.y, e.z}};
-    }
-
     void remove(std::size_t i) {
-        const VoxelBox gone = voxels(i);
+        const VoxelBox gone = company_.part(i).object.box();
         company_.remove(i);
         graph_.remove(i);
         pockets_[i].reset();
@@ -205,7 +199,7 @@ class Disassembler::Yard {
             pockets.push_back(pockets_[i]);
             for (std::size_t other = 0; pockets.back() && other < company_.size(); ++other) {
                 if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
-                if (meet(*pockets.back(), voxels(other))) pockets.back().reset();
+                if (meet(*pockets.back(), company_.part(other).object.box())) pockets.back().reset();
             }
         }
         owner_.yards_.emplace_back(*this, group, std::move(pockets));

@@ -18,8 +18,8 @@ class FloodFill {
     FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop = {});
 
     /// A shortest way from `start`, which is free, to outside: its ends and corners, axis-parallel from one to the
-    /// next. Empty when there is none. Best-first by
-    /// steps gone and steps at least to go, which are exact (A*); each word of positions is computed when first touched.
+    /// next. Empty when there is none. Best-first by steps gone and steps at least to go, which are exact (A*); each word
+    /// of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
   private:

@@ -214,7 +214,9 @@ class PackingReader {
                 v->for_each([&](const Node& area) { tray.layers.area.push_back(area.number()); });
             }
         }
-        if (const auto v = node.find("disassembly")) tray.disassembly = PlanReader(tray.placements, packing_.container.physical).read(*v);
+        if (const auto v = node.find("disassembly")) {
+            tray.disassembly = PlanReader(tray.placements, packing_.container.physical).read(*v);
+        }
         packing_.trays.push_back(std::move(tray));
     }
 

@@ -188,12 +188,7 @@ class Reader {
 
     void append(Mesh& mesh, const ObjectKey& key, const Transform& transform) {
         const ModelObject& object = find(key);
-        const Mesh moved = transformed(object.mesh, transform);
-        const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), moved.vertices.begin(), moved.vertices.end());
-        for (const Triangle& t : moved.triangles) {
-            mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-        }
+        spectralpack::append(mesh, transformed(object.mesh, transform));
         for (const ModelComponent& component : object.components) {
             append(mesh, component.object, transform * component.transform);
         }

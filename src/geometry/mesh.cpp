@@ -26,6 +26,21 @@ Mesh box_surface(const Box& box) {
     return mesh;
 }
 
+void append(Mesh& mesh, const Mesh& more) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const Triangle& t : more.triangles) {
+        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+}
+
+Mesh inside_out(Mesh mesh) {
+    for (Triangle& t : mesh.triangles) {
+        std::swap(t[1], t[2]);
+    }
+    return mesh;
+}
+
 double signed_volume(const Mesh& mesh) {
     // Relative to a corner of the mesh, so that a part far from the origin does not lose its digits.
     const Vec3 origin = mesh.vertices.empty() ? Vec3{} : mesh.vertices.front();

@@ -23,6 +23,12 @@ Box bounding_box(const Mesh& mesh);
 /// The box's surface, two triangles a side.
 Mesh box_surface(const Box& box);
 
+/// Adds the triangles and vertices of `more` to `mesh`, after its own.
+void append(Mesh& mesh, const Mesh& more);
+
+/// The same surface, facing the other way.
+Mesh inside_out(Mesh mesh);
+
 /// Sum of signed tetrahedron volumes (Zhang and Chen 2001): exact for closed meshes, negative when inside-out.
 double signed_volume(const Mesh& mesh);
 

@@ -280,9 +280,7 @@ class Repairer {
     bool finish_open() {
         if (is_planar(mesh_, size_)) return unusable("it is flat: all facets lie in one plane");
         if (signed_volume(mesh_) < 0) {
-            for (Triangle& t : mesh_.triangles) {
-                std::swap(t[1], t[2]);
-            }
+            mesh_ = inside_out(std::move(mesh_));
             result_.repairs.push_back("turned the open mesh, whose facets faced inwards");
         }
         result_.warnings.push_back("is not closed: " +

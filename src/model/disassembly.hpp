@@ -39,8 +39,8 @@ struct InterlockCounts {
 
 struct Disassembly {
     /// Every copy that is not fixed has one step of its own, also after it left in a group, and also where it is the
-    /// last of its company. Fixed ones never move and have none; of the container's walls only
-    /// physical ones hold anything.
+    /// last of its company. Fixed ones never move and have none; of the container's walls only physical
+    /// ones hold anything.
     bool complete = false;
     std::vector<RemovalStep> steps;  ///< in order: each sees only what earlier ones left of its company
     /// What the plan does not take apart: sets of placements that hold each other, where known. With these empty and

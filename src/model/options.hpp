@@ -30,7 +30,8 @@ struct VerifyWith {
 struct PackOptions {
     Vec3 tray{480, 245, 200};       ///< container size, mm
     int trays = 1;                  ///< containers to fill, at most; 0: as many as it takes
-    int try_per_tray = 1000;        ///< of several trays: one is full once so many parts found no place in it; 0: never before all were tried
+    /// Of several trays one is full once so many parts found no place in it; 0: never before all were tried.
+    int try_per_tray = 1000;
     std::optional<std::string> printer;  ///< preset that other values come from; kept for the record
     double voxel = 2;               ///< dx, mm
     int detail = 2;                 ///< s: collisions between copies are decided on voxels of dx / s

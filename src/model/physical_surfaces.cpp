@@ -18,15 +18,16 @@ bool in_top(const Mesh& mesh, const Triangle& triangle, double top) {
 
 }  // namespace
 
+Mesh surface_of(const KeepOut& keep_out) {
+    return keep_out.mesh ? *keep_out.mesh->surface : box_surface(keep_out.box);
+}
+
 std::vector<Mesh> physical_surfaces(const Container& container) {
     Mesh walls = container_surface(container);
     std::erase_if(walls.triangles, [&](const Triangle& t) { return in_top(walls, t, container.size.z); });
-    for (Triangle& t : walls.triangles) {
-        std::swap(t[1], t[2]);  // the room is outside of what stands in the way
-    }
-    std::vector<Mesh> surfaces{std::move(walls)};
+    std::vector<Mesh> surfaces{inside_out(std::move(walls))};  // the room is outside of what stands in the way
     for (const KeepOut& keep_out : container.keep_out) {
-        surfaces.push_back(keep_out.mesh ? *keep_out.mesh->surface : box_surface(keep_out.box));
+        surfaces.push_back(surface_of(keep_out));
     }
     return surfaces;
 }

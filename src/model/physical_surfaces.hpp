@@ -8,6 +8,9 @@
 
 namespace spectralpack {
 
+/// Closed, facing outwards where its mesh does, which has to be loaded.
+Mesh surface_of(const KeepOut& keep_out);
+
 /// Surfaces whose facets face the room that copies move in: the container's, not closed, then each keep-out's, closed.
 /// Meshes have to be loaded.
 std::vector<Mesh> physical_surfaces(const Container& container);

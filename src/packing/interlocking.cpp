@@ -107,8 +107,8 @@ class Untangling {
         : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop) {
         disassembly_.search = &search;
         disassembly_.grid = setup.walls ? setup.walls->grid : finest_setup(tray.setup());
-        const double corner = setup.wall_gap - (setup.walls ? setup.walls->margin * disassembly_.grid.voxel_size : 0);
-        disassembly_.corner = {corner, corner, corner};
+        disassembly_.corner =
+            setup.walls ? setup.walls->corner : Vec3{setup.wall_gap, setup.wall_gap, setup.wall_gap};
         disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
         disassembly_.on_grid = [this](int i) {
             const PlacedItem& item = placed_[static_cast<std::size_t>(i)];

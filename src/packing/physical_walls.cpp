@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "model/physical_surfaces.hpp"
-#include "voxel/room.hpp"
+#include "packing/walls.hpp"
 
 namespace spectralpack {
 namespace {
@@ -14,11 +14,7 @@ constexpr double kRounding = 1e-6;  // mm
 Mesh together(const std::vector<Mesh>& meshes) {
     Mesh all;
     for (const Mesh& mesh : meshes) {
-        const auto first = static_cast<std::uint32_t>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-        for (const Triangle& t : mesh.triangles) {
-            all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        }
+        append(all, mesh);
     }
     return all;
 }
@@ -64,13 +60,7 @@ StandingPart standing_walls(const Container& container, const TraySetup& grid, c
             set_row(*voxels, y, z, false);
         }
     }
-    for (const KeepOut& keep_out : container.keep_out) {
-        if (keep_out.mesh) {
-            set_taken(*voxels, place, *keep_out.mesh->surface, 0, workers);
-        } else {
-            set_taken(*voxels, place, keep_out.box, 0);
-        }
-    }
+    set_keep_outs(*voxels, place, container, 0, workers);
     TrayObject object{std::move(voxels), {}};
     object.fixed = true;
     return {std::make_shared<const Bvh>(together(physical_surfaces(container)), true), {}, std::move(object)};
@@ -89,7 +79,8 @@ PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, 
     walls.grid = tray;
     walls.grid.size = tray.size + Vec3{2 * wider, 2 * wider, wider};
     const double corner = wall_gap - wider;
-    walls.part = standing_walls(container, walls.grid, {corner, corner, corner}, workers);
+    walls.corner = {corner, corner, corner};
+    walls.part = standing_walls(container, walls.grid, walls.corner, workers);
     return walls;
 }
 

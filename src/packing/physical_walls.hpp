@@ -18,6 +18,7 @@ StandingPart standing_walls(const Container& container, const TraySetup& grid, c
 struct PhysicalWalls {
     StandingPart part;
     TraySetup grid;  ///< without gap classes of its own: those of the tray
+    Vec3 corner;     ///< its lower one, mm
     int margin = 0;  ///< voxels that `grid` has more on every side but above
 
     /// An object of the tray's grid, in this one.

@@ -49,18 +49,19 @@ const Tray& ReachableSearch::finest(const Tray& tray) {
     if (!finest_ || followed_ != tray.instance()) {
         finest_.emplace(walls_ ? walls_->grid : finest_setup(tray.setup()));
         if (walls_) finest_->add(walls_->part.object);
-        ids_.clear();
-        done_ = 0;
         followed_ = tray.instance();
     }
-    for (; done_ < tray.journal().size(); ++done_) {
-        const TrayChange& change = tray.journal()[done_];
+    // Ids are given in the order of the journal; the walls come first.
+    const int first = walls_ ? 1 : 0;
+    for (auto i = static_cast<std::size_t>(finest_->version()) - static_cast<std::size_t>(first);
+         i < tray.journal().size(); ++i) {
+        const TrayChange& change = tray.journal()[i];
         if (!change.added) {
-            finest_->remove(ids_[static_cast<std::size_t>(change.id)]);
+            finest_->remove(change.id + first);
             continue;
         }
         const TrayObject object = on_finest(tray.object(change.id));
-        ids_.push_back(finest_->add(walls_ ? walls_->moved(object) : object));  // ids are given in the journal's order
+        finest_->add(walls_ ? walls_->moved(object) : object);
     }
     return *finest_;
 }

@@ -45,9 +45,7 @@ class ReachableSearch final : public PlacementSearch {
     PlacementSearch& engine_;
     const PhysicalWalls* walls_;
     std::optional<Tray> finest_;            // where collisions are decided on finer voxels than positions, or with walls
-    std::vector<ObjectId> ids_;             // there, by those in the tray
     std::uint64_t followed_ = 0;            // the tray that it follows
-    std::size_t done_ = 0;                  // of its journal
 };
 
 }  // namespace spectralpack

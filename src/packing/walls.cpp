@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "voxel/room.hpp"
+#include "model/physical_surfaces.hpp"
 
 namespace spectralpack {
 namespace {
@@ -12,15 +12,22 @@ namespace {
 Mesh surroundings(const Mesh& mesh) {
     const Box box = bounding_box(mesh);
     Mesh around = box_surface({box.min - box.size(), box.max + box.size()});
-    const auto first = static_cast<std::uint32_t>(around.vertices.size());
-    around.vertices.insert(around.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const Triangle& t : mesh.triangles) {
-        around.triangles.push_back({first + t[0], first + t[2], first + t[1]});
-    }
+    append(around, inside_out(mesh));
     return around;
 }
 
 }  // namespace
+
+void set_keep_outs(BitGrid& grid, const GridPlace& place, const Container& container, double wall_gap,
+                   const Workers& workers) {
+    for (const KeepOut& keep_out : container.keep_out) {
+        if (keep_out.mesh) {
+            set_taken(grid, place, *keep_out.mesh->surface, wall_gap, workers);
+        } else {
+            set_taken(grid, place, keep_out.box, wall_gap);
+        }
+    }
+}
 
 BitGrid blocked_voxels(const Container& container, const Extent& grid, double voxel_size, double wall_gap,
                        const Workers& workers) {
@@ -28,13 +35,7 @@ BitGrid blocked_voxels(const Container& container, const Extent& grid, double vo
     BitGrid blocked(grid);
     const GridPlace place{{wall_gap, wall_gap, wall_gap}, voxel_size};
     if (container.mesh) set_outside(blocked, place, *container.mesh->surface, wall_gap, workers);
-    for (const KeepOut& keep_out : container.keep_out) {
-        if (keep_out.mesh) {
-            set_taken(blocked, place, *keep_out.mesh->surface, wall_gap, workers);
-        } else {
-            set_taken(blocked, place, keep_out.box, wall_gap);
-        }
-    }
+    set_keep_outs(blocked, place, container, wall_gap, workers);
     return blocked;
 }
 
@@ -45,7 +46,7 @@ std::vector<StandingCopy> wall_surfaces(const Container& container, double wall_
     };
     if (container.mesh) add(surroundings(*container.mesh->surface));
     for (const KeepOut& keep_out : container.keep_out) {
-        add(keep_out.mesh ? *keep_out.mesh->surface : box_surface(keep_out.box));
+        add(surface_of(keep_out));
     }
     return walls;
 }

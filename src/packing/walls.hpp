@@ -8,6 +8,7 @@
 #include "model/packing.hpp"
 #include "refine/refiner.hpp"
 #include "voxel/bit_grid.hpp"
+#include "voxel/room.hpp"
 
 namespace spectralpack {
 
@@ -16,6 +17,10 @@ namespace spectralpack {
 /// keep-outs: there all is free.
 BitGrid blocked_voxels(const Container& container, const Extent& grid, double voxel_size, double wall_gap,
                        const Workers& workers);
+
+/// Of a grid at `place`, the voxels that a keep-out enters or comes nearer to than the wall gap.
+void set_keep_outs(BitGrid& grid, const GridPlace& place, const Container& container, double wall_gap,
+                   const Workers& workers);
 
 /// The same walls as surfaces, with the free side outside. None for the container's box, which the refiner knows.
 std::vector<StandingCopy> wall_surfaces(const Container& container, double wall_gap);

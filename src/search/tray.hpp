@@ -48,6 +48,12 @@ struct TrayObject {
     /// With s > 1 the object in voxels of dx / s; `solid` is then the voxels of dx that it reaches into (fine_object()).
     std::shared_ptr<const BitGrid> fine{};
     VoxelIndex fine_position{};  ///< of the fine grid's voxel (0,0,0), in voxels of dx / s
+
+    /// Of its solid, in voxels of dx.
+    VoxelBox box() const {
+        const Extent& e = solid->extent();
+        return {position, position + VoxelIndex{e.x, e.y, e.z}};
+    }
 };
 
 /// The object whose voxels of dx / detail are `fine` at `fine_position`.

@@ -36,25 +36,40 @@ TEST(PhysicalWalls, ABoxHasVoxelsBesideAndBelowItButNotAbove) {
     }
 }
 
-TEST(PhysicalWalls, WhatIsUnderAPlateIsReachedSidewaysOnlyWithoutThem) {
+/// A physical cube of a container, in voxels of 1 mm.
+struct Walled {
+    explicit Walled(double side) {
+        setup.size = {side, side, side};
+        setup.voxel_size = 1;
+        walls = physical_walls({setup.size, {}, {}, true}, setup, 0, Workers(1));
+    }
+
     TraySetup setup;
-    setup.size = {6, 6, 6};
-    setup.voxel_size = 1;
-    const auto engine = make_cpu_search({}, Workers(1));
-    const PhysicalWalls walls = physical_walls({{6, 6, 6}, {}, {}, true}, setup, 0, Workers(1));
+    PhysicalWalls walls;
+    std::unique_ptr<PlacementSearch> engine = make_cpu_search({}, Workers(1));
+};
+
+/// As large as a layer of `side` voxels.
+std::shared_ptr<BitGrid> whole_plate(int side) {
+    auto plate = std::make_shared<BitGrid>(Extent{side, side, 1});
+    plate->fill(true);
+    return plate;
+}
+
+TEST(PhysicalWalls, WhatIsUnderAPlateIsReachedSidewaysOnlyWithoutThem) {
+    const Walled scene(6);
     const auto shape = test::box_shape(1, 2);
     const auto lowest = [&](int hole) {
-        Tray tray(setup);
-        auto plate = std::make_shared<BitGrid>(Extent{6, 6, 1});
-        plate->fill(true);
+        Tray tray(scene.setup);
+        const auto plate = whole_plate(6);
         for (int x = 0; x < hole; ++x) {
             plate->set(x, 0, 0, false);
             plate->set(x, 1, 0, false);
         }
         tray.add({plate, {0, 0, 3}});
         std::vector<int> heights;
-        for (const PhysicalWalls* around : {static_cast<const PhysicalWalls*>(nullptr), &walls}) {
-            ReachableSearch reachable(*engine, around);
+        for (const PhysicalWalls* around : {static_cast<const PhysicalWalls*>(nullptr), &scene.walls}) {
+            ReachableSearch reachable(*scene.engine, around);
             const auto best = reachable.best_placement(tray, *shape, {1e8, HeightAt::top}, {}).best;
             heights.push_back(best ? best->position.z : -1);
         }
@@ -66,16 +81,11 @@ TEST(PhysicalWalls, WhatIsUnderAPlateIsReachedSidewaysOnlyWithoutThem) {
 }
 
 TEST(PhysicalWalls, TheWalledTrayFollowsWhatComesAndGoes) {
-    TraySetup setup;
-    setup.size = {4, 4, 4};
-    setup.voxel_size = 1;
-    const auto engine = make_cpu_search({}, Workers(1));
-    const PhysicalWalls walls = physical_walls({{4, 4, 4}, {}, {}, true}, setup, 0, Workers(1));
-    ReachableSearch reachable(*engine, &walls);
-    auto plate = std::make_shared<BitGrid>(Extent{4, 4, 1});
-    plate->fill(true);
+    const Walled scene(4);
+    ReachableSearch reachable(*scene.engine, &scene.walls);
+    const auto plate = whole_plate(4);
     const auto shape = test::box_shape(1, 1);
-    Tray tray(setup);
+    Tray tray(scene.setup);
     const auto height = [&] { return reachable.best_placement(tray, *shape, {1e8, HeightAt::top}, {}).best->position.z; };
     EXPECT_EQ(height(), 0);
     const ObjectId first = tray.add({plate, {0, 0, 1}});

@@ -31,8 +31,7 @@ void DilatedRows::drop(int y, int z) {
 void DilatedRows::follow(const Tray& tray) {
     for (; version_ < tray.version(); ++version_) {
         const TrayObject& object = tray.object(tray.journal()[version_].id);
-        const Extent& e = object.solid->extent();
-        const VoxelBox box = intersection({object.position, object.position + VoxelIndex{e.x, e.y, e.z}}, whole(extent_));
+        const VoxelBox box = intersection(object.box(), whole(extent_));
         for (int z = box.lo.z; z < box.hi.z; ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
                 drop(y, z);
@@ -85,8 +84,7 @@ std::int64_t DilatedRows::bytes() const {
 
 std::int64_t DilatedRows::most_bytes(const Extent& extent) {
     const auto rows = static_cast<std::int64_t>(extent.y) * extent.z;
-    return rows * static_cast<std::int64_t>(sizeof(void*) + sizeof(Word) * kLevels *
-                                                                static_cast<std::size_t>(words_for(extent) + 2));
+    return rows * static_cast<std::int64_t>(sizeof(void*) + row_words(words_for(extent)) * sizeof(Word));
 }
 
 }  // namespace spectralpack

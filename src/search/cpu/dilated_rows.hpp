@@ -27,7 +27,7 @@ class DilatedRows {
     const Extent& extent() const { return extent_; }
     std::uint64_t instance() const { return instance_; }
     /// Words of a row's tables, one after the other, each with a word of zeros before and after it.
-    std::size_t row_words() const { return static_cast<std::size_t>(kLevels) * static_cast<std::size_t>(words_ + 2); }
+    std::size_t row_words() const { return row_words(words_); }
     int words() const { return words_; }  ///< of one table, without those
 
     /// Bit X + kShift of table k, from its second word on: something in voxels X .. X + 2^k - 1 of the row. `tray` as it
@@ -45,6 +45,7 @@ class DilatedRows {
 
   private:
     void drop(int y, int z);
+    static std::size_t row_words(int words) { return static_cast<std::size_t>(kLevels) * static_cast<std::size_t>(words + 2); }
     static int words_for(const Extent& extent) { return (extent.x + kShift + 63) / 64; }
 
     Extent extent_;

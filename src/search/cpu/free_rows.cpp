@@ -36,9 +36,7 @@ FreeRows::FreeRows(const Tray& tray, std::shared_ptr<DilatedRows> rows, const Fr
     }
     looks_ = looks_for(solid);
     if (!query.without) return;
-    const TrayObject& out = tray.object(*query.without);
-    const Extent& e = out.solid->extent();
-    around_ = intersection({out.position, out.position + VoxelIndex{e.x, e.y, e.z}}, whole(tray.extent()));
+    around_ = intersection(tray.object(*query.without).box(), whole(tray.extent()));
     if (around_.empty()) return;
     around_.lo.x = 0;
     around_.hi.x = tray.extent().x;

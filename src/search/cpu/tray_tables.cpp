@@ -8,11 +8,6 @@ namespace {
 constexpr std::uint64_t kTightenEvery = 8;   // versions between exact maxima of phi
 constexpr std::uint64_t kRebuildAfter = 64;  // pending changes that make a fresh start cheaper
 
-VoxelBox box_of(const TrayObject& object) {
-    const Extent& s = object.solid->extent();
-    return {object.position, object.position + VoxelIndex{s.x, s.y, s.z}};
-}
-
 /// Layers of bit tables: a fine one for each gap class; with s > 1 a coarse one for each as well; the walls, if any.
 BitTables tables_for(const Tray& tray, int margin) {
     const int classes = tray.gap_classes();
@@ -83,7 +78,7 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
         for (std::uint64_t v = first; v < tray.version(); ++v) {
             const TrayChange& change = tray.journal()[v];
             const TrayObject& object = tray.object(change.id);
-            refresh_class(bits_, tray, object.gap_class, box_of(object));
+            refresh_class(bits_, tray, object.gap_class, object.box());
             removed = removed || !change.added;
         }
         if (removed) {
