@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "search/cpu/bit_tables.hpp"
 #include "search/cpu/cpu_search.hpp"
-#include "search/cpu/dilated_rows.hpp"
+#include "search/cpu/dilated_layers.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -43,8 +43,8 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
     const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
     const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
     std::int64_t rows = 0;
-    if (need.free_rows) {
-        rows = DilatedRows::most_bytes({need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
+    if (need.free_tiles) {
+        rows = DilatedLayers::most_bytes({need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
     }
     return 16 * padded(0) + bits * padded(need.overhang) / 8 + rows;
 }

@@ -24,7 +24,7 @@ struct EngineNeed {
     int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
     int gap_classes = 1;
     int detail = 1;    ///< s of the tray
-    bool free_rows = false;  ///< it will be asked for ways out
+    bool free_tiles = false;  ///< it will be asked for ways out
 };
 
 /// Bytes an engine of a resolved kind needs without any cache, about.

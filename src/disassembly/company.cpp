@@ -265,8 +265,8 @@ Company::Flooded Company::way_out(std::size_t i) const {
         if (!made) made = setup_.on_grid(names_[i]);
         solid = made;
     }
-    const std::unique_ptr<FreeRowReader> rows = setup_.search->free_rows(tray_, solid, {objects_[i], 1});
-    ReachableRegion region(*rows, solid->extent(), others, setup_.stop);
+    const std::unique_ptr<FreeTileReader> tiles = setup_.search->free_tiles(tray_, solid, {objects_[i], 1});
+    ReachableRegion region(*tiles, solid->extent(), others, setup_.stop);
 
     // Where to start: on the grid where it stands; off it, at free positions near by.
     struct Start {
@@ -302,7 +302,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
         }
         if (!region.contains(start.position)) continue;
         const std::vector<VoxelIndex> way =
-            FloodFill(*rows, solid->extent(), others, setup_.stop).way_out(start.position);
+            FloodFill(*tiles, solid->extent(), others, setup_.stop).way_out(start.position);
         if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
             const VoxelIndex d = way[k] - way[k - 1];

@@ -13,32 +13,26 @@ VoxelIndex step(VoxelIndex at, int move) {
 
 }  // namespace
 
-FloodFill::FloodFill(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop)
-    : rows_(rows),
+FloodFill::FloodFill(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop)
+    : tiles_(tiles),
       solid_(solid),
-      rest_{rest.lo - rows.origin(), rest.hi - rows.origin()},
-      of_(static_cast<std::size_t>(rows.extent().y) * static_cast<std::size_t>(rows.extent().z), -1),
+      rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
+      words_((tiles.extent().x + 63) / 64),
+      columns_((tiles.extent().y + kRows - 1) / kRows),
+      known_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(columns_) *
+             static_cast<std::size_t>(tiles.extent().z)),
       stop_(std::move(stop)) {}
 
-FloodFill::Row& FloodFill::row(int y, int z) {
-    std::int32_t& index = of_[static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_.extent().y) +
-                              static_cast<std::size_t>(y)];
-    if (index < 0) {
-        index = static_cast<std::int32_t>(known_.size());
-        const auto nx = static_cast<std::size_t>(rows_.extent().x);
-        const std::size_t words = (nx + 63) / 64;
-        known_.push_back({std::vector<std::uint64_t>(words), std::vector<bool>(words), std::vector<std::uint8_t>(nx, 0)});
+FloodFill::Tile& FloodFill::tile(const VoxelIndex& at) {
+    const std::size_t column = static_cast<std::size_t>(at.z) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(at.y / kRows);
+    std::unique_ptr<Tile>& tile = known_[column * static_cast<std::size_t>(words_) + static_cast<std::size_t>(at.x / 64)];
+    if (!tile) {
+        FreeTileReader::Rows all;
+        all.fill(~std::uint64_t{0});
+        tile = std::make_unique<Tile>(Tile{tiles_.tell(at.x / 64, at.y / kRows, at.z, all).free});
     }
-    return known_[static_cast<std::size_t>(index)];
-}
-
-bool FloodFill::is_free(Row& row, const VoxelIndex& at) {
-    const auto word = static_cast<std::size_t>(at.x / 64);
-    if (!row.computed[word]) {
-        rows_.words(at.y, at.z, at.x / 64, 1, &row.free[word]);
-        row.computed[word] = true;
-    }
-    return row.free[word] >> (at.x % 64) & 1;
+    return *tile;
 }
 
 int FloodFill::to_go(const VoxelIndex& at) const {
@@ -50,8 +44,8 @@ int FloodFill::to_go(const VoxelIndex& at) const {
 }
 
 std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
-    const VoxelIndex from = start - rows_.origin();
-    if (!rows_.extent().contains(from)) return {start};
+    const VoxelIndex from = start - tiles_.origin();
+    if (!tiles_.extent().contains(from)) return {start};
     // Buckets by steps in all; the least only grows, since a step brings at most one step nearer.
     std::vector<std::vector<Entry>> open;
     std::size_t least = static_cast<std::size_t>(to_go(from));
@@ -65,20 +59,20 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
         while (!open[least].empty()) {
             const Entry entry = open[least].back();
             open[least].pop_back();
-            std::uint8_t& came = row(entry.at.y, entry.at.z).came[static_cast<std::size_t>(entry.at.x)];
-            if (came != 0) continue;
+            std::uint8_t& came_here = came(tile(entry.at), entry.at);
+            if (came_here != 0) continue;
             if (++visited_ % kPoll == 0 && stop_.stopped()) return {};
-            came = entry.came;
+            came_here = entry.came;
             if (to_go(entry.at) == 0) return trace(entry.at);
             // The move that led here is tried first (it is pushed last), for few corners.
             const int ahead = entry.came == kStart ? 0 : entry.came - 1;
             for (int i = 5; i >= 0; --i) {
                 const int move = i == 0 ? ahead : i <= ahead ? i - 1 : i;
                 const VoxelIndex next = step(entry.at, move);
-                if (!rows_.extent().contains(next)) continue;
-                Row& there = row(next.y, next.z);
-                if (!is_free(there, next)) continue;
-                if (there.came[static_cast<std::size_t>(next.x)] != 0) continue;
+                if (!tiles_.extent().contains(next)) continue;
+                Tile& there = tile(next);
+                const bool free = there.free[static_cast<std::size_t>(next.y % kRows)] >> (next.x % 64) & 1;
+                if (!free || came(there, next) != 0) continue;
                 push({next, entry.gone + 1, static_cast<std::uint8_t>(move + 1)});
             }
         }
@@ -87,15 +81,15 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
 }
 
 std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
-    std::vector<VoxelIndex> way{at + rows_.origin()};
+    std::vector<VoxelIndex> way{at + tiles_.origin()};
     int last = -1;
     for (;;) {
-        const std::uint8_t came = row(at.y, at.z).came[static_cast<std::size_t>(at.x)];
-        if (came == kStart) break;
-        const int move = came - 1;
+        const std::uint8_t came_here = came(tile(at), at);
+        if (came_here == kStart) break;
+        const int move = came_here - 1;
         at = step(at, move ^ 1);  // back
         if (move == last) way.pop_back();
-        way.push_back(at + rows_.origin());
+        way.push_back(at + tiles_.origin());
         last = move;
     }
     std::reverse(way.begin(), way.end());

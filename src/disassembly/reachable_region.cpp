@@ -17,19 +17,22 @@ std::uint64_t below(int x, int end) {
 
 }  // namespace
 
-ReachableRegion::ReachableRegion(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop)
-    : rows_(rows),
+ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop)
+    : tiles_(tiles),
       solid_(solid),
-      rest_{rest.lo - rows.origin(), rest.hi - rows.origin()},
-      row_words_((rows.extent().x + 63) / 64),
-      known_(static_cast<std::size_t>(rows.extent().y) * static_cast<std::size_t>(rows.extent().z)),
+      rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
+      words_((tiles.extent().x + 63) / 64),
+      columns_((tiles.extent().y + kRows - 1) / kRows),
+      known_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(columns_) *
+             static_cast<std::size_t>(tiles.extent().z)),
       stop_(std::move(stop)) {}
 
-ReachableRegion::Word& ReachableRegion::word(int y, int z, int i) {
-    std::unique_ptr<Word[]>& row = known_[static_cast<std::size_t>(z) * static_cast<std::size_t>(rows_.extent().y) +
-                                          static_cast<std::size_t>(y)];
-    if (!row) row = std::make_unique<Word[]>(static_cast<std::size_t>(row_words_));
-    return row[static_cast<std::size_t>(i)];
+ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
+    const std::size_t column = static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(y / kRows);
+    std::unique_ptr<Tile>& tile = known_[column * static_cast<std::size_t>(words_) + static_cast<std::size_t>(i)];
+    if (!tile) tile = std::make_unique<Tile>();
+    return *tile;
 }
 
 /// Steps at least along y or z; 0 is outside.
@@ -59,13 +62,19 @@ void ReachableRegion::reach(const Some& fresh) {
     at.sideways |= fresh.positions;
 }
 
-/// Finds out which of `wanted`, positions of the word `at`, are free.
-void ReachableRegion::look(Word& at, const Some& wanted) {
-    const std::uint64_t unknown = wanted.positions & ~at.known;
-    if (unknown == 0) return;
-    const FreeRowReader::Told told = rows_.tell(wanted.y, wanted.z, wanted.i, unknown);
-    at.known |= told.known;
-    at.free |= told.free;
+/// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
+void ReachableRegion::look(const Some& wanted) {
+    Tile& tile = this->tile(wanted.y, wanted.z, wanted.i);
+    if ((wanted.positions & ~tile[static_cast<std::size_t>(wanted.y % kRows)].known) == 0) return;
+    FreeTileReader::Rows unknown;
+    for (std::size_t row = 0; row < kRows; ++row) {
+        unknown[row] = wanted.positions & ~tile[row].known;
+    }
+    const FreeTileReader::Told told = tiles_.tell(wanted.i, wanted.y / kRows, wanted.z, unknown);
+    for (std::size_t row = 0; row < kRows; ++row) {
+        tile[row].known |= told.known[row];
+        tile[row].free |= told.free[row];
+    }
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
@@ -77,7 +86,7 @@ void ReachableRegion::touch(const Some& neighbours) {
         return;
     }
     const std::uint64_t wanted = positions & ~at.visited;
-    look(at, {y, z, i, wanted});
+    look({y, z, i, wanted});
     if (const std::uint64_t fresh = wanted & at.free) reach({y, z, i, fresh});
 }
 
@@ -85,7 +94,7 @@ void ReachableRegion::go_on(const Some& from) {
     for (int move = 0; move < 4 && !outside_; ++move) {
         Some to = from;
         (move < 2 ? to.y : to.z) += move % 2 == 0 ? 1 : -1;
-        if (to.y >= 0 && to.y < rows_.extent().y && to.z >= 0 && to.z < rows_.extent().z) touch(to);
+        if (to.y >= 0 && to.y < tiles_.extent().y && to.z >= 0 && to.z < tiles_.extent().z) touch(to);
     }
 }
 
@@ -94,27 +103,27 @@ void ReachableRegion::go_sideways(const Some& where) {
     const std::uint64_t from = std::exchange(word(y, z, i).sideways, 0);
     touch({y, z, i, from << 1});
     touch({y, z, i, from >> 1});
-    if (from >> 63 && i + 1 < row_words_) touch({y, z, i + 1, 1});
+    if (from >> 63 && i + 1 < words_) touch({y, z, i + 1, 1});
     if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63});
 }
 
 bool ReachableRegion::free(const VoxelIndex& position) {
-    const VoxelIndex at = position - rows_.origin();
-    if (!rows_.extent().contains(at)) return true;
+    const VoxelIndex at = position - tiles_.origin();
+    if (!tiles_.extent().contains(at)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (at.x % 64);
     Word& of = word(at.y, at.z, at.x / 64);
-    look(of, {at.y, at.z, at.x / 64, bit});
+    look({at.y, at.z, at.x / 64, bit});
     return of.free & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) {
-    const VoxelIndex at = position - rows_.origin();
-    return rows_.extent().contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
+    const VoxelIndex at = position - tiles_.origin();
+    return tiles_.extent().contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
 }
 
 bool ReachableRegion::contains(const VoxelIndex& start) {
-    const VoxelIndex from = start - rows_.origin();
-    if (!rows_.extent().contains(from)) return true;
+    const VoxelIndex from = start - tiles_.origin();
+    if (!tiles_.extent().contains(from)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (from.x % 64);
     Word& at = word(from.y, from.z, from.x / 64);
     if (at.visited & bit) return at.outside & bit;
@@ -146,7 +155,7 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
         const int x = 64 * visited.i;
         const VoxelIndex lo{x + std::countr_zero(visited.positions), visited.y, visited.z};
         const VoxelIndex hi{x + 64 - std::countl_zero(visited.positions), visited.y + 1, visited.z + 1};
-        visited_box_ = hull(visited_box_, {lo + rows_.origin(), hi + rows_.origin()});
+        visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});
     }
     walked_.clear();
     open_.clear();

@@ -2,6 +2,7 @@
 /// From which positions there is a way to outside (section 4.3): a walk over free positions, 64 side by side at a time.
 /// Each word goes to its neighbours along y and z at once; along x, where little is found that they do not find, last.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,7 +16,7 @@ namespace spectralpack {
 class ReachableRegion {
   public:
     /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
-    ReachableRegion(FreeRowReader& rows, const Extent& solid, const VoxelBox& rest, StopToken stop);
+    ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop);
 
     bool free(const VoxelIndex& position);
     /// On a walk so far.
@@ -36,26 +37,29 @@ class ReachableRegion {
         std::uint64_t outside = 0;   ///< of the visited: there is a way
         std::uint64_t sideways = 0;  ///< of the visited: to be gone on from along x
     };
-    /// Some of the positions of word i of row (y, z), from the rows' origin.
+    static constexpr int kRows = FreeTileReader::kRows;
+    using Tile = std::array<Word, kRows>;
+    /// Some of the positions of word i of row (y, z), from the tiles' origin.
     struct Some {
         int y = 0, z = 0, i = 0;
         std::uint64_t positions = 0;
     };
 
-    Word& word(int y, int z, int i);
+    Tile& tile(int y, int z, int i);
+    Word& word(int y, int z, int i) { return tile(y, z, i)[static_cast<std::size_t>(y % kRows)]; }
     int to_go(int y, int z) const;
     std::uint64_t outside_at(int y, int z, int i) const;
     void reach(const Some& fresh);
-    void look(Word& at, const Some& wanted);
+    void look(const Some& wanted);
     void touch(const Some& neighbours);
     void go_on(const Some& from);
     void go_sideways(const Some& where);
 
-    FreeRowReader& rows_;
+    FreeTileReader& tiles_;
     Extent solid_;
-    VoxelBox rest_;  // from the rows' origin
-    int row_words_;
-    std::vector<std::unique_ptr<Word[]>> known_;  // by z * ny + y; null: nothing known
+    VoxelBox rest_;        // from the tiles' origin
+    int words_, columns_;  // of a row; of tiles along y
+    std::vector<std::unique_ptr<Tile>> known_;  // by (z * columns_ + y / kRows) * words_ + i; null: nothing known
     StopToken stop_;
     VoxelBox visited_box_;
 

@@ -15,7 +15,7 @@ constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63;
 /// What is known of one orientation's positions.
 struct Known {
     std::mutex mutex;
-    std::unique_ptr<FreeRowReader> rows;
+    std::unique_ptr<FreeTileReader> tiles;
     std::unique_ptr<ReachableRegion> region;
 };
 
@@ -30,9 +30,9 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         const OrientedShape& oriented = shape.orientations[i];
         if (tray.candidates(oriented.size).empty()) continue;
         const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
-        known[i].rows = engine_.free_rows(fine, solid, {});
+        known[i].tiles = engine_.free_tiles(fine, solid, {});
         known[i].region =
-            std::make_unique<ReachableRegion>(*known[i].rows, solid->extent(), whole(fine.extent()), stop);
+            std::make_unique<ReachableRegion>(*known[i].tiles, solid->extent(), whole(fine.extent()), stop);
     }
     Shape asked = shape;
     asked.id |= kOwnIds;

@@ -30,9 +30,9 @@ class ReachableSearch final : public PlacementSearch {
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         return engine_.free_positions(tray, shape, index, query);
     }
-    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+    std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                              const FreeQuery& query) override {
-        return engine_.free_rows(tray, std::move(solid), query);
+        return engine_.free_tiles(tray, std::move(solid), query);
     }
     const char* name() const override { return engine_.name(); }
     std::int64_t memory() const override { return engine_.memory(); }

@@ -6,14 +6,19 @@
 namespace spectralpack {
 namespace {
 
-class WholeGrid final : public FreeRowReader {
+class WholeGrid final : public FreeTileReader {
   public:
     explicit WholeGrid(FreePositions positions) : positions_(std::move(positions)) {}
 
     const VoxelIndex& origin() const override { return positions_.origin; }
     const Extent& extent() const override { return positions_.free.extent(); }
-    void words(int y, int z, int first, int count, std::uint64_t* free) override {
-        std::copy_n(positions_.free.row(y, z) + first, count, free);
+    Told tell(int i, int j, int z, const Rows&) override {
+        Told told;
+        told.known.fill(~std::uint64_t{0});
+        for (int y = 0; y < std::min(kRows, extent().y - kRows * j); ++y) {
+            told.free[static_cast<std::size_t>(y)] = positions_.free.row(kRows * j + y, z)[i];
+        }
+        return told;
     }
 
   private:
@@ -22,7 +27,7 @@ class WholeGrid final : public FreeRowReader {
 
 }  // namespace
 
-std::unique_ptr<FreeRowReader> PlacementSearch::free_rows(const Tray& tray,
+std::unique_ptr<FreeTileReader> PlacementSearch::free_tiles(const Tray& tray,
                                                           std::shared_ptr<const BitGrid> solid,
                                                           const FreeQuery& query) {
     Shape shape;

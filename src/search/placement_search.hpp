@@ -55,25 +55,23 @@ struct FreeQuery {
     int padding = 1;
 };
 
-/// Free positions by words of bits along x, for who needs few of them: what free_positions() would give. For one thread.
-class FreeRowReader {
+/// Free positions by tiles of 64 along x (bits of a word) and 8 along y, for who needs few of them: what free_positions()
+/// would give. For one thread.
+class FreeTileReader {
   public:
-    virtual ~FreeRowReader() = default;
+    static constexpr int kRows = 8;
+    using Rows = std::array<std::uint64_t, kRows>;
+    /// Bits of positions; those beyond the extent count as not free.
+    struct Told {
+        Rows known{}, free{};
+    };
+
+    virtual ~FreeTileReader() = default;
     virtual const VoxelIndex& origin() const = 0;
     virtual const Extent& extent() const = 0;
-    /// Writes words first .. first + count - 1 of the row (y, z), 64 positions each; bits beyond the extent are 0.
-    virtual void words(int y, int z, int first, int count, std::uint64_t* free) = 0;
-    /// What it takes to tell which of the positions `wanted` of a word are free: tells of those and of whatever else is
-    /// found on the way.
-    struct Told {
-        std::uint64_t known = 0, free = 0;
-    };
-    virtual Told tell(int y, int z, int word, std::uint64_t wanted) {
-        static_cast<void>(wanted);
-        Told told{~std::uint64_t{0}, 0};
-        words(y, z, word, 1, &told.free);
-        return told;
-    }
+    /// What it takes to tell which of the positions `wanted` of a tile are free: tells of those and of whatever else is
+    /// found on the way. Bit x of row y is position origin + (64 i + x, 8 j + y, z).
+    virtual Told tell(int i, int j, int z, const Rows& wanted) = 0;
 };
 
 class PlacementSearch {
@@ -91,9 +89,9 @@ class PlacementSearch {
     virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                          const FreeQuery& query) = 0;
 
-    /// Likewise for any voxels, in rows. The reader may be used until the tray changes. Computed whole by
+    /// Likewise for any voxels, in tiles. The reader may be used until the tray changes. Computed whole by
     /// free_positions() unless an engine knows better.
-    virtual std::unique_ptr<FreeRowReader> free_rows(const Tray& tray,
+    virtual std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray,
                                                      std::shared_ptr<const BitGrid> solid,
                                                      const FreeQuery& query);
 

@@ -125,13 +125,13 @@ FreePositions VerifyingSearch::free_positions(const Tray& tray, const Shape& sha
     return answer;
 }
 
-std::unique_ptr<FreeRowReader> VerifyingSearch::free_rows(const Tray& tray,
+std::unique_ptr<FreeTileReader> VerifyingSearch::free_tiles(const Tray& tray,
                                                           std::shared_ptr<const BitGrid> solid,
                                                           const FreeQuery& query) {
     // All rows at once, by free_positions() above, where they are to be compared.
-    if (in_sample(free_queries_, 1)) return PlacementSearch::free_rows(tray, solid, query);
+    if (in_sample(free_queries_, 1)) return PlacementSearch::free_tiles(tray, solid, query);
     ++free_queries_;
-    return engine_->free_rows(tray, std::move(solid), query);
+    return engine_->free_tiles(tray, std::move(solid), query);
 }
 
 }  // namespace spectralpack

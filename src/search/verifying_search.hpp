@@ -29,7 +29,7 @@ class VerifyingSearch final : public PlacementSearch {
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                  const FreeQuery& query) override;
-    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+    std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                              const FreeQuery& query) override;
     const char* name() const override { return engine_->name(); }
     std::int64_t memory() const override { return engine_->memory() + oracle_->memory(); }

@@ -73,8 +73,8 @@ TEST(FloodFill, FindsShortestWaysThroughRandomVoxels) {
         shape.orientations.resize(1);
         shape.orientations.front().solid = solid;
         const auto engine = make_cpu_search({}, Workers(1));
-        const auto rows = engine->free_rows(tray, solid, {self, 1});
-        FloodFill flood(*rows, a, rest);
+        const auto tiles = engine->free_tiles(tray, solid, {self, 1});
+        FloodFill flood(*tiles, a, rest);
         const std::vector<VoxelIndex> way = flood.way_out(start);
         const FreePositions free = engine->free_positions(tray, shape, 0, {self, 1});
         const int expected = plain_steps(free, start, a, rest);
@@ -118,8 +118,8 @@ TEST(FloodFill, EndsEarlyWhenStopped) {
     const ObjectId self = tray.add({solid, {3, 3, 3}, 0, false});
     const auto engine = make_cpu_search({}, Workers(1));
     const auto way = [&](const StopToken& stop) {
-        const auto rows = engine->free_rows(tray, solid, {self, 1});
-        return FloodFill(*rows, {1, 1, 1}, whole({22, 22, 22}), stop).way_out({3, 3, 3});
+        const auto tiles = engine->free_tiles(tray, solid, {self, 1});
+        return FloodFill(*tiles, {1, 1, 1}, whole({22, 22, 22}), stop).way_out({3, 3, 3});
     };
     EXPECT_FALSE(way({}).empty());
     StopSource stop;

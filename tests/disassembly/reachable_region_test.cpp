@@ -46,8 +46,8 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
         const auto engine = make_cpu_search({}, Workers(1));
         const FreePositions free = engine->free_positions(tray, shape, 0, {});
         const BitGrid expected = test::plain_region(free);
-        const auto rows = engine->free_rows(tray, shape.orientations.front().solid, {});
-        ReachableRegion region(*rows, a, whole(n), {});
+        const auto tiles = engine->free_tiles(tray, shape.orientations.front().solid, {});
+        ReachableRegion region(*tiles, a, whole(n), {});
         const Extent& e = free.free.extent();
         for (int asked = 0; asked < 1500; ++asked) {
             const VoxelIndex at{static_cast<int>(random.below(static_cast<std::uint64_t>(e.x))),
@@ -75,10 +75,10 @@ TEST(ReachableRegion, EndsEarlyWhenStopped) {
     BitGrid dot({1, 1, 1});
     dot.fill(true);
     const auto engine = make_cpu_search({}, Workers(1));
-    const auto rows = engine->free_rows(tray, std::make_shared<const BitGrid>(dot), {});
+    const auto tiles = engine->free_tiles(tray, std::make_shared<const BitGrid>(dot), {});
     StopSource stop;
     stop.request(StopReason::cancelled);
-    ReachableRegion region(*rows, {1, 1, 1}, whole({30, 30, 30}), stop.token());
+    ReachableRegion region(*tiles, {1, 1, 1}, whole({30, 30, 30}), stop.token());
     EXPECT_FALSE(region.contains({15, 15, 15}));
 }
 

@@ -9,7 +9,7 @@
 #include "random_scene.hpp"
 #include "search/cpu/cover.hpp"
 #include "search/cpu/depths.hpp"
-#include "search/cpu/dilated_rows.hpp"
+#include "search/cpu/dilated_layers.hpp"
 #include "search/cpu/incumbent.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/runs.hpp"
@@ -389,7 +389,7 @@ TEST(ProximityLimit, IsTheGreatestProximityThatCouldWin) {
     EXPECT_EQ(proximity_limit({}, 3, 2, 10, std::nullopt, 0), kNoLimit);
 }
 
-TEST(DilatedRows, TakeNoMoreMemoryThanWasPlanned) {
+TEST(DilatedLayers, TakeNoMoreMemoryThanWasPlanned) {
     for (const Extent& extent : {Extent{1, 1, 1}, Extent{64, 5, 7}, Extent{130, 9, 4}}) {
         TraySetup setup;
         setup.size = {static_cast<double>(extent.x), static_cast<double>(extent.y), static_cast<double>(extent.z)};
@@ -398,13 +398,11 @@ TEST(DilatedRows, TakeNoMoreMemoryThanWasPlanned) {
         BitGrid plate({1, extent.y, extent.z});
         plate.fill(true);
         tray.add({std::make_shared<const BitGrid>(std::move(plate)), {}});
-        DilatedRows rows(tray);
+        DilatedLayers layers(tray);
         for (int z = 0; z < extent.z; ++z) {
-            for (int y = 0; y < extent.y; ++y) {
-                rows.row(tray, y, z);
-            }
+            layers.layer(tray, z);
         }
-        EXPECT_EQ(rows.bytes(), DilatedRows::most_bytes(extent));
+        EXPECT_EQ(layers.bytes(), DilatedLayers::most_bytes(extent));
     }
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "search/cpu/free_rows.hpp"
+#include "search/cpu/free_tiles.hpp"
 #include "search/cpu/orientation_search.hpp"
 
 namespace spectralpack {
@@ -100,46 +100,54 @@ class CpuSearch final : public PlacementSearch {
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                  const FreeQuery& query) override {
         const BitGrid& solid = *shape.orientations[static_cast<std::size_t>(index)].solid;
-        FreeRows rows(tray, dilated(tray), query, solid);
-        FreePositions result{rows.origin(), BitGrid(rows.extent())};
-        for (int z = 0; z < rows.extent().z; ++z) {
-            for (int y = 0; y < rows.extent().y; ++y) {
-                rows.words(y, z, 0, result.free.words_per_row(), result.free.row(y, z));
+        FreeTiles tiles(tray, dilated(tray), query, solid);
+        FreePositions result{tiles.origin(), BitGrid(tiles.extent())};
+        const Extent& e = tiles.extent();
+        FreeTiles::Rows all;
+        all.fill(~std::uint64_t{0});
+        for (int z = 0; z < e.z; ++z) {
+            for (int y = 0; y < e.y; y += FreeTiles::kRows) {
+                for (int i = 0; i < result.free.words_per_row(); ++i) {
+                    const FreeTiles::Told told = tiles.tell(i, y / FreeTiles::kRows, z, all);
+                    for (int row = y; row < std::min(e.y, y + FreeTiles::kRows); ++row) {
+                        result.free.row(row, z)[i] = told.free[static_cast<std::size_t>(row - y)];
+                    }
+                }
             }
         }
         return result;
     }
 
-    std::unique_ptr<FreeRowReader> free_rows(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+    std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                              const FreeQuery& query) override {
-        return std::make_unique<FreeRows>(tray, dilated(tray), query, *solid);
+        return std::make_unique<FreeTiles>(tray, dilated(tray), query, *solid);
     }
 
     const char* name() const override { return "cpu"; }
     std::int64_t memory() const override {
         std::int64_t bytes = tables_.bytes() + positions_.bytes();
-        for (const auto& rows : dilated_) {
-            bytes += rows->bytes();
+        for (const auto& layers : dilated_) {
+            bytes += layers->bytes();
         }
         return bytes;
     }
 
   private:
     /// Those of the trays last asked about: while copies are put back, there are two that grow side by side.
-    std::shared_ptr<DilatedRows> dilated(const Tray& tray) {
+    std::shared_ptr<DilatedLayers> dilated(const Tray& tray) {
         const auto known = std::find_if(dilated_.begin(), dilated_.end(),
-                                        [&](const auto& rows) { return rows->instance() == tray.instance(); });
-        std::shared_ptr<DilatedRows> rows;
+                                        [&](const auto& layers) { return layers->instance() == tray.instance(); });
+        std::shared_ptr<DilatedLayers> layers;
         if (known != dilated_.end()) {
-            rows = *known;
+            layers = *known;
             dilated_.erase(known);
-            rows->follow(tray);
+            layers->follow(tray);
         } else {
-            rows = std::make_shared<DilatedRows>(tray);
+            layers = std::make_shared<DilatedLayers>(tray);
         }
         if (dilated_.size() == kDilatedTrays) dilated_.pop_back();
-        dilated_.insert(dilated_.begin(), rows);
-        return rows;
+        dilated_.insert(dilated_.begin(), layers);
+        return layers;
     }
 
     BestPlacement with_neighbours(const Placed& best, const Runs& solid, int layers,
@@ -158,7 +166,7 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
-    std::vector<std::shared_ptr<DilatedRows>> dilated_;  // the last used first
+    std::vector<std::shared_ptr<DilatedLayers>> dilated_;  // the last used first
 };
 
 }  // namespace

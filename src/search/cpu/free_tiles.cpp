@@ -1,0 +1,173 @@
+#include "search/cpu/free_tiles.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "search/cpu/free_tiles.cpp"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace spectralpack {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Sets in `blocked` the positions of a tile, whose corner is position (64 word, y, z), that some look finds to collide.
+/// True when it ended early because all that is `wanted` collides.
+bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>& layers, int words, int word, int y, int z,
+               const std::uint64_t* wanted, std::uint64_t* blocked) {
+    constexpr int kRows = FreeTileReader::kRows;
+    constexpr std::size_t kLooksPerCheck = 4;
+    const hn::CappedTag<std::uint64_t, kRows> d;
+    constexpr std::size_t kStep = hn::MaxLanes(d);
+    constexpr std::size_t kVectors = kRows / kStep;
+    hn::Vec<decltype(d)> known[kVectors];
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        known[v] = hn::LoadU(d, blocked + v * kStep);
+    }
+    bool all = false;
+    for (std::size_t i = 0; i < looks.size() && !all; ++i) {
+        const TileLook& look = looks[i];
+        const int at_z = z + look.z, at_y = y + look.y, at_word = word + look.word;
+        if (at_z < 0 || at_z >= static_cast<int>(layers.size()) || at_word < -1 || at_word >= words) continue;
+        const TileLayer& layer = layers[static_cast<std::size_t>(at_z)];
+        const DilatedRows* rows = layer.all;
+        if (at_y < layer.end && at_y + kRows > layer.begin) rows = layer.without;
+        if (at_y >= rows->end || at_y + kRows <= rows->begin) continue;
+        const std::uint64_t* low = rows->first + (look.table + at_word) * rows->stride + at_y;
+        if (look.shift == 0) {
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                known[v] = hn::Or(known[v], hn::LoadU(d, low + v * kStep));
+            }
+        } else {
+            const std::uint64_t* high = low + rows->stride;
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                known[v] = hn::Or3(known[v], hn::ShiftRightSame(hn::LoadU(d, low + v * kStep), look.shift),
+                                   hn::ShiftLeftSame(hn::LoadU(d, high + v * kStep), 64 - look.shift));
+            }
+        }
+        if (i % kLooksPerCheck != 0) continue;
+        all = true;
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const auto open = hn::AndNot(known[v], hn::LoadU(d, wanted + v * kStep));
+            all = all && hn::AllTrue(d, hn::Eq(open, hn::Zero(d)));
+        }
+    }
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        hn::StoreU(known[v], d, blocked + v * kStep);
+    }
+    return all;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace spectralpack
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace spectralpack {
+namespace {
+
+HWY_EXPORT(BlockTile);
+
+/// A stride that visits 0 .. n - 1 in jumps of about the golden section, so that any first part is spread over all.
+std::size_t spreading_stride(std::size_t n) {
+    auto stride = static_cast<std::size_t>(0.618 * static_cast<double>(n)) | 1;
+    while (std::gcd(stride, n) != 1) {
+        ++stride;
+    }
+    return stride;
+}
+
+}  // namespace
+
+FreeTiles::FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, const FreeQuery& query,
+                     const BitGrid& solid)
+    : tray_(tray),
+      shared_(std::move(layers)),
+      depth_(solid.extent().z),
+      layers_(static_cast<std::size_t>(tray.extent().z)) {
+    static_assert(kRows == DilatedRows::kTogether);
+    for (int axis = 0; axis < 3; ++axis) {
+        origin_[axis] = -(solid.extent()[axis] - 1) - query.padding;
+        extent_[axis] = tray.extent()[axis] + solid.extent()[axis] - 1 + 2 * query.padding;
+    }
+    looks_ = looks_for(solid);
+    if (!query.without) return;
+    VoxelBox around = intersection(tray.object(*query.without).box(), whole(tray.extent()));
+    if (around.empty()) return;
+    around.lo.x = 0;
+    around.hi.x = tray.extent().x;
+    around.lo.y -= kRows - 1;
+    around.hi.y += kRows - 1;
+    around_ = intersection(around, whole(tray.extent()));
+    voxels_without_ = tray.omega_move(around_, query.without);
+    without_.resize(static_cast<std::size_t>(around_.hi.z - around_.lo.z));
+}
+
+std::vector<TileLook> FreeTiles::looks_for(const BitGrid& voxels) const {
+    constexpr int kLevels = DilatedRows::kLevels;
+    constexpr int kLongest = 2 << (kLevels - 1);
+    const int columns = shared_->columns();
+    std::vector<std::array<TileLook, 2>> looks;  // of a run, at its ends
+    for (const Run& run : runs_along(voxels, 0).runs) {
+        for (int done = 0; done < run.length; done += kLongest) {
+            const int length = std::min(kLongest, run.length - done);
+            const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), kLevels) - 1;
+            const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
+            const auto look = [&](int bit) {
+                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level * columns + 1, bit >> 6, bit & 63};
+            };
+            looks.push_back({look(begin), look(begin + length - (1 << level))});
+        }
+    }
+    const std::size_t stride = spreading_stride(looks.size());
+    std::vector<TileLook> spread;
+    spread.reserve(2 * looks.size());
+    for (std::size_t i = 0, at = 0; i < looks.size(); ++i, at = (at + stride) % looks.size()) {
+        const auto& [begin, end] = looks[at];
+        spread.push_back(begin);
+        if (end.word != begin.word || end.shift != begin.shift) spread.push_back(end);
+    }
+    return spread;
+}
+
+/// Those of layers begin .. end - 1 that lie in the tray.
+void FreeTiles::make_layers(int begin, int end) {
+    for (int z = std::max(0, begin); z < std::min(end, tray_.extent().z); ++z) {
+        TileLayer& layer = layers_[static_cast<std::size_t>(z)];
+        if (layer.all) continue;
+        layer.all = &shared_->layer(tray_, z);
+        if (z < around_.lo.z || z >= around_.hi.z) continue;
+        Without& without = without_[static_cast<std::size_t>(z - around_.lo.z)];
+        without.words = std::make_unique<DilatedRows::Word[]>(shared_->table_words(voxels_without_.extent().y));
+        without.rows = shared_->dilate(voxels_without_, z - around_.lo.z, around_.lo.y, without.words.get());
+        layer.without = &without.rows;
+        // Of around_ those rows that its object may have something in.
+        layer.begin = around_.lo.y == 0 ? 0 : around_.lo.y + kRows - 1;
+        layer.end = around_.hi.y == tray_.extent().y ? around_.hi.y : around_.hi.y - (kRows - 1);
+    }
+}
+
+FreeTileReader::Told FreeTiles::tell(int i, int j, int z, const Rows& wanted) {
+    const int y = kRows * j, rows = std::min(kRows, extent_.y - y), bits = std::min(64, extent_.x - 64 * i);
+    Told told;
+    Rows blocked;
+    blocked.fill(~std::uint64_t{0});
+    std::fill_n(blocked.begin(), rows, bits == 64 ? 0 : ~std::uint64_t{0} << bits);
+    make_layers(z + origin_.z, z + origin_.z + depth_);
+    const bool early = HWY_DYNAMIC_DISPATCH(BlockTile)(looks_, layers_, shared_->words(), i, y, z, wanted.data(), blocked.data());
+    if (early) {
+        told.known = blocked;
+        return told;
+    }
+    told.known.fill(~std::uint64_t{0});
+    std::transform(blocked.begin(), blocked.end(), told.free.begin(), [](std::uint64_t word) { return ~word; });
+    return told;
+}
+
+}  // namespace spectralpack
+#endif

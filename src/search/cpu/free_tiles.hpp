@@ -1,0 +1,69 @@
+#pragma once
+/// Free positions of a shape among the objects of Omega_move, tiles of bits at a time (for flood
+/// fill and re-insertion, paper sections 4.1 and 4.3).
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "search/cpu/dilated_layers.hpp"
+#include "search/cpu/runs.hpp"
+#include "search/placement_search.hpp"
+
+namespace spectralpack {
+
+/// 64 positions side by side, in the tables of a row: what a run of the shape meets, or a part of it.
+struct TileLook {
+    int y = 0, z = 0;  ///< of the row, from the position's
+    int table = 0;     ///< columns before the table's, and that of word 0
+    int word = 0;      ///< from the tile's
+    int shift = 0;     ///< of the first bit in it
+};
+
+/// A look at a layer: the tray's rows, but for those that an object which is out has something in.
+struct TileLayer {
+    const DilatedRows* all = nullptr;
+    const DilatedRows* without = nullptr;
+    /// For rows begin .. end - 1 `without` is to be asked; it knows those around as well.
+    int begin = std::numeric_limits<int>::max(), end = 0;
+};
+
+/// A run of 2^k voxels or more, up to twice as many, is two look-ups in the tray's layers dilated by 2^k, for eight rows of
+/// positions at once. They are made in an order that spreads over the solid and end as soon as all that is wanted is known
+/// to collide: in a full tray most tiles take a few of them. A walk that asks about one position of a tile soon asks about
+/// most of its rows.
+class FreeTiles final : public FreeTileReader {
+  public:
+    /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent; origin = -(a - 1) - padding per axis, extent
+    /// = n + a - 1 + 2 padding. `tray` stays as it is, and `layers` follow it. O(runs of `solid`) to build, and for
+    /// query.without O(its box).
+    FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, const FreeQuery& query, const BitGrid& solid);
+
+    const VoxelIndex& origin() const override { return origin_; }
+    const Extent& extent() const override { return extent_; }
+
+    /// O(runs) at most; less where all that is wanted collides.
+    Told tell(int i, int j, int z, const Rows& wanted) override;
+
+  private:
+    struct Without {
+        std::unique_ptr<DilatedRows::Word[]> words;  // null: not yet made
+        DilatedRows rows;
+    };
+
+    std::vector<TileLook> looks_for(const BitGrid& voxels) const;
+    void make_layers(int begin, int end);
+
+    const Tray& tray_;
+    std::shared_ptr<DilatedLayers> shared_;
+    VoxelIndex origin_;
+    Extent extent_;
+    int depth_;  // layers of the solid
+    std::vector<TileLook> looks_;
+    std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
+    VoxelBox around_;                // of the object that is out, and rows beside it that are read together; empty: none
+    BitGrid voxels_without_;         // Omega_move in that box
+    std::vector<Without> without_;   // by z from around_.lo.z on
+};
+
+}  // namespace spectralpack
