@@ -473,9 +473,9 @@ Command add_pack_command(CLI::App& app) {
                     "keep copies from locking: post (repair the packing), place (only where a way out is), off [post]")
         ->group(search);
     sub->add_option("--take-out", a.take_out,
-                    "of copies that hold each other, which go and are put back elsewhere: lightest (least material), "
-                    "thinnest (least for its box: cages and rings; quicker, more copies placed), smallest (the paper's: "
-                    "smallest boxes up to a tenth) [lightest]")
+                    "of copies that hold each other, which go first, to be put back if they may stay after all or elsewhere: "
+                    "thinnest (least material for its box: cages and rings), lightest (least material), smallest (the "
+                    "paper's: smallest boxes up to a tenth) [thinnest]")
         ->group(search);
     const std::string run = "Run";
     sub->add_option("--engine", a.engine, "auto, cpu, reference (the definition, slow) [auto]")->group(run);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "disassembly/flood_fill.hpp"
+#include "disassembly/moves.hpp"
 #include "disassembly/reachable_region.hpp"
 #include "geometry/slides_past.hpp"
 #include "voxel/voxelize.hpp"
@@ -17,50 +18,6 @@ constexpr double kOnGrid = kSurfaceShrink;
 // Section 4.2: the nearest free positions that a copy off the grid is moved to; how far away they are looked for.
 constexpr int kSnaps = 10;
 constexpr int kSnapReach = 2;  // voxels
-
-Box moved(const Box& box, const Vec3& by) { return {box.min + by, box.max + by}; }
-
-Box swept(Box box, AxisDirection direction, double way) {
-    (direction.sign > 0 ? box.max : box.min)[direction.axis] += direction.sign * way;
-    return box;
-}
-
-bool meet(const Box& a, const Box& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
-    }
-    return true;
-}
-
-Vec3 along(AxisDirection direction, double way) {
-    Vec3 move;
-    move[direction.axis] = direction.sign * way;
-    return move;
-}
-
-/// Of an axis-parallel move.
-AxisDirection direction_of(const Vec3& move) {
-    int axis = 0;
-    for (int i = 1; i < 3; ++i) {
-        if (std::abs(move[i]) > std::abs(move[axis])) axis = i;
-    }
-    return {axis, move[axis] < 0 ? -1 : 1};
-}
-
-/// Moves along one axis that follow each other become one; moves of no length go.
-Company::Path merged(const Company::Path& path) {
-    Company::Path result;
-    for (const Vec3& move : path) {
-        if (!(length(move) > 0)) continue;
-        if (!result.empty() && direction_of(result.back()).axis == direction_of(move).axis) {
-            result.back() = result.back() + move;
-            if (!(length(result.back()) > 0)) result.pop_back();
-        } else {
-            result.push_back(move);
-        }
-    }
-    return result;
-}
 
 Box hull_of(const std::vector<Box>& boxes) {
     Box hull;
@@ -201,9 +158,7 @@ Company::Straight Company::straight_way(const Members& members, const Vec3& from
     for (const std::size_t member : members) {
         own.add(moved(boxes_[member], from));
     }
-    const int axis = direction.axis;
-    const double until = direction.sign > 0 ? others.max[axis] - own.min[axis] : own.max[axis] - others.min[axis];
-    const double way = std::max(until, 0.0) + kClearance;
+    const double way = std::max(way_past(own, others, direction), 0.0) + kClearance;
     Straight straight;
     straight.met = meeting({members, from, direction, way}, hints, straight.passed);
     if (!straight.met) straight.path = {along(direction, way)};
@@ -317,6 +272,14 @@ Company::Flooded Company::way_out(std::size_t i) const {
     pocket.lo = pocket.lo - VoxelIndex{reach, reach, reach};
     pocket.hi = pocket.hi + VoxelIndex{e.x + reach, e.y + reach, e.z + reach};
     return {std::nullopt, pocket};
+}
+
+std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
+    for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+        Straight straight = straight_way({i}, BlockingGraph::direction(d));
+        if (!straight.met) return std::move(straight.path);
+    }
+    return way_out(i).path;
 }
 
 std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {

@@ -77,6 +77,8 @@ class Company {
     /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
     /// token has stopped it, there is none and the pocket says nothing. Not to be called from several threads at once.
     Flooded way_out(std::size_t i) const;
+    /// A straight one, or else any.
+    std::optional<Path> any_way_out(std::size_t i) const;
 
   private:
     /// `members`, moved by `from` before, move by `way` mm more.

@@ -11,7 +11,7 @@ namespace spectralpack {
 
 enum class Interlock { off, place, post };
 
-/// Which copies of a set that hold each other are taken out before trying again. smallest: the paper's rule, the smallest
+/// Which copies of a set that hold each other are taken out first, before it is seen who may stay after all. smallest: the paper's rule, the smallest
 /// boxes until they exceed a tenth of all; lightest: the one with the least material; thinnest: the one with the least
 /// material for its box (cages, rings and springs rather than what is in them).
 enum class TakeOut { smallest, lightest, thinnest };
@@ -40,7 +40,7 @@ struct PackOptions {
     double wall_gap = 0;            ///< least distance to the container, mm
     bool refine = true;             ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::post;     ///< section 4
-    TakeOut take_out = TakeOut::lightest;      ///< with Interlock::post
+    TakeOut take_out = TakeOut::thinnest;      ///< with Interlock::post
     std::optional<double> height_penalty;     ///< p of equation 5; none: appendix A.2
     std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
     bool open_height = false;       ///< least height; the tray's z is the reference height (0: its longer side)

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "disassembly/blocking_graph.hpp"
+#include "disassembly/growing_plan.hpp"
+#include "disassembly/remaining_steps.hpp"
 #include "packing/reachable_search.hpp"
 #include "refine/refiner.hpp"
 #include "voxel/voxelize.hpp"
@@ -20,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
 constexpr double kShareToRemove = 0.1;
+// A copy is let into a plan if no more than so many have to be planned for anew.
+constexpr std::size_t kMostAnew = 50;
 // Rays per voxel and axis: every copy of a voxel or more is seen.
 constexpr double kRaysPerVoxel = 1;
 
@@ -58,46 +62,6 @@ std::vector<int> select_remove(const std::vector<int>& set, const std::vector<St
         sum += candidate.box;
     }
     return removed;
-}
-
-/// The steps without the copies that are not there any more, `renumbered` to -1. Groups that are one copy then, or all
-/// that is left of their company, are groups no more: a copy's first step alone is its own. `fixed` more copies stand with
-/// all, and never leave.
-std::vector<RemovalStep> remaining_steps(const std::vector<RemovalStep>& steps, const std::vector<int>& renumbered,
-                                         std::size_t fixed) {
-    constexpr int kOut = -1;
-    std::vector<int> company(renumbered.size(), kOut);
-    std::vector<std::size_t> standing(1, fixed);  // by company
-    for (std::size_t i = 0; i < renumbered.size(); ++i) {
-        if (renumbered[i] < 0) continue;
-        company[i] = 0;
-        ++standing[0];
-    }
-    std::vector<RemovalStep> result;
-    for (const RemovalStep& step : steps) {
-        std::vector<std::size_t> members;
-        RemovalStep rest{{}, step.path};
-        for (const int i : step.placements) {
-            if (company[static_cast<std::size_t>(i)] == kOut) continue;
-            members.push_back(static_cast<std::size_t>(i));
-            rest.placements.push_back(renumbered[static_cast<std::size_t>(i)]);
-        }
-        if (members.empty()) continue;
-        const auto from = static_cast<std::size_t>(company[members.front()]);
-        if (members.size() > 1 && members.size() == standing[from]) continue;
-        int to = kOut;
-        if (members.size() > 1) {
-            to = static_cast<int>(standing.size());
-            standing.push_back(members.size());
-        }
-        standing[from] -= members.size();
-        for (const std::size_t i : members) {
-            company[i] = to;
-        }
-        if (standing[from] == 0) rest.path.clear();
-        result.push_back(std::move(rest));
-    }
-    return result;
 }
 
 class Untangling {
@@ -186,7 +150,7 @@ class Untangling {
         std::vector<StandingPart> parts = standing();
         const std::size_t movable = parts.size();
         add_what_stays(parts);
-        std::vector<bool> removed(parts.size(), false);
+        std::vector<std::size_t> discarded_after(parts.size(), GrowingPlan::kStayed);
         Disassembler disassembler(disassembly_, parts, setup_.left);
         for (;;) {
             disassembler.run();
@@ -196,17 +160,20 @@ class Untangling {
             for (const std::vector<int>& set : sets) {
                 for (const int i : select_remove(set, parts, setup_.take_out)) {
                     disassembler.discard(i);
-                    removed[static_cast<std::size_t>(i)] = true;
+                    discarded_after[static_cast<std::size_t>(i)] = disassembler.steps().size();
                 }
             }
         }
+        GrowingPlan plan(disassembly_, parts, disassembler.steps(), std::move(discarded_after));
+        let_back(plan, parts);
         result_.report.counts = disassembler.counts();
-        result_.report.counts.removed = static_cast<int>(std::count(removed.begin(), removed.end(), true));
+        result_.report.counts.fills += plan.fills();
         result_.plan.complete = disassembler.standing() == 0;
         std::vector<PlacedItem> kept, out;
         std::vector<int> renumbered(parts.size(), -1);
         for (std::size_t i = 0; i < movable; ++i) {
-            if (removed[i]) {
+            if (plan.out(static_cast<int>(i))) {
+                ++result_.report.counts.removed;
                 if (Caps* caps = setup_.limits.caps) {
                     caps->remove(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
                 }
@@ -217,9 +184,23 @@ class Untangling {
                 kept.push_back(placed_[i]);
             }
         }
-        result_.plan.steps = remaining_steps(disassembler.steps(), renumbered, parts.size() - movable);
+        result_.plan.steps = remaining_steps(plan.steps(), renumbered, parts.size() - movable);
         placed_ = std::move(kept);
         return out;
+    }
+
+    /// Lets stand what may after all of what was taken out, the heaviest first.
+    void let_back(GrowingPlan& plan, const std::vector<StandingPart>& parts) {
+        std::vector<int> out;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (plan.out(static_cast<int>(i))) out.push_back(static_cast<int>(i));
+        }
+        const auto weight = [&](int i) { return parts[static_cast<std::size_t>(i)].object.solid->count(); };
+        std::ranges::stable_sort(out, std::ranges::greater{}, weight);
+        for (const int i : out) {
+            if (stop_.stopped()) return;
+            plan.let_back(i, kMostAnew);
+        }
     }
 
     void put_back(const std::vector<PlacedItem>& removed) {
@@ -240,15 +221,15 @@ class Untangling {
         std::iota(names.begin(), names.end(), 0);
         add_what_stays(parts);
         names.resize(parts.size(), -1);
-        Company company(disassembly_, names, parts);
+        Room room{Company(disassembly_, names, parts), GrowingPlan(disassembly_, parts, result_.plan.steps,
+                                                                   std::vector<std::size_t>(parts.size(), GrowingPlan::kStayed)),
+                  ReachableSearch(search_, setup_.walls)};
         ShapeStore& shapes = *setup_.shapes;
         shapes.start_tray(items);
-        ReachableSearch reachable(search_, setup_.walls);
         std::unordered_set<int> hopeless;
-        std::vector<RemovalStep> steps;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                               put_in(items[i], shapes.at(i), reachable, company, steps);
+                               put_in(items[i], shapes.at(i), room);
             const bool was_taken_out = taken_out.contains(items[i]);
             if (!again) {
                 hopeless.insert(items[i].part);
@@ -259,45 +240,48 @@ class Untangling {
             shapes.release(i, again);
             setup_.to_put_back(static_cast<int>(items.size() - i - 1), static_cast<int>(items.size()));
         }
-        // The last one put in comes out first.
-        std::reverse(steps.begin(), steps.end());
-        result_.plan.steps.insert(result_.plan.steps.begin(), std::make_move_iterator(steps.begin()),
-                                  std::make_move_iterator(steps.end()));
+        result_.plan.steps = room.plan.steps();
+        result_.report.counts.fills += room.plan.fills();
     }
 
-    bool put_in(const PackItem& item, const Shape& shape, ReachableSearch& reachable, Company& company,
-                std::vector<RemovalStep>& steps) {
-        Caps* caps = setup_.limits.caps;
+    /// What stands while copies are put back, and how it comes apart.
+    struct Room {
+        Company company;
+        GrowingPlan plan;
+        ReachableSearch reachable;
+    };
+
+    /// At its best place if it comes out from there once its turn comes, or else at the best that is reachable now.
+    bool put_in(const PackItem& item, const Shape& shape, Room& room) {
+        const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
-        const SearchResult found =
-            find_place(tray_, reachable, setup_.model, item, shape, setup_.limits, stop_);
-        if (!found.best) return false;
-        Standing standing =
-            stand_on_grid(shape, *found.best, setup_.voxel_size, tray_.detail(), setup_.wall_gap);
-        const int orientation = shape.orientations[static_cast<std::size_t>(found.best->index)].orientation;
-        PlacedItem placed{item, orientation, found.best->position, standing.offset, 0, found.best->cost};
+        for (PlacementSearch* search : {&search_, static_cast<PlacementSearch*>(&room.reachable)}) {
+            const SearchResult found = find_place(tray_, *search, setup_.model, item, shape, setup_.limits, stop_);
+            if (!found.best) return false;
+            if (put_at(*found.best, item, shape, room)) return true;
+        }
+        return false;
+    }
+
+    bool put_at(const BestPlacement& place, const PackItem& item, const Shape& shape, Room& room) {
+        Standing standing = stand_on_grid(shape, place, setup_.voxel_size, tray_.detail(), setup_.wall_gap);
+        const int orientation = shape.orientations[static_cast<std::size_t>(place.index)].orientation;
+        PlacedItem placed{item, orientation, place.position, standing.offset, 0, place.cost};
         placed.object = tray_.add(std::move(standing.object));
         placed_.push_back(placed);
         const int name = static_cast<int>(placed_.size()) - 1;
-        const std::size_t i = company.add(name, as_standing(placed));
-        std::optional<Company::Path> path = way_out(company, i);
-        if (!path) {
-            company.remove(i);
+        StandingPart part = as_standing(placed);
+        const std::size_t i = room.company.add(name, part);
+        if (std::optional<Company::Path> path = room.company.any_way_out(i)) {
+            room.plan.put_first(name, std::move(part), std::move(*path));
+        } else if (!room.plan.let_in(name, std::move(part), kMostAnew)) {
+            room.company.remove(i);
             tray_.remove(placed.object);
             placed_.pop_back();
             return false;
         }
-        if (caps) caps->add(item.part, orientation, placed.offset);
-        steps.push_back({{name}, std::move(*path)});
+        if (Caps* caps = setup_.limits.caps) caps->add(item.part, orientation, placed.offset);
         return true;
-    }
-
-    static std::optional<Company::Path> way_out(const Company& company, std::size_t i) {
-        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
-            Company::Straight straight = company.straight_way({i}, BlockingGraph::direction(d));
-            if (!straight.met) return std::move(straight.path);
-        }
-        return company.way_out(i).path;
     }
 
     Tray& tray_;

@@ -25,7 +25,7 @@ struct InterlockSetup {
     const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
     ShapeStore* shapes = nullptr;    ///< free to start a tray
     GreedyLimits limits;
-    TakeOut take_out = TakeOut::lightest;
+    TakeOut take_out = TakeOut::thinnest;
     std::vector<PackItem> order;     ///< in which copies are put back
     std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;         ///< told while planning

@@ -35,7 +35,7 @@ struct FillSetup {
     std::optional<BeamSetup> beam;  ///< copies are not tried in one order; without refinement and caps only
     bool refine = false;  ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
-    TakeOut take_out = TakeOut::lightest;
+    TakeOut take_out = TakeOut::thinnest;
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 

@@ -1,0 +1,79 @@
+#pragma once
+/// A disassembly plan that more copies are let into: those that were discarded so that the rest came apart and that may
+/// stay after all, and new ones. What goes as before is not planned again.
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "disassembly/disassembler.hpp"
+
+namespace spectralpack {
+
+class GrowingPlan {
+  public:
+    /// After how many steps a part was discarded that was not.
+    static constexpr std::size_t kStayed = std::numeric_limits<std::size_t>::max();
+
+    /// The plan of `parts`, named by their index, and after how many of its steps each was discarded. `setup` is referred
+    /// to; it knows the names.
+    GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts, const std::vector<RemovalStep>& steps,
+                std::vector<std::size_t> discarded_after);
+
+    /// Lets a discarded part stand where it stood, if a plan for all is found. It leaves before the first step that it is in
+    /// the way of, or else, with those whose way it is in then and those whose way they are in, last: these are taken
+    /// apart anew, by themselves. The others go as before. Where they hold each other, lighter ones than the part may be
+    /// discarded instead. Nothing changes where they hold each other all the same, or are more than `most`.
+    bool let_back(int part, std::size_t most);
+
+    /// Likewise for a new part, of another name, for which nobody is discarded.
+    bool let_in(int name, StandingPart part, std::size_t most);
+    /// A new part that leaves before all others.
+    void put_first(int name, StandingPart part, std::vector<Vec3> path);
+
+    bool out(int part) const { return is_out(static_cast<std::size_t>(part)); }
+    /// The plan now, by names. Groups still name parts that are out.
+    std::vector<RemovalStep> steps() const;
+    int fills() const { return fills_; }
+
+  private:
+    using Members = std::vector<std::size_t>;
+    using Path = std::vector<Vec3>;
+    struct Step {
+        RemovalStep step;    ///< by index
+        std::size_t number;  ///< ascending; those of the first plan come first
+    };
+    /// Of one company, from when the part was discarded on.
+    struct Trial;
+    /// An index, and a step's number or how many there were.
+    using Since = std::pair<std::size_t, std::size_t>;
+    /// What `names` came to by themselves.
+    struct Apart {
+        std::vector<RemovalStep> steps;
+        std::vector<Since> discarded;
+    };
+
+    bool is_out(std::size_t part) const { return discarded_after_[part] != kStayed; }
+    bool let(std::size_t part, std::size_t most, bool instead);
+    double weight(std::size_t part) const;
+    Members movers(const RemovalStep& step) const;
+    std::optional<Path> past(const Members& movers, Path path, const Trial& trial) const;
+    bool free_of(const Members& movers, const Path& path, const Members& others) const;
+    std::optional<Path> way_out(std::size_t part, const Members& standing);
+    std::optional<Apart> take_apart(const Members& members, std::size_t part, bool instead);
+    std::optional<int> lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members, std::size_t part) const;
+    DisassemblySetup setup_of(const Members& members) const;
+    std::vector<StandingPart> parts_of(const Members& members) const;
+
+    const DisassemblySetup& setup_;
+    std::vector<StandingPart> parts_;
+    std::vector<int> names_;
+    std::vector<Step> steps_;
+    std::vector<std::size_t> discarded_after_;
+    std::size_t next_number_ = 0;
+    int fills_ = 0;
+};
+
+}  // namespace spectralpack
