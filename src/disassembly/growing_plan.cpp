@@ -55,16 +55,33 @@ Box at_end(Box box, const std::vector<Vec3>& path) {
 
 }  // namespace
 
-struct GrowingPlan::Trial {
-    Members waiting;         ///< go last
-    std::vector<bool> waits; ///< by part
-    StandingHull standing;   ///< those waiting included
-    StandingHull going;      ///< those not, but those that are out: they may come in again
+/// Lets one part in: goes through the steps of its company from when it was discarded on.
+class GrowingPlan::Letting {
+  public:
+    Letting(GrowingPlan& plan, std::size_t part);
+    /// Changes the plan if it is true.
+    bool run(std::size_t most, bool instead);
 
-    void wait(std::size_t part) {
-        waits[part] = true;
-        waiting.push_back(part);
-    }
+  private:
+    bool member(std::size_t i) const { return companies_.of(i) == company_; }
+    void keep(Step step);
+    std::optional<Path> past(const Members& movers, Path path) const;
+    bool leaves_before(const Step& planned);
+    void go_on(const Step& planned, const Members& movers, std::optional<Path> path);
+    bool take_apart_those_waiting(bool instead);
+
+    GrowingPlan& plan_;
+    const std::size_t part_;
+    std::size_t next_ = 0;       // of the plan's steps
+    std::vector<Step> steps_;    // the new plan, so far
+    Companies companies_;        // after those
+    int company_ = 0;            // the part's
+    Members waiting_;            // go last
+    std::vector<bool> waits_;    // by part
+    StandingHull standing_;      // those waiting included
+    StandingHull going_;         // those not, but those that are out: they may come in again
+    std::vector<Since> unknown_from_;  // of those that are out: steps from that number on know nothing of them any more
+    std::vector<Since> discarded_;     // instead of the part
 };
 
 GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts,
@@ -140,36 +157,6 @@ bool GrowingPlan::free_of(const Members& movers, const Path& path, const Members
     return true;
 }
 
-/// `path`, on which the movers leave those that go as planned, gone on with until they leave those that wait as well; none
-/// where those are in the way.
-std::optional<GrowingPlan::Path> GrowingPlan::past(const Members& movers, Path path, const Trial& trial) const {
-    if (path.empty()) return std::nullopt;  // nobody else was left
-    Box own;
-    for (const std::size_t member : movers) {
-        own.add(parts_[member].box());
-    }
-    own = at_end(own, path);
-    const Box standing = trial.standing.without(movers);
-    if (!outside(own, standing)) {
-        // Going on away from the box of those that go meets none of them.
-        const Box going = trial.going.without(movers);
-        std::optional<AxisDirection> on;
-        double least = Box::kInfinity;
-        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
-            const AxisDirection direction = BlockingGraph::direction(d);
-            const double way = way_past(own, standing, direction);
-            if ((!going.empty() && way_past(own, going, direction) > 0) || way >= least) continue;
-            on = direction;
-            least = way;
-        }
-        if (!on) return std::nullopt;
-        path.push_back(along(*on, least + kClearance));
-        path = merged(path);
-    }
-    if (!free_of(movers, path, trial.waiting)) return std::nullopt;
-    return path;
-}
-
 std::vector<StandingPart> GrowingPlan::parts_of(const Members& members) const {
     std::vector<StandingPart> parts;
     for (const std::size_t i : members) {
@@ -242,104 +229,148 @@ std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members
     return apart;
 }
 
-bool GrowingPlan::let(std::size_t part, std::size_t most, bool instead) {
-    const std::size_t after = discarded_after_[part];
-    Companies companies(parts_.size());
-    std::vector<Step> plan;
-    std::size_t k = 0;
-    for (; k < steps_.size() && steps_[k].number < after; ++k) {
-        companies.make(steps_[k].step);
-        plan.push_back(steps_[k]);
+bool GrowingPlan::let(std::size_t part, std::size_t most, bool instead) { return Letting(*this, part).run(most, instead); }
+
+GrowingPlan::Letting::Letting(GrowingPlan& plan, std::size_t part)
+    : plan_(plan),
+      part_(part),
+      companies_(plan.parts_.size()),
+      waiting_{part},
+      waits_(plan.parts_.size(), false),
+      standing_(boxes_of(plan.parts_)),
+      going_(standing_) {
+    for (; next_ < plan_.steps_.size() && plan_.steps_[next_].number < plan_.discarded_after_[part]; ++next_) {
+        keep(plan_.steps_[next_]);
     }
-    const int company = companies.of(part);
-    const std::vector<Box> boxes = boxes_of(parts_);
-    Trial trial{{}, std::vector<bool>(parts_.size(), false), StandingHull(boxes), StandingHull(boxes)};
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const bool member = companies.of(i) == company;
-        if (!member || i == part) trial.going.remove(i);
-        if (!member || (is_out(i) && i != part)) trial.standing.remove(i);
+    company_ = companies_.of(part);
+    waits_[part] = true;
+    for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
+        if (!member(i) || i == part) going_.remove(i);
+        if (!member(i) || (plan_.is_out(i) && i != part)) standing_.remove(i);
     }
-    const auto standing = [&] {
-        Members members;
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (companies.of(i) == company && (!is_out(i) || i == part)) members.push_back(i);
+}
+
+void GrowingPlan::Letting::keep(Step step) {
+    companies_.make(step.step);
+    steps_.push_back(std::move(step));
+}
+
+/// `path`, on which the movers leave those that go as planned, gone on with until they leave those that wait as well; none
+/// where those are in the way.
+std::optional<GrowingPlan::Path> GrowingPlan::Letting::past(const Members& movers, Path path) const {
+    if (path.empty()) return std::nullopt;  // nobody else was left
+    Box own;
+    for (const std::size_t member : movers) {
+        own.add(plan_.parts_[member].box());
+    }
+    own = at_end(own, path);
+    const Box standing = standing_.without(movers);
+    if (!outside(own, standing)) {
+        // Going on away from the box of those that go meets none of them.
+        const Box going = going_.without(movers);
+        std::optional<AxisDirection> on;
+        double least = Box::kInfinity;
+        for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+            const AxisDirection direction = BlockingGraph::direction(d);
+            const double way = way_past(own, standing, direction);
+            if ((!going.empty() && way_past(own, going, direction) > 0) || way >= least) continue;
+            on = direction;
+            least = way;
         }
-        return members;
-    };
-    trial.wait(part);
-    bool early = false;  // it left before the others' end
-    std::vector<Since> unknown_from;  // of those that are out: steps from that number on know nothing of them any more
-    for (; k < steps_.size(); ++k) {
-        const Step& planned = steps_[k];
-        if (early || companies.of(planned.step) != company) {
-            companies.make(planned.step);
-            plan.push_back(planned);
-            continue;
+        if (!on) return std::nullopt;
+        path.push_back(along(*on, least + kClearance));
+        path = merged(path);
+    }
+    if (!plan_.free_of(movers, path, waiting_)) return std::nullopt;
+    return path;
+}
+
+/// The part leaves before that step, if it has a way out then. All later steps hold.
+bool GrowingPlan::Letting::leaves_before(const Step& planned) {
+    Members standing;
+    for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
+        if (member(i) && (!plan_.is_out(i) || i == part_)) standing.push_back(i);
+    }
+    std::optional<Path> way = plan_.way_out(part_, standing);
+    if (!way) return false;
+    const Box end = at_end(plan_.parts_[part_].box(), *way);
+    for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
+        if (!plan_.is_out(i) || i == part_ || !member(i)) continue;
+        const bool clear = outside(end, plan_.parts_[i].box()) && plan_.free_of({part_}, *way, {i});
+        if (!clear) unknown_from_.emplace_back(i, planned.number);
+    }
+    steps_.push_back({{{static_cast<int>(part_)}, std::move(*way)}, planned.number});
+    return true;
+}
+
+/// Keeps a step that its movers can make with those waiting where they are; where they cannot they wait as well.
+void GrowingPlan::Letting::go_on(const Step& planned, const Members& movers, std::optional<Path> path) {
+    for (const int i : planned.step.placements) {
+        const auto out = static_cast<std::size_t>(i);
+        if (plan_.is_out(out) && (!path || !plan_.free_of({out}, *path, waiting_))) {
+            unknown_from_.emplace_back(out, planned.number);
         }
-        const Members moving = movers(planned.step);
-        const bool waits = std::any_of(moving.begin(), moving.end(), [&](std::size_t i) { return trial.waits[i]; });
-        std::optional<Path> path = planned.step.path;
-        if (!moving.empty()) path = waits ? std::nullopt : past(moving, *path, trial);
-        if (!path && trial.waiting.size() == 1) {
-            if (std::optional<Path> way = way_out(part, standing())) {
-                for (std::size_t i = 0; i < parts_.size(); ++i) {
-                    const bool clear = outside(at_end(boxes[part], *way), boxes[i]) && free_of({part}, *way, {i});
-                    if (is_out(i) && i != part && companies.of(i) == company && !clear) {
-                        unknown_from.emplace_back(i, planned.number);
-                    }
-                }
-                plan.push_back({{{static_cast<int>(part)}, std::move(*way)}, planned.number});
-                trial.waiting.clear();
-                early = true;
-                --k;
+    }
+    for (const std::size_t i : movers) {
+        if (waits_[i]) continue;
+        going_.remove(i);
+        if (path) {
+            standing_.remove(i);
+        } else {
+            waits_[i] = true;
+            waiting_.push_back(i);
+        }
+    }
+    if (path) keep({{planned.step.placements, std::move(*path)}, planned.number});
+}
+
+/// By themselves, after all others have left.
+bool GrowingPlan::Letting::take_apart_those_waiting(bool instead) {
+    Members members = waiting_;
+    std::sort(members.begin(), members.end());
+    for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
+        if (plan_.parts_[i].object.fixed && member(i)) members.push_back(i);
+    }
+    std::optional<Apart> apart = plan_.take_apart(members, part_, instead);
+    if (!apart) return false;
+    for (const auto& [member, steps] : apart->discarded) {
+        discarded_.emplace_back(member, plan_.next_number_ + steps);
+    }
+    for (RemovalStep& step : apart->steps) {
+        steps_.push_back({std::move(step), plan_.next_number_++});
+    }
+    return true;
+}
+
+bool GrowingPlan::Letting::run(std::size_t most, bool instead) {
+    bool left = false;
+    for (; next_ < plan_.steps_.size(); ++next_) {
+        const Step& planned = plan_.steps_[next_];
+        if (!left && companies_.of(planned.step) == company_) {
+            const Members movers = plan_.movers(planned.step);
+            std::optional<Path> path = planned.step.path;
+            if (std::ranges::any_of(movers, [&](std::size_t i) { return waits_[i]; })) {
+                path.reset();
+            } else if (!movers.empty()) {
+                path = past(movers, std::move(*path));
+            }
+            left = !path && waiting_.size() == 1 && leaves_before(planned);
+            if (!left) {
+                go_on(planned, movers, std::move(path));
+                if (waiting_.size() > most) return false;
                 continue;
             }
         }
-        for (const int i : planned.step.placements) {
-            const auto member = static_cast<std::size_t>(i);
-            if (is_out(member) && (!path || !free_of({member}, *path, trial.waiting))) {
-                unknown_from.emplace_back(member, planned.number);
-            }
-        }
-        for (const std::size_t i : moving) {
-            if (trial.waits[i]) continue;
-            trial.going.remove(i);
-            if (path) {
-                trial.standing.remove(i);
-            } else {
-                trial.wait(i);
-            }
-        }
-        if (trial.waiting.size() > most) return false;
-        if (!path) continue;
-        companies.make(planned.step);
-        plan.push_back({{planned.step.placements, std::move(*path)}, planned.number});
+        keep(planned);
     }
-
-    std::vector<Since> discarded;
-    if (!early) {
-        // Those that wait are taken apart by themselves.
-        Members members = trial.waiting;
-        std::sort(members.begin(), members.end());
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (parts_[i].object.fixed && companies.of(i) == company) members.push_back(i);
-        }
-        std::optional<Apart> apart = take_apart(members, part, instead);
-        if (!apart) return false;
-        for (const auto& [member, steps] : apart->discarded) {
-            discarded.emplace_back(member, next_number_ + steps);
-        }
-        for (RemovalStep& step : apart->steps) {
-            plan.push_back({std::move(step), next_number_++});
-        }
+    if (!left && !take_apart_those_waiting(instead)) return false;
+    plan_.steps_ = std::move(steps_);
+    plan_.discarded_after_[part_] = kStayed;
+    for (const auto& [out, number] : unknown_from_) {
+        plan_.discarded_after_[out] = std::min(plan_.discarded_after_[out], number);
     }
-    steps_ = std::move(plan);
-    discarded_after_[part] = kStayed;
-    for (const auto& [member, number] : unknown_from) {
-        discarded_after_[member] = std::min(discarded_after_[member], number);
-    }
-    for (const auto& [member, number] : discarded) {
-        discarded_after_[member] = number;
+    for (const auto& [out, number] : discarded_) {
+        plan_.discarded_after_[out] = number;
     }
     return true;
 }

@@ -45,11 +45,10 @@ class GrowingPlan {
         RemovalStep step;    ///< by index
         std::size_t number;  ///< ascending; those of the first plan come first
     };
-    /// Of one company, from when the part was discarded on.
-    struct Trial;
+    class Letting;
     /// An index, and a step's number or how many there were.
     using Since = std::pair<std::size_t, std::size_t>;
-    /// What `names` came to by themselves.
+    /// What members that stand by themselves come to.
     struct Apart {
         std::vector<RemovalStep> steps;
         std::vector<Since> discarded;
@@ -59,7 +58,6 @@ class GrowingPlan {
     bool let(std::size_t part, std::size_t most, bool instead);
     double weight(std::size_t part) const;
     Members movers(const RemovalStep& step) const;
-    std::optional<Path> past(const Members& movers, Path path, const Trial& trial) const;
     bool free_of(const Members& movers, const Path& path, const Members& others) const;
     std::optional<Path> way_out(std::size_t part, const Members& standing);
     std::optional<Apart> take_apart(const Members& members, std::size_t part, bool instead);
