@@ -85,11 +85,13 @@ class Untangling {
 
     Untangled run() {
         const auto start = Clock::now();
+        const double before = height();
         const std::vector<PlacedItem> removed = disassemble();
         result_.report.disassemble_seconds = seconds_since(start);
         const auto reinserting = Clock::now();
         if (!removed.empty()) {
             put_back(removed);
+            if (tray_.setup().ceiling == Ceiling::open && height() > before + setup_.voxel_size) pack_anew_if_lower();
             result_.report.least_gap = least_gap();
         }
         result_.report.reinsert_seconds = seconds_since(reinserting);
@@ -174,10 +176,7 @@ class Untangling {
         for (std::size_t i = 0; i < movable; ++i) {
             if (plan.out(static_cast<int>(i))) {
                 ++result_.report.counts.removed;
-                if (Caps* caps = setup_.limits.caps) {
-                    caps->remove(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
-                }
-                tray_.remove(placed_[i].object);
+                remove_from_tray(placed_[i]);
                 out.push_back(placed_[i]);
             } else {
                 renumbered[i] = static_cast<int>(kept.size());
@@ -203,6 +202,20 @@ class Untangling {
         }
     }
 
+    /// mm, of what was placed.
+    double height() {
+        double top = 0;
+        for (const StandingPart& part : standing()) {
+            top = std::max(top, part.box().max.z);
+        }
+        return top;
+    }
+
+    void remove_from_tray(const PlacedItem& item) {
+        if (Caps* caps = setup_.limits.caps) caps->remove(item.item.part, item.orientation, item.offset);
+        tray_.remove(item.object);
+    }
+
     void put_back(const std::vector<PlacedItem>& removed) {
         std::vector<PackItem> items;
         for (const PlacedItem& item : removed) {
@@ -210,6 +223,40 @@ class Untangling {
         }
         const std::set<PackItem> taken_out(items.begin(), items.end());
         items.insert(items.end(), setup_.waiting.begin(), setup_.waiting.end());
+        put_in(std::move(items), taken_out);
+    }
+
+    /// Under an open ceiling what was taken out always finds a place, if only on top of all. Where that made the packing
+    /// higher, all is packed once more, each copy where it comes out from among those before it; the lower one stays.
+    void pack_anew_if_lower() {
+        const double height_now = height();
+        Untangled repaired = std::exchange(result_, {});
+        const std::vector<PlacedItem> placed = std::exchange(placed_, {});
+        std::vector<TrayObject> objects;
+        for (const PlacedItem& item : placed) {
+            objects.push_back(tray_.object(item.object));
+            remove_from_tray(item);
+        }
+        result_.plan.complete = true;
+        put_in(setup_.order, {});
+        if (!stop_.stopped() && placed_.size() >= placed.size() && height() < height_now) {
+            result_.report.counts = {.fills = repaired.report.counts.fills + result_.report.counts.fills};
+            result_.report.disassemble_seconds = repaired.report.disassemble_seconds;
+            return;
+        }
+        for (const PlacedItem& item : placed_) {
+            remove_from_tray(item);
+        }
+        placed_ = placed;
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            if (Caps* caps = setup_.limits.caps) caps->add(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
+            placed_[i].object = tray_.add(std::move(objects[i]));
+        }
+        result_ = std::move(repaired);
+    }
+
+    /// In the order of the job.
+    void put_in(std::vector<PackItem> items, const std::set<PackItem>& taken_out) {
         std::map<PackItem, std::size_t> rank;
         for (const PackItem& item : setup_.order) {
             rank.emplace(item, rank.size());

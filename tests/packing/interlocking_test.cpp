@@ -165,6 +165,26 @@ TEST_F(Interlocking, PutsACopyWhereItsWayOpensLater) {
     EXPECT_LT(cube->position.z, 26);
 }
 
+TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
+    // Two linked frames, and a plate on the rest of the base: what is taken out finds a place only on top of them.
+    tray_ = Tray(TraySetup{{36, 34, 20}, 1, 1, {0}, Ceiling::open, 0, {}, false});
+    put(test::frame_mesh(26, 2, 2), 0, {0, 0, 7});
+    put(test::lying(test::frame_mesh(16, 5, 6), 0), 0, {10, 17, 0});
+    put(test::box_mesh({0, 0, 0}, {10, 34, 16}), 0, {26, 0, 0});
+    setup_.model = {1e8, HeightAt::top};
+    setup_.order = {{0, 0}, {2, 0}, {1, 0}};
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.counts.removed, 0);
+    ASSERT_EQ(placed_.size(), 3u);
+    expect_complete(result);
+    for (const PlacedItem& placed : placed_) {
+        ASSERT_TRUE(tray_.find(placed.object));
+        const TrayObject& object = tray_.object(placed.object);
+        EXPECT_LE(object.box().hi.z, 16);
+        EXPECT_EQ(object.position, placed.position);
+    }
+}
+
 TEST_F(Interlocking, LeavesWhatIsFreeAsItIs) {
     put(ring(), 0, {10, 10, 20});
     put(ring(), 1, {50, 19, 11});
