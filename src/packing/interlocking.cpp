@@ -92,6 +92,7 @@ class Untangling {
         if (!removed.empty()) {
             put_back(removed);
             if (tray_.setup().ceiling == Ceiling::open && height() > before + setup_.voxel_size) pack_anew_if_lower();
+            result_.report.changed = true;
             result_.report.least_gap = least_gap();
         }
         result_.report.reinsert_seconds = seconds_since(reinserting);

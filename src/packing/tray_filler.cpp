@@ -112,7 +112,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
     refinement.reset();
     if (setup_.interlock != Interlock::off) {
         make_removable(wanted, tray, std::move(fixed), surfaces, shapes, limits, stop, result);
-        if (result.report.counts.removed > 0) gap = result.report.least_gap.value_or(Box::kInfinity);
+        if (result.report.changed) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
     if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }

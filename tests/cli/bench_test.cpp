@@ -133,11 +133,12 @@ TEST_F(Bench, OnlyRowsThatAreAskedFor) {
 }
 
 TEST_F(Bench, LettersAndToriRun) {
-    for (const char* table : {"letters", "tori"}) {
-        const Ran ran = bench(table);
-        EXPECT_EQ(ran.status, 0) << ran.err;
-        EXPECT_GE(rows(table).size(), 2u);
-    }
+    const Ran letters = bench("letters");
+    EXPECT_EQ(letters.status, 0) << letters.err;
+    EXPECT_EQ(rows("letters").size(), 1u) << "one letter, no fixed set";
+    const Ran tori = bench("tori");
+    EXPECT_EQ(tori.status, 0) << tori.err;
+    EXPECT_GE(rows("tori").size(), 2u);
 }
 
 TEST_F(Bench, PolyhedraOfEightyAndSeventySevenAtTwoVoxelSizes) {
