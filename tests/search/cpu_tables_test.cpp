@@ -8,6 +8,7 @@
 
 #include "random_scene.hpp"
 #include "search/cpu/cover.hpp"
+#include "search/cpu/crowd_tables.hpp"
 #include "search/cpu/depths.hpp"
 #include "search/cpu/dilated_layers.hpp"
 #include "search/cpu/incumbent.hpp"
@@ -109,12 +110,64 @@ TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
     }
 }
 
+TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
+    RandomStream random(4);
+    const Workers one(1);
+    constexpr int b = CrowdTables::kBlock;
+    int crowded = 0, open = 0;
+    for (int i = 0; i < 24; ++i) {
+        const Extent n = random_extent(random, {1, 1, 1}, {300, 50, 20});
+        const int margin = between(random, 0, 3);
+        const BitGrid occupied = random_bits(random, n, between(random, 1, 40));
+        BitTables bits(n, margin, 1, 1, 0);
+        bits.refresh(0, {&occupied}, whole(n));
+        CrowdTables crowd(bits);
+        crowd.refresh(bits, 0, whole(n), one);
+        for (int question = 0; question < 1000; ++question) {
+            const Form form = random_form(random);
+            if (!crowd.holds(0, form)) continue;
+            // A piece at displacement d, of a block of positions that begins at 4 B.
+            VoxelIndex block, d;
+            for (int a = 0; a < 3; ++a) {
+                block[a] = between(random, 0, (n[a] - 1) / b);
+                d[a] = between(random, -margin, n[a] + margin - 1 - b * block[a]);
+            }
+            bool all = true, all_within_reach = true;
+            for_each_voxel({2 * b - 1, 2 * b - 1, 2 * b - 1}, [&](int x, int y, int z) {
+                VoxelIndex at;
+                const VoxelIndex step{x, y, z};
+                for (int a = 0; a < 3; ++a) {
+                    at[a] = (b * block[a] + d[a] + margin) / b * b - margin + step[a];
+                    if (at[a] >= n[a] + margin) return;
+                }
+                const BitTables::Place place = bits.place(0, form, at);
+                const bool meets = bits.tile(0, 0, 0)[place.offset] >> place.shift & 1;
+                all_within_reach = all_within_reach && meets;
+                const VoxelIndex within = at - d - VoxelIndex{b * block.x, b * block.y, b * block.z};
+                if (Extent{b, b, b}.contains(within)) all = all && meets;
+            });
+            const BitTables::Place place = crowd.place(bits.spot(0, form, d));
+            const std::uint64_t* tile = crowd.tile(block.x / CrowdTables::kTileX, block.y / CrowdTables::kTileY, block.z);
+            const std::uint64_t* word = tile + place.offset + block.y % CrowdTables::kTileY;
+            const int bit = block.x % CrowdTables::kTileX + place.shift;
+            const bool told = (bit < 64 ? *word >> bit : *(word + crowd.next()) >> (bit - 64)) & 1;
+            ASSERT_EQ(told, all_within_reach);
+            ASSERT_TRUE(all || !told);
+            ++(told ? crowded : open);
+        }
+    }
+    EXPECT_GT(crowded, 300);
+    EXPECT_GT(open, 300);
+}
+
 TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     RandomStream random(3);
     const Extent n{140, 17, 23};
+    const Workers one(1);
     for (int s = 1; s <= 3; ++s) {
         BitGrid occupied({s * n.x, s * n.y, s * n.z});
         BitTables tables(n, 2, s, 1, 0);
+        CrowdTables crowd(tables);
         for (int i = 0; i < 30; ++i) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
             const Extent& e = solid.extent();
@@ -132,9 +185,13 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
                 changed.hi[a] = ceil_div(at[a] + e[a], s);
             }
             tables.refresh(0, parts, changed);
+            crowd.refresh(tables, 0, changed, one);
             BitTables fresh(n, 2, s, 1, 0);
             fresh.refresh(0, parts, whole(n));
             EXPECT_TRUE(fresh == tables);
+            CrowdTables fresh_crowd(fresh);
+            fresh_crowd.refresh(fresh, 0, whole(n), one);
+            EXPECT_TRUE(fresh_crowd == crowd);
         }
     }
 }

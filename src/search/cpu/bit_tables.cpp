@@ -27,8 +27,8 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
       columns_((grid.x + 2 * margin + 63) / 64 + 1),
       column_(grid.y + 2 * margin),
       table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
-    const std::int64_t groups = checked_product({fine_layers, part_count(detail)}) + coarse_layers;
-    const std::int64_t words = checked_product({table_, groups, kTables}) + (kTileLayers - 1) * up() + column_ + 64;
+    groups_ = fine_layers * part_count(detail) + coarse_layers;
+    const std::int64_t words = checked_product({table_, groups_, kTables}) + (kTileLayers - 1) * up() + column_ + 64;
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
@@ -45,18 +45,33 @@ int BitTables::table_index(const Form& form) {
     }
 }
 
-BitTables::Place BitTables::place(int layer, const Form& form, const VoxelIndex& d) const {
-    const int s = detail(layer);
+BitTables::Spot BitTables::spot(int layer, const Form& form, const VoxelIndex& d) const {
+    const int s = detail_of(layer);
     VoxelIndex coarse;
     for (int i = 0; i < 3; ++i) {
         coarse[i] = floor_div(d[i], s);
     }
     const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
-    const int bit = coarse.x + margin_;
-    const std::int64_t offset =
-        table_offset(layer, part, form) +
-        (static_cast<std::int64_t>(coarse.z + margin_) * columns_ + bit / 64) * column_ + coarse.y + margin_;
-    return {static_cast<std::int32_t>(offset), bit % 64};
+    return {table_number(layer, part, form), coarse + VoxelIndex{margin_, margin_, margin_}};
+}
+
+BitTables::Place BitTables::place(const Spot& spot) const {
+    const std::int64_t offset = column(spot.table, spot.at.x / 64, spot.at.z) - words_.data() + spot.at.y;
+    return {static_cast<std::int32_t>(offset), spot.at.x % 64};
+}
+
+VoxelBox BitTables::in_tables(const VoxelBox& voxels) const {
+    const VoxelBox box = intersection(voxels, whole(grid_));
+    if (box.empty()) return {};
+    const VoxelIndex margin{margin_, margin_, margin_};
+    return {box.lo + margin, box.hi + margin};
+}
+
+VoxelBox BitTables::reach(int layer, const Form& form, VoxelBox changed) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        changed.lo[axis] = std::max(0, changed.lo[axis] - ceil_div(form.size(axis) - 1, detail_of(layer)));
+    }
+    return changed;
 }
 
 void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed) {
@@ -119,7 +134,7 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
     struct Step {
         int axis, by;
     };
-    const int s = detail(layer);
+    const int s = detail_of(layer);
     const int half = 1 << (form.level - 1);
     Form from = form;
     std::vector<Step> steps;
@@ -136,10 +151,7 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
             steps.push_back({last, by});
         }
     }
-    VoxelBox box = changed;
-    for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::max(0, box.lo[axis] - ceil_div(form.size(axis) - 1, s));
-    }
+    VoxelBox box = reach(layer, form, changed);
     // Words are written whole.
     box.lo.x = box.lo.x / 64 * 64;
     box.hi.x = std::min((box.hi.x + 63) / 64 * 64, grid_.x + 2 * margin_);
@@ -161,24 +173,15 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
 }
 
 void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed) {
-    VoxelBox box = intersection(changed, whole(grid_));
+    const VoxelBox box = in_tables(changed);
     if (box.empty()) return;
     const Tables plain = tables(layer, {});
-    for (int part = 0; part < part_count(detail(layer)); ++part) {
-        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
+    for (int part = 0; part < part_count(detail_of(layer)); ++part) {
+        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], intersection(changed, whole(grid_)));
     }
-    const VoxelIndex margin{margin_, margin_, margin_};
-    box = {box.lo + margin, box.hi + margin};
-    for (const int axes : {1, 2, 4}) {
-        for (int level = 1; level <= kLevels; ++level) {
-            refresh_form(layer, {axes, level}, box);
-        }
-    }
-    for (const int axes : {3, 5, 6, 7}) {
-        for (int level = kFirstPlate; level <= kLastPlate; ++level) {
-            refresh_form(layer, {axes, level}, box);
-        }
-    }
+    for_each_form([&](const Form& form) {
+        if (form.level > 0) refresh_form(layer, form, box);
+    });
 }
 
 }  // namespace spectralpack

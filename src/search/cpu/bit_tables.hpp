@@ -48,6 +48,8 @@ class BitTables {
     bool operator==(const BitTables& other) const { return words_ == other.words_; }
 
     int margin() const { return margin_; }
+    int detail() const { return detail_; }
+    int fine_layers() const { return fine_layers_; }
     int layers() const { return fine_layers_ + coarse_layers_; }
     std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
 
@@ -67,14 +69,41 @@ class BitTables {
         std::int32_t offset = 0;
         int shift = 0;
     };
+    /// A voxel of one of the tables, counted from the corner of its margin.
+    struct Spot {
+        int table = 0;
+        VoxelIndex at;
+    };
     /// Where a piece of that form (runs of up to 2^kLevels, plates and cubes of kFirstPlate .. kLastPlate) with its corner
     /// at displacement d lies from a tile; d in the layer's own voxels, not before the margin on any axis.
-    Place place(int layer, const Form& form, const VoxelIndex& d) const;
+    Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
+    Place place(const Spot& spot) const;
+    Spot spot(int layer, const Form& form, const VoxelIndex& d) const;
+
+    int tables() const { return groups_ * kTables; }
+    /// Of each table, margin included.
+    Extent voxels() const { return {grid_.x + 2 * margin_, grid_.y + 2 * margin_, grid_.z + 2 * margin_}; }
+    /// Word w of the rows of a layer of voxels, which lie one after the other.
+    const std::uint64_t* column(int table, int w, int z) const {
+        return words_.data() + table * table_ + (static_cast<std::int64_t>(z) * columns_ + w) * column_;
+    }
+    /// visit(table, form, box) for each table of a layer and the box, counted from the margin's corner, in which it may differ
+    /// once the occupancy changed within the voxels of dx `changed`.
+    template <class Visit>
+    void for_each_table(int layer, const VoxelBox& changed, const Visit& visit) const {
+        const VoxelBox box = in_tables(changed);
+        if (box.empty()) return;
+        for_each_form([&](const Form& form) {
+            for (int part = 0; part < part_count(detail_of(layer)); ++part) {
+                visit(table_number(layer, part, form), form, reach(layer, form, box));
+            }
+        });
+    }
 
   private:
     using Word = std::uint64_t;
 
-    int detail(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
+    int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
     /// One table for each part of a layer, or of what is on the way to one.
     struct Tables {
         Word* first;
@@ -83,14 +112,33 @@ class BitTables {
     };
 
     static int table_index(const Form& form);
-    std::int64_t table_offset(int layer, int part, const Form& form) const {
+    int table_number(int layer, int part, const Form& form) const {
         const int group = layer < fine_layers_ ? layer * part_count(detail_) + part
                                                : fine_layers_ * (part_count(detail_) - 1) + layer;
-        return (static_cast<std::int64_t>(group) * kTables + table_index(form)) * table_;
+        return group * kTables + table_index(form);
     }
     Tables tables(int layer, const Form& form) {
-        return {words_.data() + table_offset(layer, 0, form), kTables * table_};
+        return {words_.data() + table_number(layer, 0, form) * table_, kTables * table_};
     }
+    /// Every form that has a table, after those that its table is made from.
+    template <class Visit>
+    static void for_each_form(const Visit& visit) {
+        visit(Form{1, 0});
+        for (const int axes : {1, 2, 4}) {
+            for (int level = 1; level <= kLevels; ++level) {
+                visit(Form{axes, level});
+            }
+        }
+        for (const int axes : {3, 5, 6, 7}) {
+            for (int level = kFirstPlate; level <= kLastPlate; ++level) {
+                visit(Form{axes, level});
+            }
+        }
+    }
+    /// Voxels of the grid, from the margin's corner; no box where there are none.
+    VoxelBox in_tables(const VoxelBox& voxels) const;
+    /// Where a form's table may differ when the plain one does in `changed`.
+    VoxelBox reach(int layer, const Form& form, VoxelBox changed) const;
     void refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed);
     void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo, const VoxelIndex& hi);
     void dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box);
@@ -98,6 +146,7 @@ class BitTables {
 
     Extent grid_;
     int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
+    int groups_ = 0;           // of kTables each: one for each part of a layer
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;

@@ -53,6 +53,12 @@ void MinRowsAbove(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_REST
     }
 }
 
+void AndRows(std::uint64_t* HWY_RESTRICT out, const std::uint64_t* HWY_RESTRICT from, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] &= from[i];
+    }
+}
+
 std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
     std::uint16_t most = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -73,6 +79,7 @@ HWY_EXPORT(LowerBytes);
 HWY_EXPORT(AddRows);
 HWY_EXPORT(MinRows);
 HWY_EXPORT(MinRowsAbove);
+HWY_EXPORT(AndRows);
 HWY_EXPORT(MaxOfRow);
 
 bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
@@ -95,6 +102,10 @@ void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b
 
 void min_rows_above(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(MinRowsAbove)(out, from, floor, count);
+}
+
+void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(AndRows)(out, from, count);
 }
 
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count) {

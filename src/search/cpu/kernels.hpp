@@ -26,6 +26,9 @@ void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b
 /// out[i] = min(out[i], from[i] - floor), the difference modulo 2^16.
 void min_rows_above(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::size_t count);
 
+/// out[i] &= from[i].
+void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);
+
 /// Greatest of row[0..count), 0 for none.
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count);
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "search/cpu/block_bits.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "search/cpu/orientation_search.cpp"
 #include <hwy/foreach_target.h>
@@ -18,6 +20,9 @@ constexpr int kBlock = TrayTables::kBlock;
 // Bricks are looked at in pairs, whose blocks fill the lanes of one sum.
 static_assert(kPair * kBlocksX == kLanes);
 static_assert(kBrickZ <= BitTables::kTileLayers);
+// A tile of the crowd tables is that many bricks.
+constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
+static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
 // A coarse sum that has come to less than this part of its share of the limit is not going to rule
 // anything out.
 constexpr int kMostSkipped = 24;
@@ -26,23 +31,6 @@ constexpr float kPatience = 0.6f;
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(limit, 0, kSumLimit));
-}
-
-/// Each of 16 bits four times: blocks as positions along x.
-std::uint64_t Widened(std::uint32_t blocks) {
-    std::uint64_t bits = blocks & 0xFFFFu;
-    bits = (bits | bits << 24) & 0x000000FF000000FFu;
-    bits = (bits | bits << 12) & 0x000F000F000F000Fu;
-    bits = (bits | bits << 6) & 0x0303030303030303u;
-    bits = (bits | bits << 3) & 0x1111111111111111u;
-    return bits * 15;
-}
-
-/// The lowest bit of each nibble: something in the nibble is set.
-std::uint64_t AnyOfNibble(std::uint64_t bits) {
-    bits |= bits >> 1;
-    bits |= bits >> 2;
-    return bits & 0x1111111111111111u;
 }
 
 /// One thread's work on some brick layers of one orientation.
@@ -56,6 +44,7 @@ class Pass {
             LookAtLimits(bz);
             if (most_ < 0) continue;
             for (int by = 0; by < state_.bricks().y; ++by) {
+                if (by % kCrowdBricksY == 0) LookAtCrowd(by / kCrowdBricksY, bz);
                 for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
                     LookAtLimits(bz);
                     SiftPair(bx, by, bz);
@@ -104,6 +93,42 @@ class Pass {
         }
     }
 
+    /// Which blocks of the crowd tables' tiles in row j have room for anything at all, as far as pairs there are fresh.
+    void LookAtCrowd(int j, int bz) {
+        const VoxelIndex bricks = {state_.bricks().x, std::min(state_.bricks().y - kCrowdBricksY * j, kCrowdBricksY), 0};
+        const int tiles = (bricks.x + kCrowdBricksX - 1) / kCrowdBricksX;
+        room_.assign(static_cast<std::size_t>(tiles * kTileRows), ~std::uint64_t{0});
+        const CrowdTables& crowd = context_.tables.crowd();
+        const LookupPlan& plan = t_.collision.of_blocks;
+        for (int i = 0; i < tiles; ++i) {
+            bool fresh = false;
+            for (int by = kCrowdBricksY * j; by < kCrowdBricksY * j + bricks.y; ++by) {
+                for (int bx = kCrowdBricksX * i; bx < std::min(kCrowdBricksX * (i + 1), bricks.x); bx += kPair) {
+                    fresh = fresh || !state_.is_open(bx, by, bz);
+                }
+            }
+            if (!fresh) continue;
+            std::uint64_t* room = room_.data() + i * kTileRows;
+            for (const LookupPlan::Batch& batch : plan.batches) {
+                BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan.offsets.data(),
+                              plan.groups.data() + batch.begin, static_cast<std::size_t>(batch.end - batch.begin), room);
+                std::uint64_t any = 0, all = ~std::uint64_t{0};
+                for (int k = 0; k < kTileRows; ++k) {
+                    any |= room[k];
+                    all &= room[k];
+                }
+                if (any == 0 || all == ~std::uint64_t{0}) break;
+            }
+        }
+    }
+
+    /// Of a fresh pair, what LookAtCrowd() left of a row of blocks.
+    std::uint32_t Room(int bx, int by, int row) const {
+        const std::size_t tile = static_cast<std::size_t>(bx / kCrowdBricksX * kTileRows);
+        const std::size_t word = static_cast<std::size_t>(by % kCrowdBricksY * kBlocksY + row);
+        return static_cast<std::uint32_t>(room_[tile + word] >> (bx % kCrowdBricksX * kBlocksX));
+    }
+
     /// Which blocks of a pair's row are near enough to something that rho could stay within the limit. In a crowd all
     /// are: where asking was in vain, it is not asked of as many rows again.
     std::uint32_t Near(int bx, int block_y, int bz) {
@@ -124,16 +149,17 @@ class Pass {
         const std::uint32_t limit = LaneLimit(most_);
         const bool fresh = !state_.is_open(bx, by, bz);
         std::uint32_t* bound[kBlocksY];
-        std::uint32_t near[kBlocksY];
+        std::uint32_t near[kBlocksY], room[kBlocksY];
         std::uint32_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
             bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
-            near[j] = fresh ? 0xFFFFFFFFu : AtMost(bound[j], limit) | AtMost(bound[j] + kBlocksX, limit) << kBlocksX;
+            room[j] = fresh ? Room(bx, by, j) : 0;
+            near[j] = fresh ? room[j] : AtMost(bound[j], limit) | AtMost(bound[j] + kBlocksX, limit) << kBlocksX;
             if (near[j] != 0) near[j] &= Near(bx, by * kBlocksY + j, bz);
             any |= near[j];
         }
         if (any == 0) return;
-        if (fresh) state_.open(bx, by, bz);
+        if (fresh) state_.open(bx, by, bz, room);
         const int bricks = std::min(kPair, state_.bricks().x - bx);
         bool sifted[kPair] = {};
         for (int i = 0; i < bricks; ++i) {
@@ -164,18 +190,19 @@ class Pass {
         if (state_.sifted(bx, by, bz)) return false;
         state_.set_sifted(bx, by, bz);
         std::uint64_t* live = state_.live(bx, by, bz);
-        SiftLayers(bx, by, bz, live);
+        const bool any = std::any_of(live, live + kBrickY * kBrickZ, [](std::uint64_t word) { return word != 0; });
+        if (any) SiftLayers(bx, by, bz, live);
         for (int j = 0; j < kBlocksY; ++j) {
-            std::uint64_t any = 0;
+            std::uint64_t left = 0;
             for (int z = 0; z < kBrickZ; ++z) {
                 for (int y = 0; y < kBlock; ++y) {
-                    any |= live[kBrickY * z + kBlock * j + y];
+                    left |= live[kBrickY * z + kBlock * j + y];
                 }
             }
-            any = AnyOfNibble(any);
+            left = any_of_block(left);
             std::uint32_t* bound = state_.bound(bx, by * kBlocksY + j, bz);
             for (int i = 0; i < kBlocksX; ++i) {
-                bound[i] = any >> (kBlock * i) & 1 ? bound[i] : kDead;
+                bound[i] = left >> (kBlock * i) & 1 ? bound[i] : kDead;
             }
         }
         return true;
@@ -184,9 +211,9 @@ class Pass {
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
     void SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
         const BitTables& bits = context_.tables.bits();
-        const CollisionPlan& plan = t_.collision;
+        const LookupPlan& plan = t_.collision.of_positions;
         if (plan.batches.empty()) return;
-        const CollisionPlan::Batch& first = plan.batches.front();
+        const LookupPlan::Batch& first = plan.batches.front();
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
                             plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
         for (int i = 0; i < kBrickZ; ++i) {
@@ -198,7 +225,7 @@ class Pass {
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z,
                std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
-        const CollisionPlan& plan = t_.collision;
+        const LookupPlan& plan = t_.collision.of_positions;
         const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
         for (std::size_t b = begin; b < std::min(end, plan.batches.size()); ++b) {
             std::uint64_t any = 0;
@@ -206,7 +233,7 @@ class Pass {
                 any |= words[y];
             }
             if (any == 0) return;
-            const CollisionPlan::Batch& batch = plan.batches[b];
+            const LookupPlan::Batch& batch = plan.batches[b];
             BlockTiles<1>(tile, bits.next(), bits.up(), plan.offsets.data(), plan.groups.data() + batch.begin,
                           static_cast<std::size_t>(batch.end - batch.begin), words);
         }
@@ -260,14 +287,14 @@ class Pass {
         alignas(64) std::uint64_t chosen[kBlocksY];
         std::uint64_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
-            chosen[j] = limit >= 0 ? Widened(AtMost(before[j], LaneLimit(limit)) & near[j]) : 0;
+            chosen[j] = limit >= 0 ? widened(AtMost(before[j], LaneLimit(limit)) & near[j]) : 0;
             std::uint64_t left = 0;
             for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
                 free[y] = live[y] & chosen[j];
                 any |= free[y];
                 left |= live[y] & ~chosen[j];
             }
-            for (left = AnyOfNibble(left); left != 0; left &= left - 1) {
+            for (left = any_of_block(left); left != 0; left &= left - 1) {
                 const int i = std::countr_zero(left) / kBlock;
                 after[j][i] = std::min(after[j][i], before[j][i]);
             }
@@ -297,7 +324,7 @@ class Pass {
     /// Look-ups from batch `begin` on, as long as they are few beside the loads of weighing what they leave: of that
     /// most is free and too far off, and rho decides sooner. Returns the first batch that was not made.
     std::size_t SiftFurther(std::size_t begin, int bx, int by, int z, std::uint64_t* free) const {
-        const std::vector<CollisionPlan::Batch>& batches = t_.collision.batches;
+        const std::vector<LookupPlan::Batch>& batches = t_.collision.of_positions.batches;
         std::int64_t made = 0;
         for (std::size_t b = begin; b < batches.size(); ++b) {
             const std::int64_t sums = HalfRows(free);
@@ -325,7 +352,7 @@ class Pass {
                 const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
         std::copy_n(close, kBrickY, left);
-        Block(begin, t_.collision.batches.size(), bx, by, z, left);
+        Block(begin, t_.collision.of_positions.batches.size(), bx, by, z, left);
         found_.clear();
         for (int y = 0; y < kBrickY; ++y) {
             free[y] &= left[y] | ~close[y];
@@ -381,6 +408,7 @@ class Pass {
     PositionState& state_;
     std::vector<Survivor> survivors_;
     std::vector<Found> found_;
+    std::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row
     int limits_layer_ = -1;
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};

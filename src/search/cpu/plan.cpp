@@ -15,10 +15,12 @@ constexpr std::int64_t kSumRange = 65535;   // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
+constexpr std::size_t kMostOfBlocks = 64;   // look-ups for whole blocks
 
 struct Lookup {
-    BitTables::Place place;
+    BitTables::Spot spot;
     int rank = 0;
+    bool of_blocks = false;  // the crowd tables have it
 };
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
@@ -66,11 +68,14 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
     return result;
 }
 
-/// Appends a batch of look-ups, grouped by shift.
-void append_batch(std::span<const Lookup> pieces, CollisionPlan& plan) {
+/// Appends a batch of look-ups into tables that know where a spot is, grouped by shift.
+template <class Tables>
+void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
+    std::vector<BitTables::Place> places;
     std::array<std::int32_t, 65> begin{};
     for (const Lookup& piece : pieces) {
-        ++begin[static_cast<std::size_t>(piece.place.shift) + 1];
+        places.push_back(tables.place(piece.spot));
+        ++begin[static_cast<std::size_t>(places.back().shift) + 1];
     }
     const auto first_group = static_cast<std::int32_t>(plan.groups.size());
     begin[0] = static_cast<std::int32_t>(plan.offsets.size());
@@ -81,9 +86,8 @@ void append_batch(std::span<const Lookup> pieces, CollisionPlan& plan) {
         }
     }
     plan.offsets.resize(plan.offsets.size() + pieces.size());
-    for (const Lookup& piece : pieces) {
-        plan.offsets[static_cast<std::size_t>(
-            begin[static_cast<std::size_t>(piece.place.shift)]++)] = piece.place.offset;
+    for (const BitTables::Place& place : places) {
+        plan.offsets[static_cast<std::size_t>(begin[static_cast<std::size_t>(place.shift)]++)] = place.offset;
     }
     plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size()),
                             static_cast<std::int32_t>(pieces.size())});
@@ -258,7 +262,8 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     std::vector<Lookup> lookups;
     const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer) {
         for (const Piece& piece : pieces) {
-            lookups.push_back({tables.bits().place(layer, piece.form, piece.corner + offset), rank_of(piece.form)});
+            lookups.push_back({tables.bits().spot(layer, piece.form, piece.corner + offset), rank_of(piece.form),
+                               tables.crowd().holds(layer, piece.form)});
         }
     };
     for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
@@ -271,13 +276,23 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer());
     const std::vector<Lookup> ordered =
         by_level(lookups, kRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; });
+    const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
     std::size_t size = kFirstBatch;
-    for (std::size_t begin = 0; begin < ordered.size();) {
-        const std::size_t end = std::min(ordered.size(), begin + size);
-        append_batch({ordered.data() + begin, end - begin}, plan);
-        begin = end;
-        if (plan.batches.size() >= kSiftBatches) size = std::min(2 * size, kLastBatch);
+    for (std::size_t begin = 0; begin < all.size();) {
+        const std::size_t count = std::min(all.size() - begin, size);
+        append_batch(all.subspan(begin, count), tables.bits(), plan.of_positions);
+        begin += count;
+        if (plan.of_positions.batches.size() >= kSiftBatches) size = std::min(2 * size, kLastBatch);
+    }
+    std::vector<Lookup> of_blocks;
+    for (const Lookup& lookup : all) {
+        if (of_blocks.size() == kMostOfBlocks) break;
+        if (lookup.of_blocks) of_blocks.push_back(lookup);
+    }
+    const std::span<const Lookup> some = of_blocks;
+    for (std::size_t begin = 0; begin < some.size(); begin += kFirstBatch) {
+        append_batch(some.subspan(begin, std::min(some.size() - begin, kFirstBatch)), tables.crowd(), plan.of_blocks);
     }
     return plan;
 }

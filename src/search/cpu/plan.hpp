@@ -73,7 +73,7 @@ struct SumLoad {
 inline constexpr std::size_t kSiftBatches = 4;
 
 /// Look-ups in batches: a position survives a batch or not, and most die in the first few.
-struct CollisionPlan {
+struct LookupPlan {
     std::vector<std::int32_t> offsets;
     std::vector<LookupGroup> groups;
     struct Batch {
@@ -81,6 +81,11 @@ struct CollisionPlan {
         std::int32_t lookups = 0;
     };
     std::vector<Batch> batches;
+};
+
+struct CollisionPlan {
+    LookupPlan of_positions;  ///< into the bit tables: all that there are
+    LookupPlan of_blocks;     ///< into the crowd tables: the first of them
 };
 
 /// Covers every widened voxel against its class's objects and every solid voxel against the walls,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/cpu/block_bits.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -36,7 +38,7 @@ void PositionState::reset(const Extent& count, const Extent& most) {
     }
 }
 
-void PositionState::open(int bx, int by, int bz) {
+void PositionState::open(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY]) {
     open_[pair(bx, by, bz)] = 1;
     const int blocks = (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock - kBlocksX * bx;
     for (int j = 0; j < kBlocksY; ++j) {
@@ -47,12 +49,17 @@ void PositionState::open(int bx, int by, int bz) {
     for (int x = bx; x < std::min(bx + kPair, bricks_.x); ++x) {
         sifted_[brick(x, by, bz)] = 0;
         const int columns = std::min(kBrickX, count_.x - kBrickX * x);
-        const std::uint64_t row = ~std::uint64_t{0} >> (kBrickX - columns);
+        std::uint64_t row[kBlocksY];
+        for (int j = 0; j < kBlocksY; ++j) {
+            row[j] = ~std::uint64_t{0} >> (kBrickX - columns) & widened(alive[j] >> (kBlocksX * (x - bx)));
+        }
         const int rows = count_.y - kBrickY * by;
         const int layers = count_.z - kBrickZ * bz;
         std::uint64_t* words = live(x, by, bz);
-        for (int i = 0; i < kBrickY * kBrickZ; ++i) {
-            words[i] = i % kBrickY < rows && i / kBrickY < layers ? row : 0;
+        for (int z = 0; z < kBrickZ; ++z) {
+            for (int y = 0; y < kBrickY; ++y, ++words) {
+                *words = y < rows && z < layers ? row[y / TrayTables::kBlock] : 0;
+            }
         }
     }
 }

@@ -52,10 +52,11 @@ class PositionState {
     void set_sifted(int bx, int by, int bz) { sifted_[brick(bx, by, bz)] = 1; }
 
     /// Bricks are looked at in pairs along x; a pair is prepared when it is first of interest, so that
-    /// what is never looked at costs nothing. At first all its candidates are live and all its bounds 0.
+    /// what is never looked at costs nothing. At first all candidates of its `alive` blocks (bits along x, by row of
+    /// blocks) are live, and all its bounds 0.
     /// Pairs of different brick layers may be opened by different threads at once.
     bool is_open(int bx, int by, int bz) const { return open_[pair(bx, by, bz)] != 0; }
-    void open(int bx, int by, int bz);
+    void open(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY]);
 
     /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
     /// become 0.

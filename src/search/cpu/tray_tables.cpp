@@ -15,21 +15,30 @@ BitTables tables_for(const Tray& tray, int margin) {
     return {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)};
 }
 
+void refresh_layer(BitTables& bits, CrowdTables& crowd, int layer, const std::vector<const BitGrid*>& parts,
+                   const VoxelBox& changed, const Workers& workers) {
+    bits.refresh(layer, parts, changed);
+    crowd.refresh(bits, layer, changed, workers);
+}
+
 /// Brings the layers of a gap class up to date after a change within `changed`.
-void refresh_class(BitTables& bits, const Tray& tray, int gap_class, const VoxelBox& changed) {
+void refresh_class(BitTables& bits, CrowdTables& crowd, const Tray& tray, int gap_class, const VoxelBox& changed,
+                   const Workers& workers) {
     std::vector<const BitGrid*> parts;
     for (int part = 0; part < part_count(tray.detail()); ++part) {
         parts.push_back(&tray.occupied_part(gap_class, part));
     }
-    bits.refresh(gap_class, parts, changed);
-    if (tray.detail() > 1) bits.refresh(tray.gap_classes() + gap_class, {&tray.occupied(gap_class)}, changed);
+    refresh_layer(bits, crowd, gap_class, parts, changed, workers);
+    if (tray.detail() == 1) return;
+    refresh_layer(bits, crowd, tray.gap_classes() + gap_class, {&tray.occupied(gap_class)}, changed, workers);
 }
 
-void refresh_all(BitTables& bits, const Tray& tray) {
+void refresh_all(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Workers& workers) {
     for (int c = 0; c < tray.gap_classes(); ++c) {
-        refresh_class(bits, tray, c, whole(tray.extent()));
+        refresh_class(bits, crowd, tray, c, whole(tray.extent()), workers);
     }
-    if (!tray.blocked().extent().empty()) bits.refresh(bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()));
+    if (tray.blocked().extent().empty()) return;
+    refresh_layer(bits, crowd, bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()), workers);
 }
 
 }  // namespace
@@ -57,11 +66,12 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
 void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const Extent& n = tray.extent();
     bits_ = tables_for(tray, margin);
+    crowd_ = CrowdTables(bits_);
     apart_ = apart;
     sums_ = SumTables(n, 1, false);
     coarse_ = SumTables(n, kBlock, apart);
     minima_ = BlockMinima(n, kBlock);
-    refresh_all(bits_, tray);
+    refresh_all(bits_, crowd_, tray, workers);
     rebuild_phi(tray, workers);
     instance_ = tray.instance();
 }
@@ -78,7 +88,7 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
         for (std::uint64_t v = first; v < tray.version(); ++v) {
             const TrayChange& change = tray.journal()[v];
             const TrayObject& object = tray.object(change.id);
-            refresh_class(bits_, tray, object.gap_class, object.box());
+            refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
             removed = removed || !change.added;
         }
         if (removed) {
@@ -113,7 +123,7 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 }
 
 std::int64_t TrayTables::bytes() const {
-    return bits_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes() + minima_.bytes();
+    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes() + minima_.bytes();
 }
 
 void TrayTables::check(const Tray& tray) const {
@@ -141,8 +151,10 @@ void TrayTables::check(const Tray& tray) const {
     minima.update(phi_, whole(n), one);
     require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
-    refresh_all(bits, tray);
+    CrowdTables crowd(bits);
+    refresh_all(bits, crowd, tray, one);
     require(bits == bits_, "bit tables");
+    require(crowd == crowd_, "crowd tables");
 }
 
 }  // namespace spectralpack

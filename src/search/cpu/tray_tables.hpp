@@ -1,6 +1,6 @@
 #pragma once
 /// Everything the engine derives from a tray, brought up to date from the tray's journal: bit
-/// tables, phi, its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin,
+/// tables and crowd tables, phi, its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin,
 /// starts afresh.
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include "core/parallel.hpp"
 #include "search/cpu/bit_tables.hpp"
 #include "search/cpu/block_minima.hpp"
+#include "search/cpu/crowd_tables.hpp"
 #include "search/cpu/distance_grid.hpp"
 #include "search/cpu/sum_tables.hpp"
 #include "search/tray.hpp"
@@ -25,6 +26,7 @@ class TrayTables {
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
+    const CrowdTables& crowd() const { return crowd_; }
     const DistanceGrid& phi() const { return phi_; }
     const SumTables& sums() const { return sums_; }
     const SumTables& coarse() const { return coarse_; }
@@ -62,6 +64,7 @@ class TrayTables {
     void note_occupied(const Tray& tray);
 
     BitTables bits_;
+    CrowdTables crowd_;
     DistanceGrid phi_;
     SumTables sums_, coarse_;
     BlockMinima minima_;
