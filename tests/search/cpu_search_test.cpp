@@ -45,8 +45,9 @@ TEST(CpuSearch, AnswersTheDefinitionForCopyAfterCopy) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
         const Scene scene = random_scene(random, middling_scene());
-        VerifyingSearch search(make_cpu_search({}, Workers(2)),
-                               std::make_unique<BruteForceSearch>(), {});
+        CpuOptions options;
+        if (seed % 2 == 1) options.crowd_from = 0;
+        VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
         EXPECT_NO_THROW(pack_copies(search, scene, random, 25));
     }
 }
@@ -94,8 +95,9 @@ TEST(CpuSearch, AnswersAlikeOnEveryInstructionSet) {
     for (const std::string& name : instruction_sets()) {
         SCOPED_TRACE(name);
         use_instruction_set(name);
-        VerifyingSearch search(make_cpu_search({}, Workers(2)),
-                               std::make_unique<BruteForceSearch>(), {});
+        CpuOptions options;
+        options.crowd_from = 0;
+        VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
         EXPECT_NO_THROW(all.push_back(pack_copies(search, scene, random, 20)));
     }
     use_instruction_set("");

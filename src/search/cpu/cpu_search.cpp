@@ -18,7 +18,7 @@ constexpr std::size_t kDilatedTrays = 2;
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
-        : workers_(workers), positions_(options.cache_memory) {}
+        : workers_(workers), tables_(options.crowd_from), positions_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {

@@ -10,6 +10,7 @@
 /// Words hold 64 blocks along x; they lie in the order y, x, z with y fastest, as in the bit tables.
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -25,7 +26,7 @@ class CrowdTables {
     /// layers, since eight or more tables for each form take longer to keep right than they save.
     bool holds(int layer, const Form& form) const { return layer >= first_layer_ && form.voxels() >= 8; }
 
-    CrowdTables() = default;
+    CrowdTables() = default;  ///< that hold nothing
     /// For these bit tables, all empty.
     explicit CrowdTables(const BitTables& bits);
 
@@ -49,7 +50,7 @@ class CrowdTables {
     void refresh_table(const BitTables& bits, int table, const VoxelBox& changed);
 
     Extent voxels_;            // of a bit table
-    int first_layer_ = 0, first_table_ = 0;
+    int first_layer_ = std::numeric_limits<int>::max(), first_table_ = 0;
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;

@@ -95,30 +95,38 @@ class Pass {
 
     /// Which blocks of the crowd tables' tiles in row j have room for anything at all, as far as pairs there are fresh.
     void LookAtCrowd(int j, int bz) {
-        const VoxelIndex bricks = {state_.bricks().x, std::min(state_.bricks().y - kCrowdBricksY * j, kCrowdBricksY), 0};
-        const int tiles = (bricks.x + kCrowdBricksX - 1) / kCrowdBricksX;
+        const int tiles = (state_.bricks().x + kCrowdBricksX - 1) / kCrowdBricksX;
         room_.assign(static_cast<std::size_t>(tiles * kTileRows), ~std::uint64_t{0});
+        if (t_.collision.of_blocks.batches.empty()) return;
+        for (int i = 0; i < tiles; ++i) {
+            if (AnyFresh(i, j, bz)) SiftBlocks(i, j, bz, room_.data() + i * kTileRows);
+        }
+    }
+
+    bool AnyFresh(int i, int j, int bz) const {
+        const Extent& bricks = state_.bricks();
+        for (int by = kCrowdBricksY * j; by < std::min(kCrowdBricksY * (j + 1), bricks.y); ++by) {
+            for (int bx = kCrowdBricksX * i; bx < std::min(kCrowdBricksX * (i + 1), bricks.x); bx += kPair) {
+                if (!state_.is_open(bx, by, bz)) return true;
+            }
+        }
+        return false;
+    }
+
+    /// Clears the blocks of a tile of the crowd tables that have no room. Where the first look-ups find no crowd at all, the
+    /// others are spared.
+    void SiftBlocks(int i, int j, int bz, std::uint64_t* room) const {
         const CrowdTables& crowd = context_.tables.crowd();
         const LookupPlan& plan = t_.collision.of_blocks;
-        for (int i = 0; i < tiles; ++i) {
-            bool fresh = false;
-            for (int by = kCrowdBricksY * j; by < kCrowdBricksY * j + bricks.y; ++by) {
-                for (int bx = kCrowdBricksX * i; bx < std::min(kCrowdBricksX * (i + 1), bricks.x); bx += kPair) {
-                    fresh = fresh || !state_.is_open(bx, by, bz);
-                }
+        for (const LookupPlan::Batch& batch : plan.batches) {
+            BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan.offsets.data(), plan.groups.data() + batch.begin,
+                          static_cast<std::size_t>(batch.end - batch.begin), room);
+            std::uint64_t any = 0, all = ~std::uint64_t{0};
+            for (int k = 0; k < kTileRows; ++k) {
+                any |= room[k];
+                all &= room[k];
             }
-            if (!fresh) continue;
-            std::uint64_t* room = room_.data() + i * kTileRows;
-            for (const LookupPlan::Batch& batch : plan.batches) {
-                BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan.offsets.data(),
-                              plan.groups.data() + batch.begin, static_cast<std::size_t>(batch.end - batch.begin), room);
-                std::uint64_t any = 0, all = ~std::uint64_t{0};
-                for (int k = 0; k < kTileRows; ++k) {
-                    any |= room[k];
-                    all &= room[k];
-                }
-                if (any == 0 || all == ~std::uint64_t{0}) break;
-            }
+            if (any == 0 || all == ~std::uint64_t{0}) return;
         }
     }
 

@@ -66,7 +66,7 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
 void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const Extent& n = tray.extent();
     bits_ = tables_for(tray, margin);
-    crowd_ = CrowdTables(bits_);
+    crowd_ = n.count() >= crowd_from_ ? CrowdTables(bits_) : CrowdTables();
     apart_ = apart;
     sums_ = SumTables(n, 1, false);
     coarse_ = SumTables(n, kBlock, apart);
@@ -151,7 +151,7 @@ void TrayTables::check(const Tray& tray) const {
     minima.update(phi_, whole(n), one);
     require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
-    CrowdTables crowd(bits);
+    CrowdTables crowd = crowd_.bytes() > 0 ? CrowdTables(bits) : CrowdTables();
     refresh_all(bits, crowd, tray, one);
     require(bits == bits_, "bit tables");
     require(crowd == crowd_, "crowd tables");

@@ -21,6 +21,9 @@ class TrayTables {
     /// Blocks of positions that the coarse bound looks at.
     static constexpr int kBlock = 4;
 
+    /// `crowd_from`: voxels of a tray that crowd tables are kept of.
+    explicit TrayTables(std::int64_t crowd_from = 0) : crowd_from_(crowd_from) {}
+
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
     /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
@@ -63,6 +66,7 @@ class TrayTables {
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void note_occupied(const Tray& tray);
 
+    std::int64_t crowd_from_;
     BitTables bits_;
     CrowdTables crowd_;
     DistanceGrid phi_;
