@@ -38,15 +38,15 @@ ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(style) {
 void ProgressDisplay::on_progress(const Progress& progress) {
     if (style_ == ProgressStyle::none) return;
     const auto now = Clock::now();
-    if (progress.phase != phase_) {
-        phase_ = progress.phase;
-        phase_start_ = now;
-        last_ = {};
-    }
+    if (progress.phase != phase_) last_ = {};
+    phase_ = progress.phase;
+    Run& run = runs_.try_emplace(progress.phase, Run{now}).first->second;
+    if (progress.work < run.work) run.start = now;  // begun anew
+    run.work = progress.work;
     const bool last = progress.done == progress.total;
     if (!last && now - last_ < kBetweenFrames) return;
     last_ = now;
-    const double elapsed = std::chrono::duration<double>(now - phase_start_).count();
+    const double elapsed = std::chrono::duration<double>(now - run.start).count();
     // Of work spread as it was so far; -1 while there is too little to tell.
     const double left = progress.work > 0.01 && elapsed > 0.5
                             ? elapsed * (1 - progress.work) / progress.work

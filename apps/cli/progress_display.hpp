@@ -2,6 +2,8 @@
 /// Progress and warnings on standard error: a bar for people, lines of JSON for programs, or nothing.
 
 #include <chrono>
+#include <map>
+#include <optional>
 #include <string>
 
 #include <spectralpack/spectralpack.hpp>
@@ -31,8 +33,15 @@ class ProgressDisplay : public Listener {
     void draw(const Progress& progress, double left);
 
     ProgressStyle style_;
-    Phase phase_ = Phase::load;
-    Clock::time_point phase_start_ = Clock::now();
+    /// Since when the work of a phase has been going on, other phases in between included: each tray is searched, then
+    /// taken apart, and the search's work goes on with the next.
+    struct Run {
+        Clock::time_point start;
+        double work = 0;
+    };
+
+    std::map<Phase, Run> runs_;
+    std::optional<Phase> phase_;
     Clock::time_point last_ = {};
     bool drawn_ = false;
 };

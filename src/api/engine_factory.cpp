@@ -34,7 +34,7 @@ constexpr bool kHasReference = false;
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
 /// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each part
-/// on the way; margins round up. For ways out the fine voxels' rows dilated.
+/// on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows dilated.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
@@ -46,7 +46,8 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
     if (need.free_tiles) {
         rows = DilatedLayers::most_bytes({need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
     }
-    return 16 * padded(0) + bits * padded(need.overhang) / 8 + rows;
+    const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
+    return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;
 }
 
 }  // namespace

@@ -27,14 +27,6 @@ Box hull_of(const std::vector<Box>& boxes) {
     return hull;
 }
 
-std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
-    std::vector<Box> boxes;
-    for (const StandingPart& part : parts) {
-        boxes.push_back(part.box());
-    }
-    return boxes;
-}
-
 /// Voxel indices as coordinates.
 Box voxel_box(const StandingPart& part) {
     const VoxelBox box = part.object.box();

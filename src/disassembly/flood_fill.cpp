@@ -17,16 +17,11 @@ FloodFill::FloodFill(FreeTileReader& tiles, const Extent& solid, const VoxelBox&
     : tiles_(tiles),
       solid_(solid),
       rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
-      words_((tiles.extent().x + 63) / 64),
-      columns_((tiles.extent().y + kRows - 1) / kRows),
-      known_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(columns_) *
-             static_cast<std::size_t>(tiles.extent().z)),
+      known_(tiles.extent()),
       stop_(std::move(stop)) {}
 
 FloodFill::Tile& FloodFill::tile(const VoxelIndex& at) {
-    const std::size_t column = static_cast<std::size_t>(at.z) * static_cast<std::size_t>(columns_) +
-                               static_cast<std::size_t>(at.y / kRows);
-    std::unique_ptr<Tile>& tile = known_[column * static_cast<std::size_t>(words_) + static_cast<std::size_t>(at.x / 64)];
+    std::unique_ptr<Tile>& tile = known_.at(at.x / 64, at.y, at.z);
     if (!tile) {
         FreeTileReader::Rows all;
         all.fill(~std::uint64_t{0});

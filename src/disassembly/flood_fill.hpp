@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "core/stop.hpp"
+#include "disassembly/tile_map.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -51,8 +51,7 @@ class FloodFill {
     FreeTileReader& tiles_;
     Extent solid_;
     VoxelBox rest_;  // from the tiles' origin
-    int words_, columns_;  // of a row; of tiles along y
-    std::vector<std::unique_ptr<Tile>> known_;  // by (z * columns_ + y / kRows) * words_ + x / 64; null: not touched
+    TileMap<Tile> known_;
     StopToken stop_;
     std::int64_t visited_ = 0;
 };

@@ -30,13 +30,7 @@ class Companies {
     int founded_ = 1;
 };
 
-std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
-    std::vector<Box> boxes;
-    for (const StandingPart& part : parts) {
-        boxes.push_back(part.box());
-    }
-    return boxes;
-}
+double weight(const StandingPart& part) { return static_cast<double>(part.object.solid->count()); }
 
 /// Clear of the other in some direction.
 bool outside(const Box& box, const Box& others) {
@@ -88,6 +82,9 @@ GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart
                          const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
     : setup_(setup), parts_(std::move(parts)), names_(parts_.size()), discarded_after_(std::move(discarded_after)) {
     std::iota(names_.begin(), names_.end(), 0);
+    for (const StandingPart& part : parts_) {
+        weights_.push_back(weight(part));
+    }
     for (const RemovalStep& step : steps) {
         steps_.push_back({step, next_number_++});
     }
@@ -106,26 +103,28 @@ std::vector<RemovalStep> GrowingPlan::steps() const {
 
 void GrowingPlan::put_first(int name, StandingPart part, Path path) {
     const auto i = static_cast<int>(parts_.size());
-    parts_.push_back(std::move(part));
-    names_.push_back(name);
-    discarded_after_.push_back(kStayed);
+    add(name, std::move(part), kStayed);
     steps_.insert(steps_.begin(), {{{i}, std::move(path)}, 0});
 }
 
 bool GrowingPlan::let_in(int name, StandingPart part, std::size_t most) {
-    parts_.push_back(std::move(part));
-    names_.push_back(name);
-    discarded_after_.push_back(0);
+    add(name, std::move(part), 0);
     if (let(parts_.size() - 1, most, false)) return true;
     parts_.pop_back();
+    weights_.pop_back();
     names_.pop_back();
     discarded_after_.pop_back();
     return false;
 }
 
-bool GrowingPlan::let_back(int part, std::size_t most) { return let(static_cast<std::size_t>(part), most, true); }
+void GrowingPlan::add(int name, StandingPart part, std::size_t discarded_after) {
+    weights_.push_back(weight(part));
+    parts_.push_back(std::move(part));
+    names_.push_back(name);
+    discarded_after_.push_back(discarded_after);
+}
 
-double GrowingPlan::weight(std::size_t part) const { return static_cast<double>(parts_[part].object.solid->count()); }
+bool GrowingPlan::let_back(int part, std::size_t most) { return let(static_cast<std::size_t>(part), most, true); }
 
 GrowingPlan::Members GrowingPlan::movers(const RemovalStep& step) const {
     Members members;
@@ -190,9 +189,9 @@ std::optional<int> GrowingPlan::lightest_of(const std::vector<std::vector<int>>&
     for (const std::vector<int>& set : stuck) {
         for (const int i : set) {
             const std::size_t member = members[static_cast<std::size_t>(i)];
-            if (member == part || parts_[member].object.fixed || weight(member) >= least) continue;
+            if (member == part || parts_[member].object.fixed || weights_[member] >= least) continue;
             lightest = i;
-            least = weight(member);
+            least = weights_[member];
         }
     }
     return lightest;
@@ -213,8 +212,8 @@ std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members
         const std::optional<int> lightest = lightest_of(disassembler.stuck(), members, part);
         if (!lightest) break;
         const std::size_t member = members[static_cast<std::size_t>(*lightest)];
-        discarded += weight(member);
-        if (discarded >= weight(part)) break;
+        discarded += weights_[member];
+        if (discarded >= weights_[part]) break;
         disassembler.discard(*lightest);
         apart.discarded.emplace_back(member, disassembler.steps().size());
     }

@@ -56,7 +56,7 @@ class GrowingPlan {
 
     bool is_out(std::size_t part) const { return discarded_after_[part] != kStayed; }
     bool let(std::size_t part, std::size_t most, bool instead);
-    double weight(std::size_t part) const;
+    void add(int name, StandingPart part, std::size_t discarded_after);
     Members movers(const RemovalStep& step) const;
     bool free_of(const Members& movers, const Path& path, const Members& others) const;
     std::optional<Path> way_out(std::size_t part, const Members& standing);
@@ -67,6 +67,7 @@ class GrowingPlan {
 
     const DisassemblySetup& setup_;
     std::vector<StandingPart> parts_;
+    std::vector<double> weights_;  // voxels
     std::vector<int> names_;
     std::vector<Step> steps_;
     std::vector<std::size_t> discarded_after_;

@@ -21,16 +21,11 @@ ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, con
     : tiles_(tiles),
       solid_(solid),
       rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
-      words_((tiles.extent().x + 63) / 64),
-      columns_((tiles.extent().y + kRows - 1) / kRows),
-      known_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(columns_) *
-             static_cast<std::size_t>(tiles.extent().z)),
+      known_(tiles.extent()),
       stop_(std::move(stop)) {}
 
 ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
-    const std::size_t column = static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
-                               static_cast<std::size_t>(y / kRows);
-    std::unique_ptr<Tile>& tile = known_[column * static_cast<std::size_t>(words_) + static_cast<std::size_t>(i)];
+    std::unique_ptr<Tile>& tile = known_.at(i, y, z);
     if (!tile) tile = std::make_unique<Tile>();
     return *tile;
 }
@@ -103,7 +98,7 @@ void ReachableRegion::go_sideways(const Some& where) {
     const std::uint64_t from = std::exchange(word(y, z, i).sideways, 0);
     touch({y, z, i, from << 1});
     touch({y, z, i, from >> 1});
-    if (from >> 63 && i + 1 < words_) touch({y, z, i + 1, 1});
+    if (from >> 63 && i + 1 < known_.words()) touch({y, z, i + 1, 1});
     if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63});
 }
 

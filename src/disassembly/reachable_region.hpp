@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "core/stop.hpp"
+#include "disassembly/tile_map.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -58,8 +58,7 @@ class ReachableRegion {
     FreeTileReader& tiles_;
     Extent solid_;
     VoxelBox rest_;        // from the tiles' origin
-    int words_, columns_;  // of a row; of tiles along y
-    std::vector<std::unique_ptr<Tile>> known_;  // by (z * columns_ + y / kRows) * words_ + i; null: nothing known
+    TileMap<Tile> known_;
     StopToken stop_;
     VoxelBox visited_box_;
 

@@ -2,6 +2,7 @@
 /// A copy where it stands: as a mesh, which decides, and as voxels, which lead the way.
 
 #include <memory>
+#include <vector>
 
 #include "geometry/bvh.hpp"
 #include "search/tray.hpp"
@@ -15,5 +16,13 @@ struct StandingPart {
 
     Box box() const { return {surface->box().min + offset, surface->box().max + offset}; }
 };
+
+inline std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
+    std::vector<Box> boxes;
+    for (const StandingPart& part : parts) {
+        boxes.push_back(part.box());
+    }
+    return boxes;
+}
 
 }  // namespace spectralpack

@@ -85,13 +85,14 @@ class Untangling {
 
     Untangled run() {
         const auto start = Clock::now();
-        const double before = height();
+        const bool open = tray_.setup().ceiling == Ceiling::open;
+        const double before = open ? height() : 0;
         const std::vector<PlacedItem> removed = disassemble();
         result_.report.disassemble_seconds = seconds_since(start);
         const auto reinserting = Clock::now();
         if (!removed.empty()) {
             put_back(removed);
-            if (tray_.setup().ceiling == Ceiling::open && height() > before + setup_.voxel_size) pack_anew_if_lower();
+            if (open && height() > before + setup_.voxel_size) pack_anew_if_lower();
             result_.report.changed = true;
             result_.report.least_gap = least_gap();
         }
@@ -191,15 +192,18 @@ class Untangling {
 
     /// Lets stand what may after all of what was taken out, the heaviest first.
     void let_back(GrowingPlan& plan, const std::vector<StandingPart>& parts) {
-        std::vector<int> out;
+        struct Out {
+            int part;
+            std::int64_t voxels;
+        };
+        std::vector<Out> all;
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (plan.out(static_cast<int>(i))) out.push_back(static_cast<int>(i));
+            if (plan.out(static_cast<int>(i))) all.push_back({static_cast<int>(i), parts[i].object.solid->count()});
         }
-        const auto weight = [&](int i) { return parts[static_cast<std::size_t>(i)].object.solid->count(); };
-        std::ranges::stable_sort(out, std::ranges::greater{}, weight);
-        for (const int i : out) {
+        std::ranges::stable_sort(all, std::ranges::greater{}, &Out::voxels);
+        for (const Out& out : all) {
             if (stop_.stopped()) return;
-            plan.let_back(i, kMostAnew);
+            plan.let_back(out.part, kMostAnew);
         }
     }
 

@@ -44,6 +44,27 @@ TEST(Progress, EveryLineIsJsonAndPhasesComeInOrder) {
     EXPECT_EQ(errors, 1);
 }
 
+TEST(Progress, TheSearchOfSeveralTraysIsOne) {
+    const TemporaryFolder folder;
+    const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--tray", "110x85x70", "--voxel", "4",
+                                  "--trays", "all", "--progress", "json", "-o", (folder / "b.json").string()});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    int searches = 0;
+    std::string phase;
+    double seconds = 0;
+    std::istringstream lines(ran.err);
+    for (std::string line; std::getline(lines, line);) {
+        const json entry = json::parse(line, nullptr, false);
+        if (!entry.contains("phase")) continue;
+        searches += entry["phase"] == "search" && phase != "search" ? 1 : 0;
+        phase = entry["phase"];
+        if (phase != "search") continue;
+        EXPECT_GE(entry["seconds"], seconds) << line;
+        seconds = entry["seconds"];
+    }
+    EXPECT_GT(searches, 1) << ran.err;
+}
+
 TEST(Progress, NoneSaysNothing) {
     const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--tray", "160x120x100", "--voxel",
                                   "4", "--progress", "none"});

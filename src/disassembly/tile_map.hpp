@@ -1,0 +1,35 @@
+#pragma once
+/// What a walk keeps of the tiles of positions that it has touched.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "search/placement_search.hpp"
+
+namespace spectralpack {
+
+template <class Tile>
+class TileMap {
+  public:
+    explicit TileMap(const Extent& extent)
+        : words_((extent.x + 63) / 64),
+          columns_((extent.y + FreeTileReader::kRows - 1) / FreeTileReader::kRows),
+          tiles_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(columns_) *
+                 static_cast<std::size_t>(extent.z)) {}
+
+    /// That of word i of row (y, z), from the tiles' origin; null while it has not been touched.
+    std::unique_ptr<Tile>& at(int i, int y, int z) {
+        const std::size_t column = static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
+                                   static_cast<std::size_t>(y / FreeTileReader::kRows);
+        return tiles_[column * static_cast<std::size_t>(words_) + static_cast<std::size_t>(i)];
+    }
+    /// Of a row.
+    int words() const { return words_; }
+
+  private:
+    int words_, columns_;  // of a row; of tiles along y
+    std::vector<std::unique_ptr<Tile>> tiles_;
+};
+
+}  // namespace spectralpack
