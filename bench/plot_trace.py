@@ -10,6 +10,7 @@ import sys
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 720, 400, 64, 16, 16, 44
 COLOURS = ["#1f6f8b", "#c8553d", "#5b8c3e", "#6c4f9e"]
 WINDOW = 15
+POINTS = 500
 
 
 def read(path):
@@ -48,7 +49,8 @@ def main():
     out.append(f'<text x="{WIDTH / 2}" y="{HEIGHT - 8}" text-anchor="middle">searches</text>')
     out.append(f'<text x="14" y="{HEIGHT / 2}" text-anchor="middle" transform="rotate(-90 14 {HEIGHT / 2})">ms a search</text>')
     for k, (name, times) in enumerate(series):
-        points = " ".join(f"{x:.1f},{y:.1f}" for x, y in (place(i, t) for i, t in enumerate(times)))
+        step = max(1, len(times) // POINTS)
+        points = " ".join(f"{x:.1f},{y:.1f}" for x, y in (place(i, times[i]) for i in range(0, len(times), step)))
         colour = COLOURS[k % len(COLOURS)]
         out.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
         out.append(f'<text x="{WIDTH - RIGHT - 8}" y="{TOP + 16 * (k + 1)}" text-anchor="end" fill="{colour}">{name}</text>')

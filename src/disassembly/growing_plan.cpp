@@ -30,6 +30,9 @@ class Companies {
     int founded_ = 1;
 };
 
+constexpr std::size_t kAway = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kMostChanged = 2;  // more than one in so many, and the company is made anew
+
 double weight(const StandingPart& part) { return static_cast<double>(part.object.solid->count()); }
 
 /// Clear of the other in some direction.
@@ -80,7 +83,9 @@ class GrowingPlan::Letting {
 
 GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts,
                          const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
-    : setup_(setup), parts_(std::move(parts)), names_(parts_.size()), discarded_after_(std::move(discarded_after)) {
+    : setup_(setup), parts_(std::move(parts)), names_(parts_.size()), discarded_after_(std::move(discarded_after)),
+      by_index_(setup) {
+    by_index_.on_grid = [this](int i) { return setup_.on_grid(names_[static_cast<std::size_t>(i)]); };
     std::iota(names_.begin(), names_.end(), 0);
     for (const StandingPart& part : parts_) {
         weights_.push_back(weight(part));
@@ -110,6 +115,10 @@ void GrowingPlan::put_first(int name, StandingPart part, Path path) {
 bool GrowingPlan::let_in(int name, StandingPart part, std::size_t most) {
     add(name, std::move(part), 0);
     if (let(parts_.size() - 1, most, false)) return true;
+    if (parts_.size() == places_.size()) {
+        if (places_.back() != kAway) company_->remove(places_.back());
+        places_.pop_back();
+    }
     parts_.pop_back();
     weights_.pop_back();
     names_.pop_back();
@@ -171,14 +180,41 @@ DisassemblySetup GrowingPlan::setup_of(const Members& members) const {
     return setup;
 }
 
+/// Makes the company that of `standing`, ascending: by those that came and went, where they are few. To make it anew takes
+/// as long as to fill a tray with all.
+void GrowingPlan::gather(const Members& standing) {
+    places_.resize(parts_.size(), kAway);
+    Members came, went;
+    auto next = standing.begin();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const bool stands = next != standing.end() && *next == i;
+        if (stands) ++next;
+        if (stands && places_[i] == kAway) came.push_back(i);
+        if (!stands && places_[i] != kAway) went.push_back(i);
+    }
+    if (company_ && kMostChanged * (came.size() + went.size()) < standing.size() &&
+        company_->size() + came.size() <= 2 * standing.size()) {
+        for (const std::size_t i : went) {
+            company_->remove(std::exchange(places_[i], kAway));
+        }
+        for (const std::size_t i : came) {
+            places_[i] = company_->add(static_cast<int>(i), parts_[i]);
+        }
+        return;
+    }
+    company_.reset();
+    company_.emplace(by_index_, std::vector<int>(standing.begin(), standing.end()), parts_of(standing));
+    std::ranges::fill(places_, kAway);
+    for (std::size_t k = 0; k < standing.size(); ++k) {
+        places_[standing[k]] = k;
+    }
+}
+
 /// Of one that stands with the others.
 std::optional<GrowingPlan::Path> GrowingPlan::way_out(std::size_t part, const Members& standing) {
-    const DisassemblySetup setup = setup_of(standing);
-    std::vector<int> names(standing.size());
-    std::iota(names.begin(), names.end(), 0);
-    const Company company(setup, std::move(names), parts_of(standing));
+    gather(standing);
     ++fills_;
-    return company.any_way_out(static_cast<std::size_t>(std::ranges::find(standing, part) - standing.begin()));
+    return company_->any_way_out(places_[part]);
 }
 
 /// Of those that hold each other, by index into `members`, one that could go, but for `part`.

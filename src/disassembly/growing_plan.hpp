@@ -21,6 +21,8 @@ class GrowingPlan {
     /// to; it knows the names.
     GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts, const std::vector<RemovalStep>& steps,
                 std::vector<std::size_t> discarded_after);
+    GrowingPlan(const GrowingPlan&) = delete;
+    GrowingPlan& operator=(const GrowingPlan&) = delete;
 
     /// Lets a discarded part stand where it stood, if a plan for all is found. It leaves before the first step that it is in
     /// the way of, or else, with those whose way it is in then and those whose way they are in, last: these are taken
@@ -59,6 +61,7 @@ class GrowingPlan {
     void add(int name, StandingPart part, std::size_t discarded_after);
     Members movers(const RemovalStep& step) const;
     bool free_of(const Members& movers, const Path& path, const Members& others) const;
+    void gather(const Members& standing);
     std::optional<Path> way_out(std::size_t part, const Members& standing);
     std::optional<Apart> take_apart(const Members& members, std::size_t part, bool instead);
     std::optional<int> lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members, std::size_t part) const;
@@ -73,6 +76,11 @@ class GrowingPlan {
     std::vector<std::size_t> discarded_after_;
     std::size_t next_number_ = 0;
     int fills_ = 0;
+
+    // Those that stood when a way out was last asked for: most stand then as well when it is asked for again.
+    DisassemblySetup by_index_;
+    std::optional<Company> company_;
+    std::vector<std::size_t> places_;  // in the company, by part; kAway: not there
 };
 
 }  // namespace spectralpack
