@@ -57,6 +57,9 @@ VoxelIndex voxel(const Vec3& corner) {
 }  // namespace
 
 Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts)
+    : Company(setup, std::move(names), std::move(parts), {setup.grid, {}}) {}
+
+Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot)
     : setup_(setup),
       names_(std::move(names)),
       parts_(std::move(parts)),
@@ -65,15 +68,16 @@ Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vec
       index_(hull_of(boxes_)),
       hull_(boxes_),
       voxel_hull_(voxel_boxes_of(parts_)),
-      tray_(setup.grid) {
+      origin_(plot.origin),
+      tray_(plot.grid) {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         index_.add(static_cast<std::int64_t>(i), boxes_[i]);
-        objects_.push_back(tray_.add(parts_[i].object));
+        objects_.push_back(place(parts_[i].object));
     }
 }
 
 Company::Company(const Company& whole, const Members& members)
-    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members)) {
+    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members), whole.plot_of(members)) {
     for (std::size_t i = 0; i < members.size(); ++i) {
         const auto known = whole.on_grid_.find(members[i]);
         if (known != whole.on_grid_.end()) on_grid_.emplace(i, known->second);
@@ -88,9 +92,30 @@ std::size_t Company::add(int name, StandingPart part) {
     index_.add(static_cast<std::int64_t>(i), boxes_[i]);
     hull_.add(boxes_[i]);
     voxel_hull_.add(voxel_box(part));
-    objects_.push_back(tray_.add(part.object));
+    objects_.push_back(place(part.object));
     parts_.push_back(std::move(part));
     return i;
+}
+
+/// Without the rest of the grid: large trays have many groups.
+Company::Plot Company::plot_of(const Members& members) const {
+    VoxelBox around;
+    for (const std::size_t i : members) {
+        around = hull(around, parts_[i].object.box());
+    }
+    const Extent& extent = tray_.extent();
+    around = intersection(around, {origin_, origin_ + VoxelIndex{extent.x, extent.y, extent.z}});
+    if (around.empty() || !tray_.setup().blocked.extent().empty()) return {tray_.setup(), origin_};
+    Plot plot{tray_.setup(), around.lo};
+    for (int axis = 0; axis < 3; ++axis) {
+        plot.grid.size[axis] = (around.hi[axis] - around.lo[axis]) * plot.grid.voxel_size;
+    }
+    return plot;
+}
+
+ObjectId Company::place(TrayObject object) {
+    object.position = object.position - origin_;
+    return tray_.add(std::move(object));
 }
 
 void Company::remove(std::size_t i) {
@@ -196,7 +221,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
     const StandingPart& part = parts_[i];
     const Box rest = voxel_hull_.without({i});
     if (rest.empty()) return {Path{}, {}};
-    const VoxelBox others{voxel(rest.min), voxel(rest.max)};
+    const VoxelBox others{voxel(rest.min) - origin_, voxel(rest.max) - origin_};
     const double dx = tray_.voxel_size();
     const Vec3 at = boxes_[i].min - setup_.corner;
     VoxelIndex nearest;
@@ -221,14 +246,14 @@ Company::Flooded Company::way_out(std::size_t i) const {
         VoxelIndex position;
     };
     std::vector<Start> starts;
-    if (on_grid && region.free(nearest)) {
+    if (on_grid && region.free(nearest - origin_)) {
         starts.push_back({0, nearest});
     } else {
         for (int z = -kSnapReach; z <= kSnapReach; ++z) {
             for (int y = -kSnapReach; y <= kSnapReach; ++y) {
                 for (int x = -kSnapReach; x <= kSnapReach; ++x) {
                     const VoxelIndex position = nearest + VoxelIndex{x, y, z};
-                    if (!region.free(position)) continue;
+                    if (!region.free(position - origin_)) continue;
                     const Vec3 there{position.x * dx, position.y * dx, position.z * dx};
                     starts.push_back({length(there - at), position});
                 }
@@ -238,7 +263,7 @@ Company::Flooded Company::way_out(std::size_t i) const {
     }
     int snaps = 0;
     for (const Start& start : starts) {
-        if (region.visited(start.position)) continue;
+        if (region.visited(start.position - origin_)) continue;
         Path path;
         if (start.away > 0) {
             if (++snaps > kSnaps) break;
@@ -247,9 +272,9 @@ Company::Flooded Company::way_out(std::size_t i) const {
             if (!there_by) continue;
             path = std::move(*there_by);
         }
-        if (!region.contains(start.position)) continue;
+        if (!region.contains(start.position - origin_)) continue;
         const std::vector<VoxelIndex> way =
-            FloodFill(*tiles, solid->extent(), others, setup_.stop).way_out(start.position);
+            FloodFill(*tiles, solid->extent(), others, setup_.stop).way_out(start.position - origin_);
         if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
             const VoxelIndex d = way[k] - way[k - 1];
@@ -258,7 +283,8 @@ Company::Flooded Company::way_out(std::size_t i) const {
         if (const std::optional<Path> out = out_along(i, merged(path))) return {shortened(i, *out), {}};
         break;  // voxels and meshes disagree, which only rounding can make them do
     }
-    VoxelBox pocket = hull(region.visited_box(), {nearest, nearest + VoxelIndex{1, 1, 1}});
+    const VoxelBox visited{region.visited_box().lo + origin_, region.visited_box().hi + origin_};
+    VoxelBox pocket = hull(visited, {nearest, nearest + VoxelIndex{1, 1, 1}});
     const Extent& e = solid->extent();
     const int reach = kSnapReach + 1;
     pocket.lo = pocket.lo - VoxelIndex{reach, reach, reach};

@@ -42,7 +42,7 @@ class Company {
     using Members = std::vector<std::size_t>;
 
     Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
-    /// `members` of `whole`, which become 0, 1, ..., to themselves.
+    /// `members` of `whole`, which become 0, 1, ..., to themselves. Nobody is added to it: its voxels are those around them.
     Company(const Company& whole, const Members& members);
 
     std::size_t size() const { return parts_.size(); }
@@ -81,6 +81,15 @@ class Company {
     std::optional<Path> any_way_out(std::size_t i) const;
 
   private:
+    /// Part of the setup's grid, and where it lies in that.
+    struct Plot {
+        TraySetup grid;
+        VoxelIndex origin;
+    };
+    Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot);
+    Plot plot_of(const Members& members) const;
+    ObjectId place(TrayObject object);
+
     /// `members`, moved by `from` before, move by `way` mm more.
     struct Move {
         const Members& members;
@@ -113,6 +122,7 @@ class Company {
     std::vector<bool> present_;
     BoxIndex index_;
     StandingHull hull_, voxel_hull_;
+    VoxelIndex origin_;  // of the tray, in the setup's grid
     Tray tray_;
     std::vector<ObjectId> objects_;
     mutable std::map<std::size_t, std::shared_ptr<const BitGrid>> on_grid_;  ///< voxels of those off the grid, once asked for

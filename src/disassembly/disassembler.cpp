@@ -203,9 +203,11 @@ class Disassembler::Yard {
             }
         }
         owner_.yards_.emplace_back(*this, group, std::move(pockets));
+        const auto yard = std::prev(owner_.yards_.end());
         leave(group, std::move(path));
         ++owner_.counts_.groups;
-        owner_.yards_.back().run();
+        yard->run();
+        if (yard->company().movable().empty()) owner_.yards_.erase(yard);
     }
 
     Disassembler& owner_;
