@@ -64,7 +64,8 @@ void CrowdTables::refresh_table(const BitTables& bits, int table, const VoxelBox
                 and_rows(row.data(), bits.column(table, w, k) + first_row, row.size());
                 and_rows(row_after.data(), bits.column(table, w + 1, k) + first_row, row.size());
             }
-            Word* to = words_.data() + (table - first_table_) * table_ + (static_cast<std::int64_t>(z) * columns_ + w / kBlock) * column_;
+            Word* to = words_.data() + (table - first_table_) * table_ +
+                       (static_cast<std::int64_t>(z) * columns_ + w / kBlock) * column_;
             const int shift = 16 * (w % kBlock);
             for (int y = blocks.lo.y; y < blocks.hi.y; ++y) {
                 Word all = ~Word{0}, all_after = ~Word{0};
