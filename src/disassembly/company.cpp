@@ -77,7 +77,7 @@ Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vec
 }
 
 Company::Company(const Company& whole, const Members& members)
-    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members), whole.plot_of(members)) {
+    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members), plot_around(whole.setup_.grid, picked(whole.parts_, members))) {
     for (std::size_t i = 0; i < members.size(); ++i) {
         const auto known = whole.on_grid_.find(members[i]);
         if (known != whole.on_grid_.end()) on_grid_.emplace(i, known->second);
@@ -97,20 +97,28 @@ std::size_t Company::add(int name, StandingPart part) {
     return i;
 }
 
-/// Without the rest of the grid: large trays have many groups.
-Company::Plot Company::plot_of(const Members& members) const {
+/// Without the rest of the grid: large trays are taken apart in many companies.
+Company::Plot Company::plot_around(const TraySetup& grid, const std::vector<StandingPart>& parts) {
     VoxelBox around;
-    for (const std::size_t i : members) {
-        around = hull(around, parts_[i].object.box());
+    for (const StandingPart& part : parts) {
+        around = hull(around, part.object.box());
     }
-    const Extent& extent = tray_.extent();
-    around = intersection(around, {origin_, origin_ + VoxelIndex{extent.x, extent.y, extent.z}});
-    if (around.empty() || !tray_.setup().blocked.extent().empty()) return {tray_.setup(), origin_};
-    Plot plot{tray_.setup(), around.lo};
+    VoxelBox all;  // of it, and perhaps a voxel more, which holds nothing
+    for (int axis = 0; axis < 3; ++axis) {
+        all.hi[axis] = static_cast<int>(std::ceil(grid.size[axis] / grid.voxel_size));
+    }
+    around = intersection(around, all);
+    if (around.empty() || !grid.blocked.extent().empty()) return {grid, {}};
+    Plot plot{grid, around.lo};
     for (int axis = 0; axis < 3; ++axis) {
         plot.grid.size[axis] = (around.hi[axis] - around.lo[axis]) * plot.grid.voxel_size;
     }
     return plot;
+}
+
+Company Company::closed(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts) {
+    const Plot plot = plot_around(setup.grid, parts);
+    return {setup, std::move(names), std::move(parts), plot};
 }
 
 ObjectId Company::place(TrayObject object) {

@@ -42,7 +42,9 @@ class Company {
     using Members = std::vector<std::size_t>;
 
     Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
-    /// `members` of `whole`, which become 0, 1, ..., to themselves. Nobody is added to it: its voxels are those around them.
+    /// To which nobody is added: its voxels are only those around it.
+    static Company closed(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
+    /// `members` of `whole`, which become 0, 1, ..., to themselves; closed.
     Company(const Company& whole, const Members& members);
 
     std::size_t size() const { return parts_.size(); }
@@ -87,7 +89,7 @@ class Company {
         VoxelIndex origin;
     };
     Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot);
-    Plot plot_of(const Members& members) const;
+    static Plot plot_around(const TraySetup& grid, const std::vector<StandingPart>& parts);
     ObjectId place(TrayObject object);
 
     /// `members`, moved by `from` before, move by `way` mm more.

@@ -25,7 +25,7 @@ class Disassembler::Yard {
 
     Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
         : owner_(owner),
-          company_(owner.setup_, std::move(names), std::move(parts)),
+          company_(Company::closed(owner.setup_, std::move(names), std::move(parts))),
           graph_(company_.size()),
           pockets_(company_.size()) {
         std::vector<const StandingPart*> standing;
