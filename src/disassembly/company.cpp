@@ -77,7 +77,7 @@ Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vec
 }
 
 Company::Company(const Company& whole, const Members& members)
-    : Company(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members), plot_around(whole.setup_.grid, picked(whole.parts_, members))) {
+    : Company(closed(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members))) {
     for (std::size_t i = 0; i < members.size(); ++i) {
         const auto known = whole.on_grid_.find(members[i]);
         if (known != whole.on_grid_.end()) on_grid_.emplace(i, known->second);

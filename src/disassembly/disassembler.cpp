@@ -202,8 +202,7 @@ class Disassembler::Yard {
                 if (meet(*pockets.back(), company_.part(other).object.box())) pockets.back().reset();
             }
         }
-        owner_.yards_.emplace_back(*this, group, std::move(pockets));
-        const auto yard = std::prev(owner_.yards_.end());
+        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(pockets));
         leave(group, std::move(path));
         ++owner_.counts_.groups;
         yard->run();

@@ -30,7 +30,6 @@ class Companies {
     int founded_ = 1;
 };
 
-constexpr std::size_t kAway = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kMostChanged = 2;  // more than one in so many, and the company is made anew
 
 double weight(const StandingPart& part) { return static_cast<double>(part.object.solid->count()); }
@@ -84,7 +83,8 @@ class GrowingPlan::Letting {
 GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts,
                          const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
     : setup_(setup), parts_(std::move(parts)), names_(parts_.size()), discarded_after_(std::move(discarded_after)),
-      by_index_(setup) {
+      by_index_(setup),
+      places_(parts_.size(), kAway) {
     by_index_.on_grid = [this](int i) { return setup_.on_grid(names_[static_cast<std::size_t>(i)]); };
     std::iota(names_.begin(), names_.end(), 0);
     for (const StandingPart& part : parts_) {
@@ -115,14 +115,7 @@ void GrowingPlan::put_first(int name, StandingPart part, Path path) {
 bool GrowingPlan::let_in(int name, StandingPart part, std::size_t most) {
     add(name, std::move(part), 0);
     if (let(parts_.size() - 1, most, false)) return true;
-    if (parts_.size() == places_.size()) {
-        if (places_.back() != kAway) company_->remove(places_.back());
-        places_.pop_back();
-    }
-    parts_.pop_back();
-    weights_.pop_back();
-    names_.pop_back();
-    discarded_after_.pop_back();
+    remove_last();
     return false;
 }
 
@@ -131,6 +124,16 @@ void GrowingPlan::add(int name, StandingPart part, std::size_t discarded_after) 
     parts_.push_back(std::move(part));
     names_.push_back(name);
     discarded_after_.push_back(discarded_after);
+    places_.push_back(kAway);
+}
+
+void GrowingPlan::remove_last() {
+    if (places_.back() != kAway) company_->remove(places_.back());
+    weights_.pop_back();
+    parts_.pop_back();
+    names_.pop_back();
+    discarded_after_.pop_back();
+    places_.pop_back();
 }
 
 bool GrowingPlan::let_back(int part, std::size_t most) { return let(static_cast<std::size_t>(part), most, true); }
@@ -183,7 +186,6 @@ DisassemblySetup GrowingPlan::setup_of(const Members& members) const {
 /// Makes the company that of `standing`, ascending: by those that came and went, where they are few. To make it anew takes
 /// as long as to fill a tray with all.
 void GrowingPlan::gather(const Members& standing) {
-    places_.resize(parts_.size(), kAway);
     Members came, went;
     auto next = standing.begin();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -202,7 +204,6 @@ void GrowingPlan::gather(const Members& standing) {
         }
         return;
     }
-    company_.reset();
     company_.emplace(by_index_, std::vector<int>(standing.begin(), standing.end()), parts_of(standing));
     std::ranges::fill(places_, kAway);
     for (std::size_t k = 0; k < standing.size(); ++k) {

@@ -59,6 +59,7 @@ class GrowingPlan {
     bool is_out(std::size_t part) const { return discarded_after_[part] != kStayed; }
     bool let(std::size_t part, std::size_t most, bool instead);
     void add(int name, StandingPart part, std::size_t discarded_after);
+    void remove_last();
     Members movers(const RemovalStep& step) const;
     bool free_of(const Members& movers, const Path& path, const Members& others) const;
     void gather(const Members& standing);
@@ -78,6 +79,7 @@ class GrowingPlan {
     int fills_ = 0;
 
     // Those that stood when a way out was last asked for: most stand then as well when it is asked for again.
+    static constexpr std::size_t kAway = std::numeric_limits<std::size_t>::max();
     DisassemblySetup by_index_;
     std::optional<Company> company_;
     std::vector<std::size_t> places_;  // in the company, by part; kAway: not there

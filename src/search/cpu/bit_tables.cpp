@@ -24,10 +24,10 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
       detail_(detail),
       fine_layers_(fine_layers),
       coarse_layers_(coarse_layers),
+      groups_(fine_layers * part_count(detail) + coarse_layers),
       columns_((grid.x + 2 * margin + 63) / 64 + 1),
       column_(grid.y + 2 * margin),
       table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
-    groups_ = fine_layers * part_count(detail) + coarse_layers;
     const std::int64_t words = checked_product({table_, groups_, kTables}) + (kTileLayers - 1) * up() + column_ + 64;
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
@@ -74,15 +74,14 @@ VoxelBox BitTables::reach(int layer, const Form& form, VoxelBox changed) const {
     return changed;
 }
 
+/// `changed` in table coordinates.
 void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed) {
-    const int first = (changed.lo.x + margin_) / 64;
-    const int last = (changed.hi.x - 1 + margin_) / 64;
     for (int z = changed.lo.z; z < changed.hi.z; ++z) {
         for (int y = changed.lo.y; y < changed.hi.y; ++y) {
-            const Word* row = occupied.row(y, z);
-            for (int w = first; w <= last; ++w) {
-                plain[(static_cast<std::int64_t>(z + margin_) * columns_ + w) * column_ + y +
-                      margin_] = row_bits(row, occupied.words_per_row(), 64 * w - margin_);
+            const Word* row = occupied.row(y - margin_, z - margin_);
+            for (int w = changed.lo.x / 64; w <= (changed.hi.x - 1) / 64; ++w) {
+                plain[(static_cast<std::int64_t>(z) * columns_ + w) * column_ + y] =
+                    row_bits(row, occupied.words_per_row(), 64 * w - margin_);
             }
         }
     }
@@ -177,7 +176,7 @@ void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, con
     if (box.empty()) return;
     const Tables plain = tables(layer, {});
     for (int part = 0; part < part_count(detail_of(layer)); ++part) {
-        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], intersection(changed, whole(grid_)));
+        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
     }
     for_each_form([&](const Form& form) {
         if (form.level > 0) refresh_form(layer, form, box);

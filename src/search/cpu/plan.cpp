@@ -72,6 +72,7 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
 template <class Tables>
 void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
     std::vector<BitTables::Place> places;
+    places.reserve(pieces.size());
     std::array<std::int32_t, 65> begin{};
     for (const Lookup& piece : pieces) {
         places.push_back(tables.place(piece.spot));
