@@ -249,19 +249,20 @@ class Run {
                 return BoxScore{std::numeric_limits<std::int64_t>::max(), 0};  // too high a packing: not this base
             }
             searches += trays.searches();
-            const bool stopped = !trays.trays.front().untried.empty();
+            const auto missing = static_cast<std::int64_t>(plan_.items.size()) - trays.placed();
+            const bool cut_short = missing > 0 && stop_.stopped();
             Box box;
             for (const PlacedItem& placed : trays.trays.front().placed) {
                 const auto i = static_cast<std::size_t>(placed.item.part);
                 box.add(bounding_box(transformed(*loaded_.meshes[i], transform_of(loaded_, plan_, placed))));
             }
-            const BoxScore score{static_cast<std::int64_t>(trays.left_over.size()), box.volume()};
-            if (!least || (!stopped && score < *least)) {
+            const BoxScore score{missing, box.volume()};
+            if (!least || (!cut_short && score < *least)) {
                 least = score;
                 best = std::move(trays);
                 base_ = base;
             }
-            if (stopped) return std::nullopt;
+            if (cut_short) return std::nullopt;
             return score;
         };
         double boxes = 0;

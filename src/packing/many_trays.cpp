@@ -42,8 +42,9 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
             placed.insert(copy.item);
         }
         remaining = without(remaining, placed);
-        result.left_over = tray.left_over;
-        stopped = !tray.untried.empty();
+        stopped = !tray.untried.empty() || stop.stopped();
+        // What a next tray would have been tried for has not been tried to the end.
+        result.left_over = stopped && next ? std::vector<PackItem>{} : without(tray.left_over, placed);
         const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());
         if (several && empty && !remaining.empty() && !stopped) {
             result.trays.pop_back();
@@ -51,7 +52,7 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
         }
     } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
              !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));
-    if (!stopped && !result.stuck) result.left_over = remaining;
+    if (!stopped && !result.stuck) result.left_over = remaining;  // with what is interlocked
 }
 
 }  // namespace spectralpack

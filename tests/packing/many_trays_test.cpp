@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "disassembly/scenes.hpp"
 #include "packing/first_fit.hpp"
 
 namespace spectralpack {
@@ -23,7 +24,11 @@ class ManyTrays : public testing::Test {
     void pack(const std::vector<PackItem>& items, const TraysLimit& limit) {
         TrayFiller filler(setup_, search_, {}, Workers(1));
         fill_trays(
-            items, limit, filler, shapes_, [](const GreedyResult&, std::size_t) {}, stop_.token(), result_);
+            items, limit, filler, shapes_,
+            [this](const GreedyResult&, std::size_t done) {
+                if (done == stop_after_) stop_.request(StopReason::cancelled);
+            },
+            stop_.token(), result_);
     }
 
     static std::vector<PackItem> copies(int part, int count) {
@@ -39,6 +44,7 @@ class ManyTrays : public testing::Test {
     std::atomic<int> made_{0};
     ShapeStore shapes_;
     StopSource stop_;
+    std::size_t stop_after_ = 0;  // items; 0: never
     TraysResult result_;
 };
 
@@ -115,6 +121,58 @@ TEST_F(ManyTrays, AStopLeavesTheRest) {
     EXPECT_EQ(result_.trays.size(), 1u);
     EXPECT_FALSE(result_.stuck);
     EXPECT_TRUE(result_.left_over.empty());
+}
+
+TEST_F(ManyTrays, AStopBetweenTraysBeginsNoOther) {
+    stop_after_ = 10;  // the first tray's last
+    pack(copies(1, 10), {0, 0});
+    EXPECT_EQ(result_.trays.size(), 1u);
+    EXPECT_FALSE(result_.stuck);
+    EXPECT_TRUE(result_.left_over.empty()) << "they would have had a tray of their own";
+}
+
+TEST_F(ManyTrays, AStopAtTheEndOfTheOnlyTrayChangesNothing) {
+    stop_after_ = 10;
+    pack(copies(1, 10), {1, 0});
+    EXPECT_EQ(result_.trays.size(), 1u);
+    EXPECT_EQ(result_.left_over.size(), 6u);
+}
+
+TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
+    // Two cubes in a chest whose lid has a hole too small for them, and no room beside it.
+    const std::vector<Mat3> upright{Mat3{}};
+    const std::vector<Mesh> meshes{
+        test::merged(test::chest_mesh(26, 2, true), test::placed(test::frame_mesh(26, 11, 2), {0, 0, 24})),
+        test::cube_mesh(8)};
+    const auto shape_of = [&](int part) {
+        return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
+                                                        meshes[static_cast<std::size_t>(part)], upright, 1, 1, 0, {0},
+                                                        Workers(1)));
+    };
+    ShapeStore shapes(shape_of, Workers(1), [](double) {});
+    StopSource stop;
+    FillSetup setup;
+    setup.tray.size = {32, 26, 26};
+    setup.tray.voxel_size = 1;
+    setup.container.size = {32, 26, 26};
+    setup.interlock = Interlock::post;
+    setup.take_out = TakeOut::lightest;
+    setup.left = [](int, int) {};
+    setup.to_put_back = [&](int, int) { stop.request(StopReason::cancelled); };  // after the first
+    const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
+    TrayFiller filler(
+        setup, *search,
+        [&](int part) {
+            return ScaledPart{std::make_shared<const Mesh>(meshes[static_cast<std::size_t>(part)]), 0, &upright, 0};
+        },
+        Workers(1));
+    TraysResult result;
+    fill_trays({{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(),
+               result);
+    ASSERT_EQ(result.trays.size(), 1u);
+    EXPECT_EQ(result.trays[0].report.counts.removed, 2);
+    EXPECT_EQ(result.trays[0].interlocked, (std::vector<PackItem>{{1, 0}}));
+    EXPECT_TRUE(result.left_over.empty()) << "the second cube was not tried";
 }
 
 TEST_F(ManyTrays, WhatWasPlacedSurvivesAnException) {
