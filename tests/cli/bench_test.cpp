@@ -83,11 +83,15 @@ TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
     EXPECT_EQ(times(text, "spectralpack pack "), 32u);
     EXPECT_TRUE(contains(text, "| mixtures | size |")) << text;
     EXPECT_TRUE(contains(ran.out, "| mixtures | size |"));
+    EXPECT_TRUE(contains(ran.err, "run 1 of 32: mixtures, random, tray\n")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "run 32 of 32: pieces, mixed, beam of 5, fixed set\n")) << ran.err;
+    const fs::path log = fs::path(runs().begin()->first).replace_extension(".log");
+    EXPECT_TRUE(contains(read_text(folder_ / "out" / "runs" / log), R"({"phase": "search")"));
 }
 
 TEST_F(Bench, WhatWasRunIsNotRunAgain) {
     const std::vector<std::string> options{"--threads", "1"};
-    const Ran cut = bench("4", options, "mixtures");  // three sets, twice each; this is the second
+    const Ran cut = bench("4", options, "run 4 of 6");  // three sets, twice each
     EXPECT_EQ(cut.status, 130) << cut.err;
     const auto before = runs();
     EXPECT_GE(before.size(), 3u);

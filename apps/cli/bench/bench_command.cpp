@@ -63,12 +63,17 @@ int run_bench(const BenchArguments& arguments) {
     for (const std::string& peer : arguments.peers) {
         peers.push_back(peer_of(peer));
     }
+    int runs = 0;
     for (const std::string& name : arguments.tables) {
         if (std::find(table_names().begin(), table_names().end(), name) == table_names().end()) {
             throw UsageError(fmt::format("there is no table '{}'; one of {}", printable(name), all_tables()));
         }
         Table table = make_table(name, scale, "");
         keep_wanted(table, arguments.rows);
+        const int programs = name == "4" ? 1 + static_cast<int>(peers.size()) : 1;
+        for (const Row& row : table.rows) {
+            runs += ((row.tray ? 1 : 0) + (row.fixed ? 1 : 0)) * programs;
+        }
     }
     const fs::path folder = arguments.folder;
     RunnerOptions options = arguments.runner;
@@ -77,9 +82,8 @@ int run_bench(const BenchArguments& arguments) {
     const Interrupts interrupts(std::nullopt);
     OutcomeStore store(folder / "runs");
     BenchSets sets(folder / "sets", arguments.sets, arguments.mesh_dir, scale);
-    Runner runner(
-        store, sets, options, [](const std::string& line) { fmt::print(stderr, "{}\n", printable(line)); },
-        interrupts.token());
+    RunDisplay display(runs);
+    Runner runner(store, sets, options, display, interrupts.token());
     for (const std::string& name : arguments.tables) {
         Table table = make_table(name, scale, name == "letters" ? sets.letters().string() : "");
         keep_wanted(table, arguments.rows);
@@ -125,7 +129,7 @@ Command add_bench_command(CLI::App& app) {
         "Each row packs twice: into a tray that overflows (its density tells which copies got in as well), and a fixed set,\n"
         "its height or trays to be as few as can be. Each run is a process of its own and is kept in DIR/runs as it ends:\n"
         "the same call goes on where it was cut off, and what has the same command, program and inputs is not run again.\n"
-        "Writes DIR/table-NAME.md, .csv and .svg; the packings stay in DIR/runs. The sets are generated with seed 0, or come\n"
+        "Writes DIR/table-NAME.md, .csv and .svg; packings and logs stay in DIR/runs. The sets are generated with seed 0, or come\n"
         "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv),\n"
         "polyhedra.csv.\n"
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");

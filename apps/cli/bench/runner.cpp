@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -58,16 +57,7 @@ std::string today() {
     return text;
 }
 
-/// Notes when how many copies were placed, from pack's --progress json.
-void note_progress(const std::string& line, std::vector<std::pair<std::int64_t, double>>& trace) {
-    long long done = 0, total = 0;
-    double density = 0, seconds = 0;
-    if (std::sscanf(line.c_str(), R"({"phase": "search", "done": %lld, "total": %lld, "density": %lf, "seconds": %lf)",
-                    &done, &total, &density, &seconds) != 4) {
-        return;
-    }
-    if (trace.empty() || done > trace.back().first) trace.emplace_back(done, seconds);
-}
+std::string what_of(const Row& row, const char* kind) { return fmt::format("{}, {}, {}", row.set, row.setting, kind); }
 
 void measure(const Packing& packing, Outcome& outcome) {
     outcome.copies = packing.metrics.copies;
@@ -105,14 +95,15 @@ std::string filled_in(std::string command, const std::string& name, const std::s
 
 }  // namespace
 
-Runner::Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, Tell tell, const StopToken& stop)
-    : store_(store), sets_(sets), options_(std::move(options)), tell_(std::move(tell)), stop_(stop),
+Runner::Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, RunDisplay& display,
+               const StopToken& stop)
+    : store_(store), sets_(sets), options_(std::move(options)), display_(display), stop_(stop),
       program_(hash_of_file(own_program())) {}
 
 RanRow Runner::run(const Row& row) {
     RanRow ran{row, {}, {}};
-    if (row.tray) ran.tray = run(*row.tray, row.options);
-    if (row.fixed) ran.fixed = run(*row.fixed, row.options);
+    if (row.tray) ran.tray = run(what_of(row, "tray"), *row.tray, row.options);
+    if (row.fixed) ran.fixed = run(what_of(row, "fixed set"), *row.fixed, row.options);
     return ran;
 }
 
@@ -121,8 +112,10 @@ RanRow Runner::run(const Peer& peer, const Row& row) {
     ran.row.setting = peer.name;
     ran.row.paper.clear();
     const auto size_in = [](const Task& task) { return task.container.at(1); };
-    if (row.tray) ran.tray = run_peer(peer, *row.tray, size_in(*row.tray), true);
-    if (row.fixed) ran.fixed = run_peer(peer, *row.fixed, size_in(*row.fixed) + "x10000", false);
+    if (row.tray) ran.tray = run_peer(what_of(ran.row, "tray"), peer, *row.tray, size_in(*row.tray), true);
+    if (row.fixed) {
+        ran.fixed = run_peer(what_of(ran.row, "fixed set"), peer, *row.fixed, size_in(*row.fixed) + "x10000", false);
+    }
     return ran;
 }
 
@@ -136,10 +129,17 @@ void Runner::stamp(Outcome& outcome) const {
 
 void Runner::keep(const std::string& key, const Outcome& outcome) const {
     store_.keep(key, outcome);
-    tell_(fmt::format("{:>7.1f} s{}  {}", outcome.seconds, outcome.cut_off ? ", cut off" : "", outcome.command));
+    display_.tell(fmt::format("{:>7.1f} s{}  {}", outcome.seconds, outcome.cut_off ? ", cut off" : "", outcome.command));
 }
 
-std::optional<Outcome> Runner::run(const Task& task, const std::vector<std::string>& options) {
+std::optional<Outcome> Runner::found(const std::string& key) {
+    std::optional<Outcome> before = store_.find(key);
+    if (before) display_.passed();
+    return before;
+}
+
+std::optional<Outcome> Runner::run(const std::string& what, const Task& task,
+                                   const std::vector<std::string>& options) {
     if (stop_.stopped()) return std::nullopt;
     const SetOnDisk& set = sets_.at(task.set);
     std::vector<std::string> words{"pack", set.file.string()};
@@ -153,7 +153,7 @@ std::optional<Outcome> Runner::run(const Task& task, const std::vector<std::stri
     const auto container = std::find(words.begin(), words.end(), "--container");
     if (container != words.end()) inputs = hash_of_file(*(container + 1), inputs);
     const std::string key = fmt::format("{:016x}", inputs);
-    if (auto before = store_.find(key)) return before;
+    if (auto before = found(key)) return before;
 
     const fs::path packing = store_.folder() / (key + ".json");
     Outcome outcome;
@@ -161,11 +161,21 @@ std::optional<Outcome> Runner::run(const Task& task, const std::vector<std::stri
     stamp(outcome);
     words.insert(words.begin(), own_program());
     words.insert(words.end(), {"--progress", "json", "-o", packing.string()});
-    const Ended ended = run_program(
-        words, [&](const std::string& line) { note_progress(line, outcome.trace); }, stop_);
+    display_.begins(what);
+    std::ofstream log(store_.folder() / (key + ".log"));
+    const auto line = [&](const std::string& text) {
+        log << text << std::endl;
+        const std::optional<PackProgress> progress = parse_progress(text);
+        if (!progress) return;
+        display_.at(*progress);
+        auto& trace = outcome.trace;
+        if (progress->phase != "search" || (!trace.empty() && progress->done <= trace.back().first)) return;
+        trace.emplace_back(progress->done, progress->seconds);
+    };
+    const Ended ended = run_program(words, line, stop_);
     if (stop_.stopped()) return std::nullopt;
     if (ended.status != 0) {
-        tell_(fmt::format("exit status {}: {}\n{}", ended.status, outcome.command, ended.last_words));
+        display_.tell(fmt::format("exit status {}: {}\n{}", ended.status, outcome.command, ended.last_words));
         failed_ = true;
         return std::nullopt;
     }
@@ -176,8 +186,8 @@ std::optional<Outcome> Runner::run(const Task& task, const std::vector<std::stri
     return outcome;
 }
 
-std::optional<Outcome> Runner::run_peer(const Peer& peer, const Task& task, const std::string& tray,
-                                        bool closed) {
+std::optional<Outcome> Runner::run_peer(const std::string& what, const Peer& peer, const Task& task,
+                                        const std::string& tray, bool closed) {
     if (stop_.stopped()) return std::nullopt;
     const SetOnDisk& set = sets_.at(task.set);
     std::string files, counted;
@@ -191,7 +201,7 @@ std::optional<Outcome> Runner::run_peer(const Peer& peer, const Task& task, cons
     }
     std::string command = filled_in(filled_in(peer.command, "set", shell_word(set.file.string())), "tray", tray);
     const std::string key = fmt::format("{:016x}", hash_of(command, set.contents));
-    if (auto before = store_.find(key)) return before;
+    if (auto before = found(key)) return before;
 
     const fs::path out = store_.folder() / (key + ".stl");
     Outcome outcome;
@@ -201,13 +211,15 @@ std::optional<Outcome> Runner::run_peer(const Peer& peer, const Task& task, cons
     outcome.copies = copies;
     command = filled_in(filled_in(command, "files", files), "counted", counted);
     if (options_.time_limit) command = fmt::format("timeout -s INT {} sh -c {}", *options_.time_limit, shell_word(command));
+    display_.begins(what);
+    std::ofstream log(store_.folder() / (key + ".log"));
     const Ended ended = run_program({"/bin/sh", "-c", filled_in(command, "out", shell_word(out.string()))},
-                                    [](const std::string&) {}, stop_);
+                                    [&](const std::string& line) { log << line << std::endl; }, stop_);
     if (stop_.stopped()) return std::nullopt;
     Listener quiet;
     const auto left = inspect(expand_inputs({out.string()}, ""), {}, quiet);
     if (left.empty() || left.front().objects.empty()) {
-        tell_(fmt::format("{}: exit status {} and no mesh in {}: {}\n{}", peer.name, ended.status, out.string(),
+        display_.tell(fmt::format("{}: exit status {} and no mesh in {}: {}\n{}", peer.name, ended.status, out.string(),
                           outcome.command, ended.last_words));
         failed_ = true;
         return std::nullopt;
@@ -221,7 +233,7 @@ std::optional<Outcome> Runner::run_peer(const Peer& peer, const Task& task, cons
     const Vec3 room = parse_size(tray, "the tray of a table");
     const Vec3 taken = box.size();
     if (taken.x > room.x || taken.y > room.y || taken.z > room.z) {
-        tell_(fmt::format("{} leaves a packing of {:g}x{:g}x{:g} mm, which is no answer for {}", peer.name, taken.x,
+        display_.tell(fmt::format("{} leaves a packing of {:g}x{:g}x{:g} mm, which is no answer for {}", peer.name, taken.x,
                           taken.y, taken.z, tray));
         failed_ = true;
         return std::nullopt;

@@ -1,7 +1,6 @@
 #pragma once
 /// Runs the rows of tables, each `pack` a process of its own.
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 
 #include "bench_sets.hpp"
 #include "outcome.hpp"
+#include "run_display.hpp"
 #include "table.hpp"
 
 namespace spectralpack::cli {
@@ -32,13 +32,11 @@ struct RanRow {
 
 class Runner {
   public:
-    using Tell = std::function<void(const std::string&)>;
-
-    /// `tell` is given a line of what was done or what went wrong, for people.
-    Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, Tell tell, const StopToken& stop);
+    /// `display` is told what is run, what came of it and what went wrong. All that is referred to outlives the runner.
+    Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, RunDisplay& display, const StopToken& stop);
 
     /// Runs what was not run before: what has the same command, program and inputs is taken from the store. None where
-    /// it was stopped or failed; the failure is told.
+    /// it was stopped or failed; the failure is told. What a run says on standard error stays in the store's folder.
     RanRow run(const Row& row);
 
     /// A peer on the row's set, its container a tray. Its outcome is measured from the one mesh file it leaves.
@@ -47,16 +45,19 @@ class Runner {
     bool failed() const { return failed_; }  ///< some run was neither done nor stopped
 
   private:
-    std::optional<Outcome> run(const Task& task, const std::vector<std::string>& options);
+    /// `what`: of the run, for people.
+    std::optional<Outcome> run(const std::string& what, const Task& task, const std::vector<std::string>& options);
     /// `tray`: for the peer; where `closed`, the density is told of it.
-    std::optional<Outcome> run_peer(const Peer& peer, const Task& task, const std::string& tray, bool closed);
+    std::optional<Outcome> run_peer(const std::string& what, const Peer& peer, const Task& task, const std::string& tray,
+                                    bool closed);
+    std::optional<Outcome> found(const std::string& key);
     void keep(const std::string& key, const Outcome& outcome) const;
     void stamp(Outcome& outcome) const;
 
     OutcomeStore& store_;
     BenchSets& sets_;
     RunnerOptions options_;
-    Tell tell_;
+    RunDisplay& display_;
     StopToken stop_;
     std::uint64_t program_;  // its own bytes
     bool failed_ = false;
