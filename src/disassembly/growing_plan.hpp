@@ -16,6 +16,8 @@ class GrowingPlan {
   public:
     /// After how many steps a part was discarded that was not.
     static constexpr std::size_t kStayed = std::numeric_limits<std::size_t>::max();
+    /// So many are planned for anew at most where nothing else is asked for: more take long, and seldom come apart.
+    static constexpr std::size_t kMostAnew = 50;
 
     /// The plan of `parts`, named by their index, and after how many of its steps each was discarded. `setup` is referred
     /// to; it knows the names.
@@ -28,10 +30,10 @@ class GrowingPlan {
     /// the way of, or else, with those whose way it is in then and those whose way they are in, last: these are taken
     /// apart anew, by themselves. The others go as before. Where they hold each other, lighter ones than the part may be
     /// discarded instead. Nothing changes where they hold each other all the same, or are more than `most`.
-    bool let_back(int part, std::size_t most);
+    bool let_back(int part, std::size_t most = kMostAnew);
 
     /// Likewise for a new part, of another name, for which nobody is discarded.
-    bool let_in(int name, StandingPart part, std::size_t most);
+    bool let_in(int name, StandingPart part, std::size_t most = kMostAnew);
     /// A new part that leaves before all others.
     void put_first(int name, StandingPart part, std::vector<Vec3> path);
 

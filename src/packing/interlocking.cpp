@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <numeric>
 #include <set>
 #include <unordered_set>
 #include <utility>
 
-#include "disassembly/blocking_graph.hpp"
 #include "disassembly/growing_plan.hpp"
 #include "disassembly/remaining_steps.hpp"
 #include "packing/reachable_search.hpp"
+#include "packing/removable_packing.hpp"
 #include "refine/refiner.hpp"
-#include "voxel/voxelize.hpp"
 
 namespace spectralpack {
 namespace {
@@ -22,10 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
 constexpr double kShareToRemove = 0.1;
-// A copy is let into a plan if no more than so many have to be planned for anew.
-constexpr std::size_t kMostAnew = 50;
-// Rays per voxel and axis: every copy of a voxel or more is seen.
-constexpr double kRaysPerVoxel = 1;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -68,20 +62,8 @@ class Untangling {
   public:
     Untangling(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                const StopToken& stop)
-        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop) {
-        disassembly_.search = &search;
-        disassembly_.grid = setup.walls ? setup.walls->grid : finest_setup(tray.setup());
-        disassembly_.corner =
-            setup.walls ? setup.walls->corner : Vec3{setup.wall_gap, setup.wall_gap, setup.wall_gap};
-        disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
-        disassembly_.on_grid = [this](int i) {
-            const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
-            const Mesh mesh = setup_.surfaces->turned_mesh(item.item.part, item.orientation);
-            return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, setup_.workers));
-        };
-        disassembly_.workers = setup.workers;
-        disassembly_.stop = stop;
-    }
+        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop),
+          standing_(setup, tray, placed, search, stop) {}
 
     Untangled run() {
         const auto start = Clock::now();
@@ -101,48 +83,10 @@ class Untangling {
     }
 
   private:
-    std::vector<StandingPart> standing() {
-        std::vector<TurnedPart> wanted;
-        for (const PlacedItem& item : placed_) {
-            wanted.push_back({item.item.part, item.orientation});
-        }
-        setup_.surfaces->make(wanted);
-        std::vector<StandingPart> parts;
-        for (const PlacedItem& item : placed_) {
-            parts.push_back(as_standing(item));
-        }
-        return parts;
-    }
-
-    StandingPart as_standing(const PlacedItem& item) {
-        return {setup_.surfaces->at(item.item.part, item.orientation), item.offset,
-                in_grid(tray_.object(item.object))};
-    }
-
-    /// An object of the tray in the grid that ways out are looked for in.
-    TrayObject in_grid(const TrayObject& object) const {
-        return setup_.walls ? setup_.walls->moved(on_finest(object)) : on_finest(object);
-    }
-
-    /// The fixed ones come after all others, so that names are indices into `placed`.
-    void add_fixed(std::vector<StandingPart>& parts) const {
-        for (StandingPart part : setup_.fixed) {
-            part.object = in_grid(part.object);
-            part.object.fixed = true;
-            parts.push_back(std::move(part));
-        }
-    }
-
-    /// All that stays: fixed copies, and the walls of a physical container.
-    void add_what_stays(std::vector<StandingPart>& parts) const {
-        add_fixed(parts);
-        if (setup_.walls) parts.push_back(setup_.walls->part);
-    }
-
     std::optional<double> least_gap() {
         Refiner refiner(RefineSetup{tray_.setup().size});
-        std::vector<StandingPart> parts = standing();
-        add_fixed(parts);
+        std::vector<StandingPart> parts = standing_.placed();
+        standing_.add_fixed(parts);
         for (const StandingPart& part : parts) {
             refiner.add({part.surface, part.offset});
         }
@@ -151,11 +95,11 @@ class Untangling {
 
     /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.
     std::vector<PlacedItem> disassemble() {
-        std::vector<StandingPart> parts = standing();
+        std::vector<StandingPart> parts = standing_.placed();
         const std::size_t movable = parts.size();
-        add_what_stays(parts);
+        standing_.add_what_stays(parts);
         std::vector<std::size_t> discarded_after(parts.size(), GrowingPlan::kStayed);
-        Disassembler disassembler(disassembly_, parts, setup_.left);
+        Disassembler disassembler(standing_.disassembly(), parts, setup_.left);
         for (;;) {
             disassembler.run();
             if (stop_.stopped()) break;
@@ -168,7 +112,7 @@ class Untangling {
                 }
             }
         }
-        GrowingPlan plan(disassembly_, parts, disassembler.steps(), std::move(discarded_after));
+        GrowingPlan plan(standing_.disassembly(), parts, disassembler.steps(), std::move(discarded_after));
         let_back(plan, parts);
         result_.report.counts = disassembler.counts();
         result_.report.counts.fills += plan.fills();
@@ -203,14 +147,14 @@ class Untangling {
         std::ranges::stable_sort(all, std::ranges::greater{}, &Out::voxels);
         for (const Out& out : all) {
             if (stop_.stopped()) return;
-            plan.let_back(out.part, kMostAnew);
+            plan.let_back(out.part);
         }
     }
 
     /// mm, of what was placed.
     double height() {
         double top = 0;
-        for (const StandingPart& part : standing()) {
+        for (const StandingPart& part : standing_.placed()) {
             top = std::max(top, part.box().max.z);
         }
         return top;
@@ -268,20 +212,14 @@ class Untangling {
         }
         std::stable_sort(items.begin(), items.end(),
                          [&](const PackItem& a, const PackItem& b) { return rank[a] < rank[b]; });
-        std::vector<StandingPart> parts = standing();
-        std::vector<int> names(parts.size());
-        std::iota(names.begin(), names.end(), 0);
-        add_what_stays(parts);
-        names.resize(parts.size(), -1);
-        Room room{Company(disassembly_, names, parts), GrowingPlan(disassembly_, parts, result_.plan.steps,
-                                                                   std::vector<std::size_t>(parts.size(), GrowingPlan::kStayed)),
-                  ReachableSearch(search_, setup_.walls)};
+        RemovablePacking packing(standing_, result_.plan.steps);
+        ReachableSearch reachable(search_, setup_.walls);
         ShapeStore& shapes = *setup_.shapes;
         shapes.start_tray(items);
         std::unordered_set<int> hopeless;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                               put_in(items[i], shapes.at(i), room);
+                               put_in(items[i], shapes.at(i), packing, reachable);
             const bool was_taken_out = taken_out.contains(items[i]);
             if (!again) {
                 hopeless.insert(items[i].part);
@@ -292,42 +230,29 @@ class Untangling {
             shapes.release(i, again);
             setup_.to_put_back(static_cast<int>(items.size() - i - 1), static_cast<int>(items.size()));
         }
-        result_.plan.steps = room.plan.steps();
-        result_.report.counts.fills += room.plan.fills();
+        result_.plan.steps = packing.steps();
+        result_.report.counts.fills += packing.fills();
     }
 
-    /// What stands while copies are put back, and how it comes apart.
-    struct Room {
-        Company company;
-        GrowingPlan plan;
-        ReachableSearch reachable;
-    };
-
     /// At its best place if it comes out from there once its turn comes, or else at the best that is reachable now.
-    bool put_in(const PackItem& item, const Shape& shape, Room& room) {
+    bool put_in(const PackItem& item, const Shape& shape, RemovablePacking& packing, ReachableSearch& reachable) {
         const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
-        for (PlacementSearch* search : {&search_, static_cast<PlacementSearch*>(&room.reachable)}) {
+        for (PlacementSearch* search : {&search_, static_cast<PlacementSearch*>(&reachable)}) {
             const SearchResult found = find_place(tray_, *search, setup_.model, item, shape, setup_.limits, stop_);
             if (!found.best) return false;
-            if (put_at(*found.best, item, shape, room)) return true;
+            if (put_at(*found.best, item, shape, packing)) return true;
         }
         return false;
     }
 
-    bool put_at(const BestPlacement& place, const PackItem& item, const Shape& shape, Room& room) {
+    bool put_at(const BestPlacement& place, const PackItem& item, const Shape& shape, RemovablePacking& packing) {
         Standing standing = stand_on_grid(shape, place, setup_.voxel_size, tray_.detail(), setup_.wall_gap);
         const int orientation = shape.orientations[static_cast<std::size_t>(place.index)].orientation;
         PlacedItem placed{item, orientation, place.position, standing.offset, 0, place.cost};
         placed.object = tray_.add(std::move(standing.object));
         placed_.push_back(placed);
-        const int name = static_cast<int>(placed_.size()) - 1;
-        StandingPart part = as_standing(placed);
-        const std::size_t i = room.company.add(name, part);
-        if (std::optional<Company::Path> path = room.company.any_way_out(i)) {
-            room.plan.put_first(name, std::move(part), std::move(*path));
-        } else if (!room.plan.let_in(name, std::move(part), kMostAnew)) {
-            room.company.remove(i);
+        if (!packing.admit(placed)) {
             tray_.remove(placed.object);
             placed_.pop_back();
             return false;
@@ -341,7 +266,7 @@ class Untangling {
     std::vector<PlacedItem>& placed_;
     const InterlockSetup& setup_;
     StopToken stop_;
-    DisassemblySetup disassembly_;
+    StandingParts standing_;
     Untangled result_;
 };
 

@@ -6,31 +6,23 @@
 #include <optional>
 #include <vector>
 
-#include "core/parallel.hpp"
 #include "disassembly/disassembler.hpp"
 #include "model/disassembly.hpp"
-#include "packing/greedy.hpp"
-#include "packing/part_surfaces.hpp"
-#include "packing/physical_walls.hpp"
 #include "packing/shape_store.hpp"
+#include "packing/standing_parts.hpp"
 
 namespace spectralpack {
 
-struct InterlockSetup {
-    double voxel_size = 2;           ///< mm
-    double wall_gap = 0;             ///< mm
+struct InterlockSetup : StandingSetup {
+    double voxel_size = 2;  ///< mm
     CostModel model;
-    PartSurfaces* surfaces = nullptr;
-    std::vector<StandingPart> fixed; ///< what stands in the tray besides `placed`, and never moves
-    const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
-    ShapeStore* shapes = nullptr;    ///< free to start a tray
+    ShapeStore* shapes = nullptr;  ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
-    std::vector<PackItem> order;     ///< in which copies are put back
-    std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
+    std::vector<PackItem> order;    ///< in which copies are put back
+    std::vector<PackItem> waiting;  ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;         ///< told while planning
     Disassembler::Left to_put_back;  ///< told how many copies are still to be tried, while putting back
-    Workers workers;
 };
 
 /// What was done about interlocking, for the record.

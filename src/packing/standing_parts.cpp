@@ -1,0 +1,70 @@
+#include "packing/standing_parts.hpp"
+
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+// Rays per voxel and axis: every copy of a voxel or more is seen.
+constexpr double kRaysPerVoxel = 1;
+
+}  // namespace
+
+StandingParts::StandingParts(const StandingSetup& setup, const Tray& tray, const std::vector<PlacedItem>& placed,
+                             PlacementSearch& search, const StopToken& stop)
+    : setup_(setup), tray_(tray), placed_(placed) {
+    disassembly_.search = &search;
+    disassembly_.corner = setup.walls ? setup.walls->corner : Vec3{setup.wall_gap, setup.wall_gap, setup.wall_gap};
+    renew_grid();
+    disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
+    disassembly_.on_grid = [this](int i) {
+        const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
+        const Mesh mesh = setup_.surfaces->turned_mesh(item.item.part, item.orientation);
+        return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, setup_.workers));
+    };
+    disassembly_.workers = setup.workers;
+    disassembly_.stop = stop;
+}
+
+bool StandingParts::grid_holds() const {
+    return setup_.walls || disassembly_.grid.size.z >= tray_.setup().size.z;
+}
+
+void StandingParts::renew_grid() { disassembly_.grid = setup_.walls ? setup_.walls->grid : finest_setup(tray_.setup()); }
+
+/// An object of the tray in the grid that ways out are looked for in.
+TrayObject StandingParts::in_grid(const TrayObject& object) const {
+    return setup_.walls ? setup_.walls->moved(on_finest(object)) : on_finest(object);
+}
+
+StandingPart StandingParts::of(const PlacedItem& item) const {
+    return {setup_.surfaces->at(item.item.part, item.orientation), item.offset, in_grid(tray_.object(item.object))};
+}
+
+std::vector<StandingPart> StandingParts::placed() const {
+    std::vector<TurnedPart> wanted;
+    for (const PlacedItem& item : placed_) {
+        wanted.push_back({item.item.part, item.orientation});
+    }
+    setup_.surfaces->make(wanted);
+    std::vector<StandingPart> parts;
+    for (const PlacedItem& item : placed_) {
+        parts.push_back(of(item));
+    }
+    return parts;
+}
+
+void StandingParts::add_fixed(std::vector<StandingPart>& parts) const {
+    for (StandingPart part : setup_.fixed) {
+        part.object = in_grid(part.object);
+        part.object.fixed = true;
+        parts.push_back(std::move(part));
+    }
+}
+
+void StandingParts::add_what_stays(std::vector<StandingPart>& parts) const {
+    add_fixed(parts);
+    if (setup_.walls) parts.push_back(setup_.walls->part);
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,52 @@
+#pragma once
+/// What stands in a tray, as disassembly sees it (disassembly/standing_part.hpp).
+
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "disassembly/company.hpp"
+#include "packing/greedy.hpp"
+#include "packing/part_surfaces.hpp"
+#include "packing/physical_walls.hpp"
+
+namespace spectralpack {
+
+struct StandingSetup {
+    double wall_gap = 0;  ///< mm
+    PartSurfaces* surfaces = nullptr;
+    std::vector<StandingPart> fixed;       ///< what stands in the tray besides the copies placed, and never moves
+    const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
+    Workers workers;
+};
+
+class StandingParts {
+  public:
+    /// All that is referred to outlives it; `tray` holds what is `placed`. `search`: answers what is free.
+    StandingParts(const StandingSetup& setup, const Tray& tray, const std::vector<PlacedItem>& placed,
+                  PlacementSearch& search, const StopToken& stop);
+    StandingParts(const StandingParts&) = delete;
+    StandingParts& operator=(const StandingParts&) = delete;
+
+    /// Names are indices into `placed`.
+    const DisassemblySetup& disassembly() const { return disassembly_; }
+    /// Whether the tray's grid is still the one that ways out are looked for in: under an open ceiling it grows.
+    bool grid_holds() const;
+    void renew_grid();
+
+    StandingPart of(const PlacedItem& item) const;
+    std::vector<StandingPart> placed() const;
+    /// Fixed copies come after all others.
+    void add_fixed(std::vector<StandingPart>& parts) const;
+    /// Fixed copies, and the walls of a physical container.
+    void add_what_stays(std::vector<StandingPart>& parts) const;
+
+  private:
+    TrayObject in_grid(const TrayObject& object) const;
+
+    const StandingSetup& setup_;
+    const Tray& tray_;
+    const std::vector<PlacedItem>& placed_;
+    DisassemblySetup disassembly_;
+};
+
+}  // namespace spectralpack
