@@ -179,7 +179,7 @@ class Run {
                 }
                 return shape;
             },
-            workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep);
+            workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep, plan_.ahead);
         TraysLimit limit{options.trays, options.try_per_tray};
         if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
         const double container = volume_of(container_);
@@ -236,7 +236,7 @@ class Run {
     /// only where there is nothing else.
     void search_least_box(PlacementSearch& engine, TraysResult& best) {
         // One base after the other wants the same voxels; the memory plan has room for so many parts'.
-        keep_shapes_ = loaded_.parts.size() <= 2 * ShapeStore::kAhead;
+        keep_shapes_ = static_cast<int>(loaded_.parts.size()) <= 2 * plan_.ahead;
         std::optional<BoxScore> least;
         std::int64_t searches = 0;
         const auto count = [&] { best.trays.front().searches = searches; };

@@ -91,10 +91,9 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
            (orientations.size() == 1 ? "" : "s") + " tried";
 }
 
-/// Bytes of a part's voxels in all orientations, about: bit rows are padded to words, so the mean over which
+/// Bytes of a part's voxels in one orientation, about: bit rows are padded to words, so the mean over which
 /// axis runs along x; one set for A, one for its fine voxels and one, fine too, for A+g per distinct positive gap.
-std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_t orientations,
-                          const std::vector<double>& gap_classes) {
+std::int64_t shape_memory(const Vec3& size, double voxel, int detail, const std::vector<double>& gap_classes) {
     const auto bits = [&](double margin, double dx) {
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -110,7 +109,19 @@ std::int64_t shape_memory(const Vec3& size, double voxel, int detail, std::size_
     for (const double gap : gap_classes) {
         if (gap > 0) bytes += bits(2 * (gap + fine), fine);
     }
-    return static_cast<std::int64_t>(bytes * static_cast<double>(orientations));
+    return static_cast<std::int64_t>(bytes);
+}
+
+/// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over
+/// them, as a part turned otherwise has a larger box.
+std::vector<Vec3> sample_sizes(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations) {
+    constexpr std::size_t kRightAngles = 24, kSamples = 7;
+    const std::size_t samples = orientations.size() > kRightAngles ? kSamples : 1;
+    std::vector<Vec3> sizes;
+    for (std::size_t k = 0; k < samples; ++k) {
+        sizes.push_back(turned_size(mesh, orientations[k * orientations.size() / samples], to_mm));
+    }
+    return sizes;
 }
 
 /// Bytes that do not depend on the grid: meshes, surfaces and the voxels of the parts that are held at once, or of `all`.
@@ -123,10 +134,14 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
         bytes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
                                            mesh.triangles.size() * sizeof(Triangle));
         if (!plan.too_large[i].empty() || copies_to_pack(loaded, i) == 0) continue;
-        shapes.push_back(shape_memory(turned_size(mesh, Mat3{}, loaded.parts[i].to_mm()), dx, detail,
-                                      plan.orientations[i]->size(), plan.gap_classes));
+        std::int64_t sum = 0;
+        for (const Vec3& size : plan.turned_sizes[i]) {
+            sum += shape_memory(size, dx, detail, plan.gap_classes);
+        }
+        shapes.push_back(sum * static_cast<std::int64_t>(plan.orientations[i]->size()) /
+                         static_cast<std::int64_t>(plan.turned_sizes[i].size()));
     }
-    const std::size_t held = std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * ShapeStore::kAhead);
+    const std::size_t held = std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * static_cast<std::size_t>(plan.ahead));
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
                       std::greater<>());
     for (std::size_t i = 0; i < held; ++i) {
@@ -322,12 +337,15 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
 
     std::vector<PartSize> sizes;
     plan.too_large.resize(loaded.parts.size());
+    plan.turned_sizes.resize(loaded.parts.size());
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
         plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i],
                                           room(options));
+        plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
+    plan.ahead = ShapeStore::ahead(plan.most_orientations);
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const Part& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;

@@ -17,6 +17,7 @@ struct Plan {
     double height_penalty = 0;         ///< p
     std::vector<PackItem> items;       ///< in the order to try, without what cannot fit
     std::vector<int> ranks;            ///< by part: urgency_ranks()
+    std::vector<std::vector<Vec3>> turned_sizes;  ///< by part: its mesh's in some of its orientations, spread over them
     std::vector<std::string> too_large;  ///< by part: why it fits in no orientation; empty where it fits
     EngineKind engine = EngineKind::cpu; ///< resolved
     Extent grid;                       ///< with open height, as high as it starts
@@ -26,6 +27,7 @@ struct Plan {
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;            ///< bytes left for caches
     std::int64_t keep = 0;             ///< bytes of voxels that may be held from one tray to the next
+    int ahead = 1;                     ///< parts whose voxels are made at a time
     bool keeps_all = false;            ///< there is memory for the voxels of all parts at once
     double box_ratio = 0, volume_ratio = 0;
 };

@@ -15,8 +15,9 @@ constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63;
 /// What is known of one orientation's positions.
 struct Known {
     std::mutex mutex;
+    Extent solid;
     std::unique_ptr<FreeTileReader> tiles;
-    std::unique_ptr<ReachableRegion> region;
+    std::unique_ptr<ReachableRegion> region;  // null: none of its positions was asked about
 };
 
 }  // namespace
@@ -30,15 +31,15 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         const OrientedShape& oriented = shape.orientations[i];
         if (tray.candidates(oriented.size).empty()) continue;
         const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
+        known[i].solid = solid->extent();
         known[i].tiles = engine_.free_tiles(fine, solid, {});
-        known[i].region =
-            std::make_unique<ReachableRegion>(*known[i].tiles, solid->extent(), whole(fine.extent()), stop);
     }
     Shape asked = shape;
     asked.id |= kOwnIds;
     asked.admits = [&](int index, const VoxelIndex& q) {
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
+        if (!of.region) of.region = std::make_unique<ReachableRegion>(*of.tiles, of.solid, whole(fine.extent()), stop);
         return of.region->contains({s * q.x + margin, s * q.y + margin, s * q.z + margin});
     };
     return engine_.best_placement(tray, asked, model, stop);

@@ -7,12 +7,16 @@
 namespace spectralpack {
 namespace {
 
+// Orientations made at a time: those of kAhead parts that may be turned by right angles.
+constexpr std::size_t kOrientationsAhead = 24 * ShapeStore::kAhead;
+
 std::int64_t bytes_of(const Shape& shape) {
     std::int64_t bytes = 0;
     for (const OrientedShape& oriented : shape.orientations) {
         bytes += oriented.solid->bytes();
-        for (const auto& widened : oriented.widened) {
-            bytes += widened->voxels.bytes();
+        if (oriented.fine && oriented.fine != oriented.solid) bytes += oriented.fine->bytes();
+        for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
+            if (c == 0 || oriented.widened[c] != oriented.widened[c - 1]) bytes += oriented.widened[c]->voxels.bytes();
         }
     }
     return bytes;
@@ -20,8 +24,16 @@ std::int64_t bytes_of(const Shape& shape) {
 
 }  // namespace
 
-ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep)
-    : make_(std::move(make)), workers_(workers), timed_(std::move(timed)), keep_(keep) {}
+int ShapeStore::ahead(std::size_t orientations) {
+    return static_cast<int>(std::clamp<std::size_t>(kOrientationsAhead / std::max<std::size_t>(1, orientations), 1, kAhead));
+}
+
+ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep, int ahead)
+    : make_(std::move(make)),
+      workers_(workers),
+      timed_(std::move(timed)),
+      keep_(keep),
+      ahead_(static_cast<std::size_t>(ahead)) {}
 
 void ShapeStore::start_tray(const std::vector<PackItem>& items) {
     items_ = items;
@@ -47,7 +59,7 @@ const Shape& ShapeStore::at(std::size_t i) {
         const auto start = std::chrono::steady_clock::now();
         std::vector<int> batch;
         std::vector<bool> listed(shapes_.size(), false);
-        for (std::size_t j = i; j < items_.size() && batch.size() < kAhead; ++j) {
+        for (std::size_t j = i; j < items_.size() && batch.size() < ahead_; ++j) {
             const auto part = static_cast<std::size_t>(items_[j].part);
             if (!listed[part] && !shapes_[part] && remaining_[part] > 0) {
                 listed[part] = true;

@@ -21,21 +21,23 @@ class ShapeStore {
     /// Told how long each batch of shapes took to make, for the record.
     using Timed = std::function<void(double seconds)>;
 
-    /// `keep`: bytes of shapes that may be held from one tray to the next.
-    ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep = 0);
+    /// Parts made at a time at most: enough to keep the threads busy, few enough to hold.
+    static constexpr int kAhead = 32;
+    /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all threads.
+    static int ahead(std::size_t orientations);
+
+    /// `keep`: bytes of shapes that may be held from one tray to the next. `ahead`: parts made at a time.
+    ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep = 0, int ahead = kAhead);
 
     /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
     void start_tray(const std::vector<PackItem>& items);
 
-    /// The shape of items[i].part. Calls come with i ascending, about. On a miss, the next kAhead distinct parts are made
+    /// The shape of items[i].part. Calls come with i ascending, about. On a miss, the next distinct parts are made
     /// together, in parallel. Throws what `make` throws.
     const Shape& at(std::size_t i);
 
     /// items[i] is done with, `placed` or left over; the shape goes with the part's last copy.
     void release(std::size_t i, bool placed);
-
-    /// Parts made at a time: enough to keep the threads busy, few enough to hold.
-    static constexpr int kAhead = 32;
 
   private:
     void drop(std::size_t part);
@@ -45,6 +47,7 @@ class ShapeStore {
     Workers workers_;
     Timed timed_;
     std::int64_t keep_;                                 // bytes that may still be held for later trays
+    std::size_t ahead_;
     std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next three
     std::vector<std::int64_t> kept_;                    // bytes taken from keep_
     std::vector<int> remaining_;                        // copies to come in this tray

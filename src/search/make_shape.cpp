@@ -84,10 +84,12 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
                                       nullptr,
                                       {},
                                       std::make_shared<const BitGrid>(std::move(voxels[i].solid))});
-        OrientedShape& made = shape.orientations.back();
+    }
+    workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
+        OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
         made.solid = detail == 1 ? made.fine
                                  : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
-    }
+    });
 
     // Widening costs more than all else here, so each root is widened and the others get its grids
     // with the axes exchanged: 8 of the cube's 24 rotations are roots.
@@ -100,8 +102,9 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
                               : WidenedVoxels{*root.fine, {}};
         });
     });
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (sources[i].root == i) continue;
+    workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (sources[i].root == i) return;
         shape.orientations[i].turned_from = static_cast<int>(sources[i].root);
         shape.orientations[i].axes = sources[i].axes;
         const Widened& of_root = shape.orientations[sources[i].root].widened;
@@ -111,7 +114,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
             return WidenedVoxels{permuted(of_root[c]->voxels, axes),
                                  {offset[axes[0]], offset[axes[1]], offset[axes[2]]}};
         });
-    }
+    });
     return shape;
 }
 

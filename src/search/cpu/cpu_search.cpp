@@ -99,8 +99,7 @@ class CpuSearch final : public PlacementSearch {
 
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
                                  const FreeQuery& query) override {
-        const BitGrid& solid = *shape.orientations[static_cast<std::size_t>(index)].solid;
-        FreeTiles tiles(tray, dilated(tray), query, solid);
+        FreeTiles tiles(tray, dilated(tray), query, shape.orientations[static_cast<std::size_t>(index)].solid);
         FreePositions result{tiles.origin(), BitGrid(tiles.extent())};
         const Extent& e = tiles.extent();
         FreeTiles::Rows all;
@@ -120,7 +119,7 @@ class CpuSearch final : public PlacementSearch {
 
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                              const FreeQuery& query) override {
-        return std::make_unique<FreeTiles>(tray, dilated(tray), query, *solid);
+        return std::make_unique<FreeTiles>(tray, dilated(tray), query, std::move(solid));
     }
 
     const char* name() const override { return "cpu"; }

@@ -85,17 +85,16 @@ std::size_t spreading_stride(std::size_t n) {
 }  // namespace
 
 FreeTiles::FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, const FreeQuery& query,
-                     const BitGrid& solid)
+                     std::shared_ptr<const BitGrid> solid)
     : tray_(tray),
       shared_(std::move(layers)),
-      depth_(solid.extent().z),
+      solid_(std::move(solid)),
       layers_(static_cast<std::size_t>(tray.extent().z)) {
     static_assert(kRows == DilatedRows::kTogether);
     for (int axis = 0; axis < 3; ++axis) {
-        origin_[axis] = -(solid.extent()[axis] - 1) - query.padding;
-        extent_[axis] = tray.extent()[axis] + solid.extent()[axis] - 1 + 2 * query.padding;
+        origin_[axis] = -(solid_->extent()[axis] - 1) - query.padding;
+        extent_[axis] = tray.extent()[axis] + solid_->extent()[axis] - 1 + 2 * query.padding;
     }
-    looks_ = looks_for(solid);
     if (!query.without) return;
     VoxelBox around = intersection(tray.object(*query.without).box(), whole(tray.extent()));
     if (around.empty()) return;
@@ -158,7 +157,8 @@ FreeTileReader::Told FreeTiles::tell(int i, int j, int z, const Rows& wanted) {
     Rows blocked;
     blocked.fill(~std::uint64_t{0});
     std::fill_n(blocked.begin(), rows, bits == 64 ? 0 : ~std::uint64_t{0} << bits);
-    make_layers(z + origin_.z, z + origin_.z + depth_);
+    if (looks_.empty()) looks_ = looks_for(*solid_);
+    make_layers(z + origin_.z, z + origin_.z + solid_->extent().z);
     const bool early = HWY_DYNAMIC_DISPATCH(BlockTile)(looks_, layers_, shared_->words(), i, y, z, wanted.data(), blocked.data());
     if (early) {
         told.known = blocked;

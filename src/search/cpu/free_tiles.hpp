@@ -35,9 +35,10 @@ struct TileLayer {
 class FreeTiles final : public FreeTileReader {
   public:
     /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent; origin = -(a - 1) - padding per axis, extent
-    /// = n + a - 1 + 2 padding. `tray` stays as it is, and `layers` follow it. O(runs of `solid`) to build, and for
-    /// query.without O(its box).
-    FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, const FreeQuery& query, const BitGrid& solid);
+    /// = n + a - 1 + 2 padding. `tray` stays as it is, and `layers` follow it. For query.without O(its box); O(runs of
+    /// `solid`) when first asked.
+    FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, const FreeQuery& query,
+              std::shared_ptr<const BitGrid> solid);
 
     const VoxelIndex& origin() const override { return origin_; }
     const Extent& extent() const override { return extent_; }
@@ -58,8 +59,8 @@ class FreeTiles final : public FreeTileReader {
     std::shared_ptr<DilatedLayers> shared_;
     VoxelIndex origin_;
     Extent extent_;
-    int depth_;  // layers of the solid
-    std::vector<TileLook> looks_;
+    std::shared_ptr<const BitGrid> solid_;
+    std::vector<TileLook> looks_;    // empty: not yet made. Many readers are made of whom few are asked
     std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
     VoxelBox around_;                // of the object that is out, and rows beside it that are read together; empty: none
     BitGrid voxels_without_;         // Omega_move in that box
