@@ -225,27 +225,33 @@ std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) cons
     return std::nullopt;
 }
 
-Company::Flooded Company::way_out(std::size_t i) const {
+Company::Flood Company::flood(std::size_t i) const {
     const StandingPart& part = parts_[i];
+    Flood flood;
+    flood.i = i;
     const Box rest = voxel_hull_.without({i});
-    if (rest.empty()) return {Path{}, {}};
-    const VoxelBox others{voxel(rest.min) - origin_, voxel(rest.max) - origin_};
-    const double dx = tray_.voxel_size();
-    const Vec3 at = boxes_[i].min - setup_.corner;
-    VoxelIndex nearest;
-    bool on_grid = true;
+    if (rest.empty()) return flood;
+    flood.others = {voxel(rest.min) - origin_, voxel(rest.max) - origin_};
+    flood.at = boxes_[i].min - setup_.corner;
     for (int axis = 0; axis < 3; ++axis) {
-        const double voxels = at[axis] / dx;
-        nearest[axis] = static_cast<int>(std::lround(voxels));
-        on_grid = on_grid && std::abs(voxels - nearest[axis]) <= kOnGrid;
+        const double voxels = flood.at[axis] / tray_.voxel_size();
+        flood.nearest[axis] = static_cast<int>(std::lround(voxels));
+        flood.on_grid = flood.on_grid && std::abs(voxels - flood.nearest[axis]) <= kOnGrid;
     }
-    std::shared_ptr<const BitGrid> solid = part.object.solid;
-    if (!on_grid) {
+    flood.solid = part.object.solid;
+    if (!flood.on_grid) {
         std::shared_ptr<const BitGrid>& made = on_grid_[i];
         if (!made) made = setup_.on_grid(names_[i]);
-        solid = made;
+        flood.solid = made;
     }
-    const std::unique_ptr<FreeTileReader> tiles = setup_.search->free_tiles(tray_, solid, {objects_[i], 1});
+    flood.tiles = setup_.search->free_tiles(tray_, flood.solid, {objects_[i], 1});
+    return flood;
+}
+
+Company::Flooded Company::way_out(Flood& flood) const {
+    if (!flood.tiles) return {Path{}, {}};
+    const auto& [i, solid, at, nearest, on_grid, others, tiles] = flood;
+    const double dx = tray_.voxel_size();
     ReachableRegion region(*tiles, solid->extent(), others, setup_.stop);
 
     // Where to start: on the grid where it stands; off it, at free positions near by.
@@ -305,7 +311,8 @@ std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
         Straight straight = straight_way({i}, BlockingGraph::direction(d));
         if (!straight.met) return std::move(straight.path);
     }
-    return way_out(i).path;
+    Flood last = flood(i);
+    return way_out(last).path;
 }
 
 std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {

@@ -76,9 +76,21 @@ class Company {
         std::optional<Path> path;
         VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
     };
+    /// What a flood fill for one copy starts from.
+    struct Flood {
+        std::size_t i = 0;
+        std::shared_ptr<const BitGrid> solid{};   ///< its voxels on the grid
+        Vec3 at;                                  ///< where it stands, from the grid's corner, mm
+        VoxelIndex nearest;                       ///< the position nearest to that
+        bool on_grid = true;                      ///< which is where it stands
+        VoxelBox others;                          ///< around all that stands besides, from the tray's origin
+        std::unique_ptr<FreeTileReader> tiles{};  ///< null: nothing stands besides
+    };
+    /// Not to be called from several threads at once.
+    Flood flood(std::size_t i) const;
     /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
-    /// token has stopped it, there is none and the pocket says nothing. Not to be called from several threads at once.
-    Flooded way_out(std::size_t i) const;
+    /// token has stopped it, there is none and the pocket says nothing. Several threads may ask for different copies.
+    Flooded way_out(Flood& flood) const;
     /// A straight one, or else any.
     std::optional<Path> any_way_out(std::size_t i) const;
 

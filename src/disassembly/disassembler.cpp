@@ -11,8 +11,10 @@
 namespace spectralpack {
 namespace {
 
-// Ways tried at a time. Not the number of threads: which edges are found must not depend on it.
+// Ways tried at a time. Not the number of threads: which edges are found, and how many fills are made, must not depend
+// on it.
 constexpr std::size_t kBatch = 8;
+constexpr std::size_t kFloods = 4;
 
 bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).empty(); }
 
@@ -148,22 +150,43 @@ class Disassembler::Yard {
     }
 
     /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile may
-    /// have opened the way of others, and more so the longer one waits.
+    /// have opened the way of others, and more so the longer one waits. Some are tried at once; of those after the one that
+    /// leaves only pockets count, which its leaving opens again where it touches them.
     bool leave_by_flood() {
-        for (std::size_t tried = 0; tried < turns_.size(); ++tried) {
-            const std::size_t i = turns_[turn_];
-            turn_ = (turn_ + 1) % turns_.size();
-            if (!company_.movable(i) || pockets_[i]) continue;  // closed, and nothing that closed it has left since
-            if (owner_.setup_.stop.stopped()) return false;
-            ++owner_.counts_.fills;
-            Company::Flooded flooded = company_.way_out(i);
-            if (flooded.path) {
-                leave({i}, std::move(*flooded.path));
-                ++owner_.counts_.flooded;
-                return true;
+        for (std::size_t passed = 0; passed < turns_.size();) {
+            std::vector<std::size_t> turns;  // of those tried, from turn_ on
+            for (std::size_t k = 0; passed + k < turns_.size() && turns.size() < kFloods; ++k) {
+                const std::size_t i = turns_[(turn_ + k) % turns_.size()];
+                if (company_.movable(i) && !pockets_[i]) turns.push_back(k);
             }
+            if (turns.empty()) break;  // closed, all of them, and nothing that closed them has left since
             if (owner_.setup_.stop.stopped()) return false;
-            pockets_[i] = flooded.pocket;
+            std::vector<Company::Flood> floods;
+            for (const std::size_t k : turns) {
+                floods.push_back(company_.flood(turns_[(turn_ + k) % turns_.size()]));
+            }
+            std::vector<Company::Flooded> flooded(floods.size());
+            owner_.setup_.workers.for_each(static_cast<std::int64_t>(floods.size()), [&](std::int64_t k) {
+                const auto at = static_cast<std::size_t>(k);
+                flooded[at] = company_.way_out(floods[at]);
+            });
+            owner_.counts_.fills += static_cast<int>(floods.size());
+            if (owner_.setup_.stop.stopped()) return false;
+            std::size_t leaver = floods.size();
+            for (std::size_t k = floods.size(); k-- > 0;) {
+                if (flooded[k].path) {
+                    leaver = k;
+                } else {
+                    pockets_[floods[k].i] = flooded[k].pocket;
+                }
+            }
+            const std::size_t gone_by = turns[std::min(leaver, floods.size() - 1)] + 1;
+            turn_ = (turn_ + gone_by) % turns_.size();
+            passed += gone_by;
+            if (leaver == floods.size()) continue;
+            leave({floods[leaver].i}, std::move(*flooded[leaver].path));
+            ++owner_.counts_.flooded;
+            return true;
         }
         return false;
     }
