@@ -99,7 +99,10 @@ const Strewn* strewn_pieces() {
                 Mat3 turn;
                 std::rotate(turn.rows.begin(), turn.rows.begin() + static_cast<int>(random.below(3)), turn.rows.end());
                 tray.placements.push_back(
-                    {part.id, copy, 0, false,
+                    {part.id,
+                     copy,
+                     0,
+                     false,
                      {row.scale * turn, {480 * random.unit(), 245 * random.unit(), 200 * random.unit()}}});
             }
             made.packing.parts.push_back(std::move(part));

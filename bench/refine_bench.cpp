@@ -29,8 +29,7 @@ const Vec3 kTray{480, 245, 200};
 
 std::filesystem::path data() {
     const char* named = std::getenv("SPECTRALPACK_DATA");
-    return named ? named
-                 : std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / ".." / "shared" / "data";
+    return named ? named : std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / ".." / "shared" / "data";
 }
 
 /// Of this thread, so that a busy machine does not count.
@@ -64,9 +63,8 @@ Scene settle(const std::string& set) {
             surfaces.push_back(std::make_shared<const Bvh>(upright.turned(any_rotation(random))));
         }
     }
-    std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) {
-        return a->box().volume() > b->box().volume();
-    });
+    std::stable_sort(surfaces.begin(), surfaces.end(),
+                     [](const auto& a, const auto& b) { return a->box().volume() > b->box().volume(); });
     Scene scene;
     const Vec3 tall{kTray.x, kTray.y, 2000};
     Refiner fall({tall, 0, 2000, 2}), step({tall, 0, 0.7 * kVoxel, 1});
@@ -74,8 +72,7 @@ Scene settle(const std::string& set) {
         StandingCopy copy{surface, {}, kGap};
         const Vec3 size = surface->box().size();
         if (size.x > kTray.x || size.y > kTray.y) continue;
-        const Vec3 at{random.unit() * (kTray.x - size.x), random.unit() * (kTray.y - size.y),
-                      tall.z - size.z};
+        const Vec3 at{random.unit() * (kTray.x - size.x), random.unit() * (kTray.y - size.y), tall.z - size.z};
         copy.offset = at - surface->box().min;
         copy.offset = fall.refine(copy, {0, 0, -1}).offset;
         copy.offset = fall.refine(copy, {-1, -1, -1}).offset;
@@ -149,8 +146,7 @@ void turn_tree(benchmark::State& state, const std::string& file) {
 
 int main(int argc, char** argv) {
     for (const char* set : {"quick", "mixtures", "pieces", "locks"}) {
-        benchmark::RegisterBenchmark((std::string("refine/") + set).c_str(), refine_set,
-                                     std::string(set))
+        benchmark::RegisterBenchmark((std::string("refine/") + set).c_str(), refine_set, std::string(set))
             ->Unit(benchmark::kMillisecond);
     }
     const std::string file = "generated--torus-knot-3-2.stl";

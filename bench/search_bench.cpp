@@ -86,8 +86,7 @@ class TimedSearch final : public PlacementSearch {
                                 const StopToken& stop) override {
         const auto count = static_cast<double>(shape.orientations.size());
         SearchResult result;
-        const double spent =
-            timed([&] { result = engine_.best_placement(tray, shape, model, stop); });
+        const double spent = timed([&] { result = engine_.best_placement(tray, shape, model, stop); });
         seconds += spent;
         orientations += count;
         if (trace_) {
@@ -101,8 +100,7 @@ class TimedSearch final : public PlacementSearch {
         ++calls_;
         return result;
     }
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override {
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         return engine_.free_positions(tray, shape, index, query);
     }
     const char* name() const override { return engine_.name(); }
@@ -146,19 +144,18 @@ void run(const Arguments& arguments) {
     setup.gap_classes = {arguments.gap};
     Tray tray(setup);
     CostModel model;
-    model.height_penalty =
-        arguments.penalty == "auto"
-            ? automatic_height_penalty(sizes, setup.size.x * setup.size.y * setup.size.z)
-            : std::atof(arguments.penalty.c_str());
+    model.height_penalty = arguments.penalty == "auto"
+                               ? automatic_height_penalty(sizes, setup.size.x * setup.size.y * setup.size.z)
+                               : std::atof(arguments.penalty.c_str());
     std::vector<PackItem> items = order_items(sizes, Order::size, 0);
     if (arguments.most > 0 && static_cast<std::size_t>(arguments.most) < items.size()) {
         items.resize(static_cast<std::size_t>(arguments.most));
     }
     ShapeStore shapes(
         [&](int part) {
-            return std::make_shared<const Shape>(make_shape(
-                static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)],
-                rotations, arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
+            return std::make_shared<const Shape>(
+                make_shape(static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)], rotations,
+                           arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
         },
         workers, [](double) {});
     shapes.start_tray(items);
@@ -175,8 +172,7 @@ void run(const Arguments& arguments) {
         plain->best_placement(tray, shapes.at(0), model, {});
     }
 #endif
-    const int every =
-        std::max(1, static_cast<int>(items.size()) / std::max(1, arguments.plain_samples));
+    const int every = std::max(1, static_cast<int>(items.size()) / std::max(1, arguments.plain_samples));
     TimedSearch search(*engine, plain.get(), every, arguments.trace);
     GreedyResult result;
     const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
@@ -192,16 +188,13 @@ void run(const Arguments& arguments) {
     std::printf(
         "%s voxel %g p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
         "search %.3f s (%.3f ms an orientation), %.0f MB, cost %.6g",
-        arguments.set.c_str(), arguments.voxel, model.height_penalty, workers.threads(),
-        result.placed.size(), items.size(), static_cast<long long>(result.searches),
-        search.orientations, search.seconds, 1e3 * search.seconds / search.orientations,
-        static_cast<double>(engine->memory()) / 1e6, costs);
+        arguments.set.c_str(), arguments.voxel, model.height_penalty, workers.threads(), result.placed.size(),
+        items.size(), static_cast<long long>(result.searches), search.orientations, search.seconds,
+        1e3 * search.seconds / search.orientations, static_cast<double>(engine->memory()) / 1e6, costs);
     if (search.plain_orientations > 0) {
-        const double plain_all =
-            search.plain_seconds / search.plain_orientations * search.orientations;
+        const double plain_all = search.plain_seconds / search.plain_orientations * search.orientations;
         std::printf(", plain %.2f ms an orientation, %.1f s in all, extrapolated: %.1f times",
-                    1e3 * search.plain_seconds / search.plain_orientations, plain_all,
-                    plain_all / search.seconds);
+                    1e3 * search.plain_seconds / search.plain_orientations, plain_all, plain_all / search.seconds);
     }
     std::printf("\n");
 }

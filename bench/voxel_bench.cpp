@@ -33,8 +33,7 @@ Mesh read_binary_stl(const std::filesystem::path& path) {
         for (std::size_t i = 0; i < 3; ++i) {
             std::array<float, 3> p;
             std::memcpy(p.data(), &bytes[at + 12 + 12 * i], 12);
-            const auto vertex =
-                known.emplace(p, static_cast<std::uint32_t>(mesh.vertices.size())).first;
+            const auto vertex = known.emplace(p, static_cast<std::uint32_t>(mesh.vertices.size())).first;
             if (vertex->second == mesh.vertices.size()) mesh.vertices.push_back({p[0], p[1], p[2]});
             triangle[i] = vertex->second;
         }
@@ -122,8 +121,8 @@ void widen_mixtures(benchmark::State& state) {
     }
     for (auto _ : state) {
         for (std::size_t i = 0; i < solids.size(); ++i) {
-            benchmark::DoNotOptimize(widen(solids[i], mixtures()[i], 2,
-                                           0.1 * static_cast<double>(state.range(0)), workers));
+            benchmark::DoNotOptimize(
+                widen(solids[i], mixtures()[i], 2, 0.1 * static_cast<double>(state.range(0)), workers));
         }
     }
 }
@@ -146,11 +145,7 @@ void distance_field(benchmark::State& state) {
 BENCHMARK(voxelize_million_triangles)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(voxelize_part)->Unit(benchmark::kMicrosecond);
 BENCHMARK(voxelize_large_part_finely)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(voxelize_mixtures_in_24_orientations)
-    ->Arg(1)
-    ->Arg(2)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(voxelize_mixtures_in_24_orientations)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(widen_mixtures)->Arg(2)->Arg(10)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(distance_field)->Unit(benchmark::kMicrosecond);
 

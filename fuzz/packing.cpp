@@ -6,11 +6,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace spectralpack;
     try {
-        const Packing packing =
-            parse_packing("/a/b/p.json", {reinterpret_cast<const char*>(data), size});
+        const Packing packing = parse_packing("/a/b/p.json", {reinterpret_cast<const char*>(data), size});
         const std::string text = packing_to_json(packing, "/a/b");
-        expect(packing_to_json(parse_packing("/a/b/p.json", text), "/a/b") == text,
-               "a packing keeps its content");
+        expect(packing_to_json(parse_packing("/a/b/p.json", text), "/a/b") == text, "a packing keeps its content");
     } catch (const InputError& error) {
         expect(!error.cause().empty(), "a refusal says why");
     }

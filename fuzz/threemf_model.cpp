@@ -10,8 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         "<Relationships><Relationship Target=\"/m\" "
         "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
     const std::string archive =
-        make_zip({{"_rels/.rels", relationships},
-                  {"m", std::string(reinterpret_cast<const char*>(data), size)}});
+        make_zip({{"_rels/.rels", relationships}, {"m", std::string(reinterpret_cast<const char*>(data), size)}});
     try {
         check_meshes(parse_3mf({"file", "file", archive}));
     } catch (const InputError& error) {

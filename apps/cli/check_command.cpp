@@ -29,8 +29,9 @@ void print_plans(const CheckReport& report) {
         }
     }
     if (without_plan == 0) {
-        fmt::print("interlocking: {}\n", report.plans_complete() ? "none, every copy comes out by its plan"
-                                                                 : "NOT EXCLUDED, the plan does not take out all copies");
+        fmt::print("interlocking: {}\n", report.plans_complete()
+                                             ? "none, every copy comes out by its plan"
+                                             : "NOT EXCLUDED, the plan does not take out all copies");
     } else if (without_plan == report.plans.size()) {
         fmt::print("interlocking: not checked (the packing has no disassembly plan)\n");
     } else {
@@ -56,9 +57,11 @@ int run_check(const CheckArguments& arguments) {
         for (const TrayPacking& tray : scene.packing.trays) {
             copies += tray.placements.size();
         }
-        fmt::print("{}: {} {}; {} pair{} compared\n", report.ok() ? "ok" : report.stopped ? "stopped" : "failed",
-                   copies, copies == 1 ? "copy" : "copies", report.pairs_tested,
-                   report.pairs_tested == 1 ? "" : "s");
+        fmt::print("{}: {} {}; {} pair{} compared\n",
+                   report.ok()      ? "ok"
+                   : report.stopped ? "stopped"
+                                    : "failed",
+                   copies, copies == 1 ? "copy" : "copies", report.pairs_tested, report.pairs_tested == 1 ? "" : "s");
         for (std::size_t tray = 0; tray < report.density.size(); ++tray) {
             fmt::print("tray {}: density {}\n", tray, percent_text(report.density[tray]));
         }
@@ -66,7 +69,8 @@ int run_check(const CheckArguments& arguments) {
         print_plans(report);
     }
     if (report.stopped) return kInterrupted;
-    if (plan_missing) fmt::print(stderr, "spectralpack: the packing has no complete disassembly plan that can be followed\n");
+    if (plan_missing)
+        fmt::print(stderr, "spectralpack: the packing has no complete disassembly plan that can be followed\n");
     return report.ok() && !plan_missing ? kDone : kCheckFailed;
 }
 
@@ -74,8 +78,10 @@ int run_check(const CheckArguments& arguments) {
 
 Command add_check_command(CLI::App& app) {
     auto* sub = app.add_subcommand("check", "Verify a packing from its meshes alone");
-    sub->footer("Decides containment, overlap, nesting, gaps, transforms and the stated density on the exact\n"
-                "triangles, and replays the disassembly plan, sharing no code with the packer. Exit status 1 when something is wrong.");
+    sub->footer(
+        "Decides containment, overlap, nesting, gaps, transforms and the stated density on the exact\n"
+        "triangles, and replays the disassembly plan, sharing no code with the packer. Exit status 1 when something is "
+        "wrong.");
     auto arguments = std::make_shared<CheckArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");

@@ -21,8 +21,8 @@ struct GenerateArguments {
 constexpr double kTray = 480.0 * 245 * 200;
 
 GeneratedSet set_of(const std::string& name) {
-    constexpr std::array kSets{GeneratedSet::pieces, GeneratedSet::mixtures, GeneratedSet::locks,
-                               GeneratedSet::tori, GeneratedSet::polyhedra, GeneratedSet::letters};
+    constexpr std::array kSets{GeneratedSet::pieces, GeneratedSet::mixtures,  GeneratedSet::locks,
+                               GeneratedSet::tori,   GeneratedSet::polyhedra, GeneratedSet::letters};
     std::string known;
     for (const GeneratedSet set : kSets) {
         if (name == generated_set_name(set)) return set;

@@ -33,13 +33,9 @@ std::string place_text(const Vec3& p) {
     return fmt::format("({}, {}, {})", length_text(p.x), length_text(p.y), length_text(p.z));
 }
 
-std::string place_text(const std::optional<Vec3>& place) {
-    return place ? ", one at " + place_text(*place) : "";
-}
+std::string place_text(const std::optional<Vec3>& place) { return place ? ", one at " + place_text(*place) : ""; }
 
-void row(const char* what, const std::string& value) {
-    fmt::print("  {:<16} {}\n", what, value);
-}
+void row(const char* what, const std::string& value) { fmt::print("  {:<16} {}\n", what, value); }
 
 std::string watertight_text(const MeshFigures& figures) {
     if (figures.watertight()) return "yes";
@@ -52,13 +48,11 @@ void print_holes(const MeshFigures& figures) {
     const std::size_t shown = std::min(figures.holes.size(), kMostHoles);
     for (std::size_t i = 0; i < shown; ++i) {
         const BorderLoop& hole = figures.holes[i];
-        row("",
-            fmt::format("hole of {}, {:.6g} mm round, at {}", counted(hole.edges, "edge", "edges"),
-                        hole.length, place_text(hole.place)));
+        row("", fmt::format("hole of {}, {:.6g} mm round, at {}", counted(hole.edges, "edge", "edges"), hole.length,
+                            place_text(hole.place)));
     }
     if (figures.border_loops > shown) {
-        row("",
-            fmt::format("and {} shorter", counted(figures.border_loops - shown, "loop", "loops")));
+        row("", fmt::format("and {} shorter", counted(figures.border_loops - shown, "loop", "loops")));
     }
 }
 
@@ -78,11 +72,9 @@ std::string orientation_text(const InspectedObject& object) {
 
 std::string crossing_text(const SelfCrossings& crossings) {
     const std::string more = crossings.complete ? "" : "at least ";
-    if (crossings.pairs == 0)
-        return crossings.complete ? "no" : "none found; not searched to the end";
+    if (crossings.pairs == 0) return crossings.complete ? "no" : "none found; not searched to the end";
     return more +
-           counted(static_cast<std::size_t>(crossings.pairs), "pair of triangles crosses",
-                   "pairs of triangles cross") +
+           counted(static_cast<std::size_t>(crossings.pairs), "pair of triangles crosses", "pairs of triangles cross") +
            place_text(crossings.place);
 }
 
@@ -92,20 +84,18 @@ void print_object(const InspectedObject& object) {
     row("size", fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z));
     row("volume", fmt::format("{:.6g} mm3", figures.volume));
     row("area", fmt::format("{:.6g} mm2", figures.area));
-    row("mesh", fmt::format("{}, {}, {}", counted(figures.triangles, "triangle", "triangles"),
-                            counted(figures.vertices, "vertex", "vertices"),
-                            counted(figures.shells, "shell", "shells")));
+    row("mesh",
+        fmt::format("{}, {}, {}", counted(figures.triangles, "triangle", "triangles"),
+                    counted(figures.vertices, "vertex", "vertices"), counted(figures.shells, "shell", "shells")));
     row("watertight", watertight_text(figures));
     print_holes(figures);
     row("orientation", orientation_text(object));
     row("non-manifold", figures.edges.crowded == 0
                             ? "no"
-                            : counted(figures.edges.crowded, "edge", "edges") +
-                                  " of more than two triangles" +
+                            : counted(figures.edges.crowded, "edge", "edges") + " of more than two triangles" +
                                   place_text(figures.crowded_place));
     row("self-crossing", crossing_text(figures.crossings));
-    row("duplicates",
-        figures.duplicates == 0 ? "none" : counted(figures.duplicates, "triangle", "triangles"));
+    row("duplicates", figures.duplicates == 0 ? "none" : counted(figures.duplicates, "triangle", "triangles"));
     if (object.unit_known) row("unit", fmt::format("{:g} mm, by the file", object.unit));
     if (object.unit_hint) row("unit", "suspicious: " + *object.unit_hint);
     for (const std::string& repair : object.repairs) {
@@ -121,8 +111,7 @@ void print_file(const InspectedFile& file) {
     if (file.unusable) {
         const std::string& place = file.unusable->place();
         fmt::print("{}\n", name);
-        row("UNUSABLE", printable(place.empty() ? file.unusable->cause()
-                                                : place + ": " + file.unusable->cause()));
+        row("UNUSABLE", printable(place.empty() ? file.unusable->cause() : place + ": " + file.unusable->cause()));
         return;
     }
     for (const InspectedObject& object : file.objects) {
@@ -143,14 +132,12 @@ int run_inspect(const InspectArguments& arguments) {
     parse_picture_size(arguments.size, picture);
     if (options.keep_meshes) {
         if (std::filesystem::path(arguments.picture).extension() != ".png") {
-            throw UsageError(
-                fmt::format("-o {}: a picture's name ends in .png", arguments.picture));
+            throw UsageError(fmt::format("-o {}: a picture's name ends in .png", arguments.picture));
         }
         require_folder(arguments.picture, "-o");
     }
     ProgressDisplay display(ProgressStyle::automatic);
-    const std::vector<InspectedFile> files =
-        inspect(expand_inputs(arguments.meshes, ""), options, display);
+    const std::vector<InspectedFile> files = inspect(expand_inputs(arguments.meshes, ""), options, display);
     display.finish();
 
     if (arguments.json) fmt::print("{}\n", inspection_json(files));
@@ -167,16 +154,14 @@ int run_inspect(const InspectArguments& arguments) {
     }
     if (unusable == 0) return kDone;
     std::fflush(stdout);
-    fmt::print(stderr, "spectralpack: {} of {} cannot be used\n", unusable,
-               counted(files.size(), "file", "files"));
+    fmt::print(stderr, "spectralpack: {} of {} cannot be used\n", unusable, counted(files.size(), "file", "files"));
     return kUnusableInput;
 }
 
 }  // namespace
 
 Command add_inspect_command(CLI::App& app) {
-    auto* sub =
-        app.add_subcommand("inspect", "Say what is in mesh files, and what is wrong with it");
+    auto* sub = app.add_subcommand("inspect", "Say what is in mesh files, and what is wrong with it");
     sub->footer(
         "Size, volume, area, holes, orientation, self-intersections, duplicates and the unit of "
         "every mesh, as it\n"

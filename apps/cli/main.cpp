@@ -21,10 +21,14 @@ constexpr std::array kNotBuilt{"serve", "view"};
 
 int status_of(ErrorKind kind) {
     switch (kind) {
-        case ErrorKind::usage: return kUsage;
-        case ErrorKind::input: return kUnusableInput;
-        case ErrorKind::resource: return kOutOfResources;
-        case ErrorKind::internal: return kCheckFailed;
+        case ErrorKind::usage:
+            return kUsage;
+        case ErrorKind::input:
+            return kUnusableInput;
+        case ErrorKind::resource:
+            return kOutOfResources;
+        case ErrorKind::internal:
+            return kCheckFailed;
     }
     return kCheckFailed;
 }
@@ -47,11 +51,12 @@ int run(int argc, char** argv) {
     CLI::App app{"Packs 3D parts densely into a build volume, without collisions.", "spectralpack"};
     app.set_version_flag("--version", "spectralpack " SPECTRALPACK_VERSION);
     app.require_subcommand(1);
-    app.footer("Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
-               "'spectralpack COMMAND --help' explains a command.");
-    const std::array commands{add_pack_command(app),    add_bench_command(app),   add_check_command(app),   add_plan_command(app),
-                              add_generate_command(app), add_inspect_command(app), add_prepare_command(app),
-                              add_render_command(app)};
+    app.footer(
+        "Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
+        "'spectralpack COMMAND --help' explains a command.");
+    const std::array commands{add_pack_command(app),    add_bench_command(app),    add_check_command(app),
+                              add_plan_command(app),    add_generate_command(app), add_inspect_command(app),
+                              add_prepare_command(app), add_render_command(app)};
 
     if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
         return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);
@@ -60,8 +65,7 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        return complain(fmt::format("{}{}\nRun with --help for what there is.", error.what(),
-                                    not_understood(app)),
+        return complain(fmt::format("{}{}\nRun with --help for what there is.", error.what(), not_understood(app)),
                         kUsage);
     }
     for (const Command& command : commands) {

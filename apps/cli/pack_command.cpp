@@ -18,13 +18,13 @@
 namespace spectralpack::cli {
 namespace {
 
-/// The words of the command line; settle() makes options of them. Defaults that stand in PackOptions are not repeated: an
-/// option that is not given leaves what the job file says, or the default.
+/// The words of the command line; settle() makes options of them. Defaults that stand in PackOptions are not repeated:
+/// an option that is not given leaves what the job file says, or the default.
 struct PackArguments {
     std::vector<std::string> parts;
     std::string mesh_dir;
-    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, take_out, height_penalty,
-        height_at, order, engine, memory, verify_with, progress, report;
+    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, take_out,
+        height_penalty, height_at, order, engine, memory, verify_with, progress, report;
     std::optional<std::string> minimise;
     std::optional<double> max_density, max_layer_fill;
     bool open_height = false, fill = false;
@@ -123,8 +123,8 @@ KeepOutSource parse_keep_out(const std::string& text) {
     if (!box) return {{}, MeshSource{text, "--keep-out"}};
     for (int axis = 0; axis < 3; ++axis) {
         if (!(corner[0][axis] < corner[1][axis]) || !std::isfinite(corner[1][axis] - corner[0][axis])) {
-            throw UsageError(fmt::format("--keep-out {}: the second corner must lie beyond the first on every axis",
-                                         text));
+            throw UsageError(
+                fmt::format("--keep-out {}: the second corner must lie beyond the first on every axis", text));
         }
     }
     return {{corner[0], corner[1]}};
@@ -162,8 +162,9 @@ void print_printers() {
                    printer.name, printer.title, s.x, s.y, s.z, printer.gap, printer.wall, printer.floor, "",
                    printer.verified ? "" : " (UNVERIFIED)", printer.source);
     }
-    fmt::print("Gaps and clearances are customary starting values, not the makers' word (UNVERIFIED): yours depend on\n"
-               "material and machine. --tray, --gap and --wall-gap override them.\n");
+    fmt::print(
+        "Gaps and clearances are customary starting values, not the makers' word (UNVERIFIED): yours depend on\n"
+        "material and machine. --tray, --gap and --wall-gap override them.\n");
 }
 
 /// Two sides are a base, for packings without a ceiling.
@@ -194,15 +195,14 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
     assign(options.threads, a.threads);
     if (a.refine || a.no_refine) options.refine = !a.no_refine;
     if (a.interlock) {
-        options.interlock = choose<Interlock>(
-            {{"off", Interlock::off}, {"post", Interlock::post}, {"place", Interlock::place}}, *a.interlock,
-            "--interlock");
+        options.interlock =
+            choose<Interlock>({{"off", Interlock::off}, {"post", Interlock::post}, {"place", Interlock::place}},
+                              *a.interlock, "--interlock");
     }
     if (a.take_out) {
-        options.take_out = choose<TakeOut>({{"smallest", TakeOut::smallest},
-                                            {"lightest", TakeOut::lightest},
-                                            {"thinnest", TakeOut::thinnest}},
-                                           *a.take_out, "--take-out");
+        options.take_out = choose<TakeOut>(
+            {{"smallest", TakeOut::smallest}, {"lightest", TakeOut::lightest}, {"thinnest", TakeOut::thinnest}},
+            *a.take_out, "--take-out");
     }
     if (a.height_penalty) {
         options.height_penalty.reset();
@@ -344,7 +344,9 @@ int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts
     if (result.failure) {
         display.on_error(result.failure->what());
         const ErrorKind kind = result.failure->kind();
-        status = kind == ErrorKind::resource ? kOutOfResources : kind == ErrorKind::input ? kUnusableInput : kCheckFailed;
+        status = kind == ErrorKind::resource ? kOutOfResources
+                 : kind == ErrorKind::input  ? kUnusableInput
+                                             : kCheckFailed;
     }
     const Scene scene{result.packing, result.meshes};
     const auto written = write_outputs(scene, settings, display, status);
@@ -423,17 +425,20 @@ Command add_pack_command(CLI::App& app) {
     sub->add_option("--printer", a.printer, "build volume and customary gaps of a printer; list prints them")
         ->group(container);
     sub->add_option("--container", a.container, "closed mesh to fill instead of a box")->group(container);
-    sub->add_option("--keep-out", a.keep_out, "room that stays empty, repeatable: a box x0,y0,z0,x1,y1,z1 in mm, or a mesh file")
+    sub->add_option("--keep-out", a.keep_out,
+                    "room that stays empty, repeatable: a box x0,y0,z0,x1,y1,z1 in mm, or a mesh file")
         ->take_all()
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->group(container);
-    sub->add_flag("--physical", a.physical, "walls and keep-outs are really there: what leaves, leaves over the top, which is open")
+    sub->add_flag("--physical", a.physical,
+                  "walls and keep-outs are really there: what leaves, leaves over the top, which is open")
         ->group(container);
     sub->add_option("--onto", a.onto, "packing file to top up: its copies stay where they are")->group(container);
     sub->add_option("--trays", a.trays, "containers to fill, a number or all [1]")->group(container);
-    sub->add_option("--try-per-tray", a.try_per_tray,
-                    "of several trays, one is full once so many parts found no place in it; 0: once all were tried [1000]")
+    sub->add_option(
+           "--try-per-tray", a.try_per_tray,
+           "of several trays, one is full once so many parts found no place in it; 0: once all were tried [1000]")
         ->group(container);
     sub->add_option("--gap", a.gap, "least distance between two copies, mm [0.2]")->group(container);
     sub->add_option("--wall-gap", a.wall_gap, "least distance to the walls, mm [0]")->group(container);
@@ -443,49 +448,57 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--skip-unusable", a.skip_unusable, "exit 0 although an input was unusable")->group(input);
     const std::string search = "Search";
     sub->add_option("--voxel", a.voxel, "voxel size in mm [2]")->group(search);
-    sub->add_option("--detail", a.detail, "copies may come as near as voxels this many times finer allow, 1 to 8 [2]")->group(search);
-    sub->add_option("--rotations", a.rotations,
-                    "orientations tried: none, a step in degrees (90: 24 of them), icosahedron[:N]; each with +box for\n"
-                    "the turns of the part's minimum bounding box [90]")
+    sub->add_option("--detail", a.detail, "copies may come as near as voxels this many times finer allow, 1 to 8 [2]")
+        ->group(search);
+    sub->add_option(
+           "--rotations", a.rotations,
+           "orientations tried: none, a step in degrees (90: 24 of them), icosahedron[:N]; each with +box for\n"
+           "the turns of the part's minimum bounding box [90]")
         ->group(search);
     sub->add_option("--height-penalty", a.height_penalty, "how much height costs: auto, or p of p z^3 [auto]")
         ->group(search);
     sub->add_option("--height-at", a.height_at,
-                    "where height counts: bottom, or top (before proximity: lower, in half the time) [bottom; top without a ceiling]")
+                    "where height counts: bottom, or top (before proximity: lower, in half the time) [bottom; top "
+                    "without a ceiling]")
         ->group(search);
-    sub->add_option("--order", a.order,
-                    "which copies first: size (of the box, largest first), volume (of the solid), mixed (geometric mean\n"
-                    "of both), random, input. Where not all fit, volume and mixed give a denser tray by letting denser\n"
-                    "parts in first, not by packing better; to place all as low as can be, size is best [size]")
+    sub->add_option(
+           "--order", a.order,
+           "which copies first: size (of the box, largest first), volume (of the solid), mixed (geometric mean\n"
+           "of both), random, input. Where not all fit, volume and mixed give a denser tray by letting denser\n"
+           "parts in first, not by packing better; to place all as low as can be, size is best [size]")
         ->group(search);
-    sub->add_option("--restarts", a.restarts,
-                    "pack in N orders, the one asked for and others near it, and keep the best: most solid volume in the\n"
-                    "tray, or least height where all fits [1]")
+    sub->add_option(
+           "--restarts", a.restarts,
+           "pack in N orders, the one asked for and others near it, and keep the best: most solid volume in the\n"
+           "tray, or least height where all fits [1]")
         ->group(search);
     sub->add_option("--beam", a.beam,
                     "beam search over orders with this many states, compared with the plain order; 5 takes some\n"
                     "fifteen times as long [1: none]")
         ->group(search);
     sub->add_option("--seed", a.seed, "seed of --order random, --restarts and of samples [0]")->group(search);
-    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")->group(search);
+    sub->add_flag("--refine", a.refine, "slide copies together off the grid, gap kept on the true meshes [the default]")
+        ->group(search);
     sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock,
                     "keep copies from locking: post (repair the packing), place (only where a way out is), off [post]")
         ->group(search);
-    sub->add_option("--take-out", a.take_out,
-                    "of copies that hold each other, which go first, to be put back if they may stay after all or elsewhere: "
-                    "thinnest (least material for its box: cages and rings), lightest (least material), smallest (the "
-                    "paper's: smallest boxes up to a tenth) [thinnest]")
+    sub->add_option(
+           "--take-out", a.take_out,
+           "of copies that hold each other, which go first, to be put back if they may stay after all or elsewhere: "
+           "thinnest (least material for its box: cages and rings), lightest (least material), smallest (the "
+           "paper's: smallest boxes up to a tenth) [thinnest]")
         ->group(search);
     const std::string run = "Run";
     sub->add_option("--engine", a.engine, "auto, cpu, reference (the definition, slow) [auto]")->group(run);
-    sub->add_option("--threads", a.threads, "threads, 0 for all [0]; the result does not depend on it")
-        ->group(run);
+    sub->add_option("--threads", a.threads, "threads, 0 for all [0]; the result does not depend on it")->group(run);
     sub->add_option("--memory", a.memory, "memory to plan with, like 4G [what is free]")->group(run);
     sub->add_option("--time-limit", a.time_limit, "seconds; then the best packing so far is written")
         ->check(CLI::NonNegativeNumber)
         ->group(run);
-    sub->add_flag("--dry-run", a.dry_run, "say what memory and time it would take (packs a few seconds to see); write nothing")->group(run);
+    sub->add_flag("--dry-run", a.dry_run,
+                  "say what memory and time it would take (packs a few seconds to see); write nothing")
+        ->group(run);
     sub->add_option("--verify-with", a.verify_with,
                     "let a second engine answer too, all or about SAMPLE placements: reference[:SAMPLE]")
         ->group(run);

@@ -11,8 +11,7 @@ namespace spectralpack::cli {
 void require_folder(const std::string& path, const char* option) {
     const auto folder = std::filesystem::path(path).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-        throw UsageError(
-            fmt::format("{} {}: there is no folder {}", option, path, folder.string()));
+        throw UsageError(fmt::format("{} {}: there is no folder {}", option, path, folder.string()));
     }
 }
 

@@ -96,15 +96,18 @@ int run_plan(const PlanArguments& arguments) {
 
 Command add_plan_command(CLI::App& app) {
     auto* sub = app.add_subcommand("plan", "Find out how a packing comes apart, or what in it is interlocked");
-    sub->footer("Works on any packing file whose meshes are there. Every step is confirmed on the exact triangles.\n"
-                "Exit status 1 when something is interlocked, or when there was no time to find out.");
+    sub->footer(
+        "Works on any packing file whose meshes are there. Every step is confirmed on the exact triangles.\n"
+        "Exit status 1 when something is interlocked, or when there was no time to find out.");
     auto arguments = std::make_shared<PlanArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
-    sub->add_option("-o,--output", arguments->outputs, "file to write, plan included: .json (others without), repeatable")
+    sub->add_option("-o,--output", arguments->outputs,
+                    "file to write, plan included: .json (others without), repeatable")
         ->take_all()
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    sub->add_option("--voxel", arguments->settings.voxel, "voxel size of the search for ways out, mm [that of the packing's collisions: voxel / detail]");
+    sub->add_option("--voxel", arguments->settings.voxel,
+                    "voxel size of the search for ways out, mm [that of the packing's collisions: voxel / detail]");
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
     sub->add_flag("--json", arguments->json, "print the findings as JSON");

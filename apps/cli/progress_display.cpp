@@ -15,14 +15,22 @@ constexpr int kBarWidth = 28;
 
 const char* phase_name(Phase phase) {
     switch (phase) {
-        case Phase::load: return "load";
-        case Phase::voxelize: return "voxelize";
-        case Phase::search: return "search";
-        case Phase::disassemble: return "disassemble";
-        case Phase::reinsert: return "reinsert";
-        case Phase::check: return "check";
-        case Phase::render: return "render";
-        case Phase::write: return "write";
+        case Phase::load:
+            return "load";
+        case Phase::voxelize:
+            return "voxelize";
+        case Phase::search:
+            return "search";
+        case Phase::disassemble:
+            return "disassemble";
+        case Phase::reinsert:
+            return "reinsert";
+        case Phase::check:
+            return "check";
+        case Phase::render:
+            return "render";
+        case Phase::write:
+            return "write";
     }
     return "";
 }
@@ -48,14 +56,15 @@ void ProgressDisplay::on_progress(const Progress& progress) {
     last_ = now;
     const double elapsed = std::chrono::duration<double>(now - run.start).count();
     // Of work spread as it was so far; -1 while there is too little to tell.
-    const double left = progress.work > 0.01 && elapsed > 0.5
-                            ? elapsed * (1 - progress.work) / progress.work
-                            : last ? 0 : -1;
+    const double left = progress.work > 0.01 && elapsed > 0.5 ? elapsed * (1 - progress.work) / progress.work
+                        : last                                ? 0
+                                                              : -1;
     if (style_ == ProgressStyle::json) {
         const std::string orders =
             progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
-        fmt::print(stderr, R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}}})"
-                           "\n",
+        fmt::print(stderr,
+                   R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}}})"
+                   "\n",
                    phase_name(progress.phase), progress.done, progress.total, progress.density, elapsed,
                    left < 0 ? "null" : fmt::format("{:.3f}", left), orders);
     } else {
@@ -67,8 +76,8 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line = fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar,
-                                   progress.done, progress.total);
+    std::string line =
+        fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar, progress.done, progress.total);
     if (progress.phase == Phase::search) line += fmt::format("  density {}", percent_text(progress.density));
     if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));

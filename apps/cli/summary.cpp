@@ -18,11 +18,16 @@ std::string size_text(const Vec3& size) {
 
 const char* reason_text(UnplacedReason reason) {
     switch (reason) {
-        case UnplacedReason::tray_full: return "no free place left";
-        case UnplacedReason::too_large: return "too large";
-        case UnplacedReason::interlocked: return "interlocked";
-        case UnplacedReason::unusable: return "unusable";
-        case UnplacedReason::stopped: return "not tried";
+        case UnplacedReason::tray_full:
+            return "no free place left";
+        case UnplacedReason::too_large:
+            return "too large";
+        case UnplacedReason::interlocked:
+            return "interlocked";
+        case UnplacedReason::unusable:
+            return "unusable";
+        case UnplacedReason::stopped:
+            return "not tried";
     }
     return "";
 }
@@ -59,7 +64,8 @@ void print_shares(const Packing& packing) {
         const Part& part = packing.parts[i];
         fmt::print("  filled     {} x {} (share {})\n", part.count, printable(part.name), part.share);
     }
-    if (packing.parts.size() > kMostListed) fmt::print("             and {} more parts\n", packing.parts.size() - kMostListed);
+    if (packing.parts.size() > kMostListed)
+        fmt::print("             and {} more parts\n", packing.parts.size() - kMostListed);
 }
 
 void print_caps(const Packing& packing) {
@@ -122,8 +128,10 @@ void print_interlocking(const Packing& packing) {
     if (!plans.planned) {
         fmt::print("  INTERLOCKING IS NOT CHECKED: some parts may not come apart after printing.\n");
     } else if (!plans.complete) {
-        fmt::print("  INTERLOCKING IS ONLY PARTLY CHECKED: there was time to plan {} of {} removals; the rest may not "
-                   "come apart.\n", plans.steps, packing.metrics.placed);
+        fmt::print(
+            "  INTERLOCKING IS ONLY PARTLY CHECKED: there was time to plan {} of {} removals; the rest may not "
+            "come apart.\n",
+            plans.steps, packing.metrics.placed);
     } else {
         const PhaseSeconds& seconds = packing.metrics.seconds;
         fmt::print("  interlock  none: comes apart in {} steps (planning {}", plans.steps,

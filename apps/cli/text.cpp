@@ -18,8 +18,8 @@ Vec3 parse_size(const std::string& text, const char* option) {
     const char* end = at + text.size();
     for (int axis = 0; axis < 3; ++axis) {
         const auto parsed = std::from_chars(at, end, size[axis]);
-        const bool separated = axis == 2 ? parsed.ptr == end
-                                         : parsed.ptr != end && (*parsed.ptr == 'x' || *parsed.ptr == 'X');
+        const bool separated =
+            axis == 2 ? parsed.ptr == end : parsed.ptr != end && (*parsed.ptr == 'x' || *parsed.ptr == 'X');
         if (parsed.ec != std::errc{} || !separated || !(size[axis] > 0) || !std::isfinite(size[axis])) {
             throw UsageError(fmt::format("{} takes three lengths in mm like 480x245x200, not '{}'", option, text));
         }
@@ -40,8 +40,8 @@ void parse_picture_size(const std::string& text, RenderOptions& options) {
     const auto width = std::from_chars(text.data(), end, options.width);
     const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
     const auto height = separated ? std::from_chars(width.ptr + 1, end, options.height) : width;
-    if (!separated || height.ec != std::errc{} || height.ptr != end || options.width < 16 ||
-        options.height < 16 || options.width > kMaxPictureSide || options.height > kMaxPictureSide) {
+    if (!separated || height.ec != std::errc{} || height.ptr != end || options.width < 16 || options.height < 16 ||
+        options.width > kMaxPictureSide || options.height > kMaxPictureSide) {
         throw UsageError(fmt::format("--size takes pixels like 1600x1200 (16 to {}), not '{}'", kMaxPictureSide, text));
     }
 }
@@ -56,8 +56,10 @@ std::int64_t parse_bytes(const std::string& text, const char* option) {
     if (!unit.empty()) {
         const bool binary = unit.size() == 2 && unit[1] == 'i';
         const auto power = std::string("KMGT").find(static_cast<char>(std::toupper(unit[0])));
-        if (power == std::string::npos || unit.size() > (binary ? 2u : 1u)) factor = 0;
-        else factor = std::pow(binary ? 1024.0 : 1000.0, static_cast<double>(power + 1));
+        if (power == std::string::npos || unit.size() > (binary ? 2u : 1u))
+            factor = 0;
+        else
+            factor = std::pow(binary ? 1024.0 : 1000.0, static_cast<double>(power + 1));
     }
     const double bytes = value * factor;
     if (parsed.ec != std::errc{} || !(bytes >= 1) || bytes > 9e18) {

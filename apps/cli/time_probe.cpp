@@ -7,9 +7,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A few copies at least are wanted; for them the run may take this many times as long.
 constexpr std::int64_t kEnoughCopies = 8;

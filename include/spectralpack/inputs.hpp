@@ -21,8 +21,8 @@ struct PartSource {
     std::optional<std::string> name = {};  ///< for people; none: as the file says
     std::optional<double> gap = {};        ///< mm; none: the job's
     PartOrientations orientations = {};
-    double priority = 0;                   ///< higher goes first
-    std::string due = {};                  ///< "2026-12-01": earlier goes first; empty: last
+    double priority = 0;   ///< higher goes first
+    std::string due = {};  ///< "2026-12-01": earlier goes first; empty: last
 };
 
 struct ExpandedInputs {
@@ -36,7 +36,6 @@ struct ExpandedInputs {
 /// job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
 /// count or scale that is not positive and for what a job file asks for and is not built, InputError for a job
 /// file that cannot be read: what it says of the others is not known then.
-ExpandedInputs expand_inputs(const std::vector<std::string>& arguments,
-                             const std::filesystem::path& mesh_dir);
+ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const std::filesystem::path& mesh_dir);
 
 }  // namespace spectralpack

@@ -33,7 +33,7 @@ struct InspectedObject {
     std::vector<std::string> repairs;      ///< what was mended on loading
     std::vector<std::string> warnings;     ///< what its user should look at
     std::optional<std::string> unit_hint;  ///< why the unit looks wrong
-    std::shared_ptr<const Mesh> mesh;  ///< in the file's own coordinates; kept only when asked for
+    std::shared_ptr<const Mesh> mesh;      ///< in the file's own coordinates; kept only when asked for
 };
 
 struct InspectedFile {
@@ -51,8 +51,7 @@ struct InspectOptions {
 /// Each file that the inputs name once, in their order, then what cannot be used among the inputs
 /// themselves. Counts and scales do not matter here. Files are read in parallel; nothing is thrown
 /// for what is wrong with one.
-std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOptions& options,
-                                   Listener& listener);
+std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOptions& options, Listener& listener);
 
 /// The findings as JSON text (docs/format.md).
 std::string inspection_json(const std::vector<InspectedFile>& files);

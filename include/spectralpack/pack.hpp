@@ -24,33 +24,33 @@ struct Job {
     PackOptions options;
     ContainerSource container;       ///< where it is a mesh, its size takes the place of options.tray
     std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
-    /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does. Who
-    /// has one requests it whenever he requests that.
+    /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does.
+    /// Who has one requests it whenever he requests that.
     std::optional<StopToken> enough_orders;
-    std::optional<Scene> onto;       ///< its copies stand where they are; those placed come on top, tray by tray
+    std::optional<Scene> onto;  ///< its copies stand where they are; those placed come on top, tray by tray
 };
 
 struct PackResult {
     Packing packing;
     PartMeshes meshes;
-    std::vector<InputError> unusable;     ///< inputs that could not be used; the rest was packed
+    std::vector<InputError> unusable;       ///< inputs that could not be used; the rest was packed
     StopReason stopped = StopReason::none;  ///< ended early: `packing` is the best so far
-    std::optional<Error> failure;         ///< ran out of memory or engines disagreed; `packing` is what was done
+    std::optional<Error> failure;           ///< ran out of memory or engines disagreed; `packing` is what was done
 };
 
 /// What a run would take, known before it starts.
 struct Estimate {
-    Vec3 container;                  ///< size, mm
-    Extent grid;                     ///< voxels of the tray
+    Vec3 container;  ///< size, mm
+    Extent grid;     ///< voxels of the tray
     int orientations = 0;
     int parts = 0;
     std::int64_t copies = 0;
-    std::int64_t searches = 0;       ///< at most: one per copy
-    std::int64_t memory = 0;         ///< bytes at peak, about
-    std::int64_t memory_limit = 0;   ///< --memory, or what the machine has free
-    double box_ratio = 0;            ///< boxes of all copies / container
-    double volume_ratio = 0;         ///< volumes of all copies / container
-    double height_penalty = 0;       ///< p as it would be used
+    std::int64_t searches = 0;           ///< at most: one per copy
+    std::int64_t memory = 0;             ///< bytes at peak, about
+    std::int64_t memory_limit = 0;       ///< --memory, or what the machine has free
+    double box_ratio = 0;                ///< boxes of all copies / container
+    double volume_ratio = 0;             ///< volumes of all copies / container
+    double height_penalty = 0;           ///< p as it would be used
     std::vector<std::string> too_large;  ///< parts that fit in no orientation
     std::vector<InputError> unusable;
 };

@@ -51,7 +51,6 @@ void write_report(const Scene& scene, const std::filesystem::path& path, std::op
                   int threads);
 
 /// A picture with the given options.
-void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,
-                   int threads);
+void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options, int threads);
 
 }  // namespace spectralpack

@@ -19,11 +19,11 @@ struct PrepareOptions {
 };
 
 struct PrepareSummary {
-    std::filesystem::path set_file;     ///< names the meshes that were kept
-    std::filesystem::path report_file;  ///< what became of every mesh
-    std::int64_t files = 0;             ///< mesh files in the folder
-    std::int64_t done = 0;              ///< of them, with those of earlier runs
-    std::int64_t earlier = 0;           ///< done by earlier runs
+    std::filesystem::path set_file;           ///< names the meshes that were kept
+    std::filesystem::path report_file;        ///< what became of every mesh
+    std::int64_t files = 0;                   ///< mesh files in the folder
+    std::int64_t done = 0;                    ///< of them, with those of earlier runs
+    std::int64_t earlier = 0;                 ///< done by earlier runs
     std::map<Prepared, std::int64_t> meshes;  ///< by what became of them
     StopReason stopped = StopReason::none;
 };

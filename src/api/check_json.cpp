@@ -10,14 +10,22 @@ namespace {
 
 const char* kind_word(FindingKind kind) {
     switch (kind) {
-        case FindingKind::outside: return "outside";
-        case FindingKind::overlap: return "overlap";
-        case FindingKind::nested: return "nested";
-        case FindingKind::gap: return "gap";
-        case FindingKind::transform: return "transform";
-        case FindingKind::density: return "density";
-        case FindingKind::count: return "count";
-        case FindingKind::plan: return "plan";
+        case FindingKind::outside:
+            return "outside";
+        case FindingKind::overlap:
+            return "overlap";
+        case FindingKind::nested:
+            return "nested";
+        case FindingKind::gap:
+            return "gap";
+        case FindingKind::transform:
+            return "transform";
+        case FindingKind::density:
+            return "density";
+        case FindingKind::count:
+            return "count";
+        case FindingKind::plan:
+            return "plan";
     }
     return "";
 }
@@ -49,9 +57,8 @@ const char* interlocking_word(const CheckReport& report) {
 
 std::string check_report_json(const Scene& scene, const CheckReport& report) {
     const auto finding_text = [](const Finding& finding) {
-        return "{\"kind\": " + json_string(kind_word(finding.kind)) +
-               ", \"tray\": " + std::to_string(finding.tray) + ", \"placements\": " + int_list(finding.placements) +
-               ", \"amount\": " + json_number(finding.amount) +
+        return "{\"kind\": " + json_string(kind_word(finding.kind)) + ", \"tray\": " + std::to_string(finding.tray) +
+               ", \"placements\": " + int_list(finding.placements) + ", \"amount\": " + json_number(finding.amount) +
                ", \"message\": " + json_string(finding.message) + "}";
     };
     const auto plan_text = [](const std::optional<PlanReport>& plan) -> std::string {
@@ -66,17 +73,13 @@ std::string check_report_json(const Scene& scene, const CheckReport& report) {
         copies += tray.placements.size();
     }
     return "{\"ok\": " + std::string(json_truth(report.ok())) + ", \"stopped\": " + json_truth(report.stopped) +
-           ", \"copies\": " + std::to_string(copies) +
-           ", \"pairs_tested\": " + std::to_string(report.pairs_tested) +
+           ", \"copies\": " + std::to_string(copies) + ", \"pairs_tested\": " + std::to_string(report.pairs_tested) +
            ", \"min_gap\": " + (report.min_gap ? json_number(*report.min_gap) : "null") +
-           ", \"density\": " + json_list(report.density, json_number) +
-           ", \"interlocking\": \"" + interlocking_word(report) + "\", \"plans\": " +
-           json_list(report.plans, plan_text) + ", \"findings\": " +
-           json_list(report.findings, finding_text) + "}";
+           ", \"density\": " + json_list(report.density, json_number) + ", \"interlocking\": \"" +
+           interlocking_word(report) + "\", \"plans\": " + json_list(report.plans, plan_text) +
+           ", \"findings\": " + json_list(report.findings, finding_text) + "}";
 }
 
-std::string packing_json(const Scene& scene) {
-    return packing_to_json(scene.packing, std::filesystem::current_path());
-}
+std::string packing_json(const Scene& scene) { return packing_to_json(scene.packing, std::filesystem::current_path()); }
 
 }  // namespace spectralpack

@@ -26,8 +26,9 @@ void check_together(const Job& job) {
             refuse(open, "--onto a build of several trays", "without a ceiling one holds all");
         }
         if (job.container.physical && options.interlock != Interlock::off) {
-            refuse(open, "--physical", "ways out lead over the top of walls, which have no height then (with --interlock "
-                                       "off nothing is looked for)");
+            refuse(open, "--physical",
+                   "ways out lead over the top of walls, which have no height then (with --interlock "
+                   "off nothing is looked for)");
         }
     }
     if (options.fill && options.trays != 1) {

@@ -12,9 +12,7 @@ namespace spectralpack {
 namespace {
 
 #ifdef SPECTRALPACK_HAS_REFERENCE
-std::unique_ptr<PlacementSearch> make_reference(const Workers& workers) {
-    return make_reference_search({}, workers);
-}
+std::unique_ptr<PlacementSearch> make_reference(const Workers& workers) { return make_reference_search({}, workers); }
 
 std::int64_t memory_of_reference(const EngineNeed& need, const Workers& workers) {
     ReferenceMemory memory;
@@ -33,18 +31,20 @@ constexpr bool kHasReference = false;
 #endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
-/// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each part
-/// on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows dilated.
+/// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each
+/// part on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows
+/// dilated.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
-        return checked_product({need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin,
-                                need.tray.z + 1 + 2 * margin});
+        return checked_product(
+            {need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin, need.tray.z + 1 + 2 * margin});
     };
     const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
     const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
     std::int64_t rows = 0;
     if (need.free_tiles) {
-        rows = DilatedLayers::most_bytes({need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
+        rows = DilatedLayers::most_bytes(
+            {need.detail * need.tray.x, need.detail * need.tray.y, need.detail * need.tray.z});
     }
     const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
     return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;
@@ -55,9 +55,12 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
 EngineKind resolve_engine(EngineKind kind) {
     switch (kind) {
         case EngineKind::automatic:
-        case EngineKind::cpu: return EngineKind::cpu;
-        case EngineKind::cuda: throw UsageError("the cuda engine is not built yet");
-        case EngineKind::reference: break;
+        case EngineKind::cpu:
+            return EngineKind::cpu;
+        case EngineKind::cuda:
+            throw UsageError("the cuda engine is not built yet");
+        case EngineKind::reference:
+            break;
     }
     if (!kHasReference) {
         throw UsageError("this build has no reference engine (it was made with SPECTRALPACK_REFERENCE=OFF)");
@@ -65,8 +68,7 @@ EngineKind resolve_engine(EngineKind kind) {
     return kind;
 }
 
-std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes,
-                                             const Workers& workers) {
+std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes, const Workers& workers) {
     if (kind == EngineKind::reference) return make_reference(workers);
     CpuOptions options;
     options.cache_memory = cache_bytes;

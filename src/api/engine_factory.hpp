@@ -15,15 +15,14 @@ namespace spectralpack {
 EngineKind resolve_engine(EngineKind kind);
 
 /// An engine of a resolved kind. `cache_bytes`: what it may keep to answer copies of a part faster.
-std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes,
-                                             const Workers& workers);
+std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes, const Workers& workers);
 
 /// What decides an engine's memory.
 struct EngineNeed {
     Extent tray;
     int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
     int gap_classes = 1;
-    int detail = 1;    ///< s of the tray
+    int detail = 1;           ///< s of the tray
     bool free_tiles = false;  ///< it will be asked for ways out
 };
 

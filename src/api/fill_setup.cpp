@@ -69,8 +69,7 @@ FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& l
     }
     for (const FixedPlacement& fixed : loaded.fixed) {
         const auto part = static_cast<std::size_t>(fixed.placement.part);
-        setup.fixed.push_back(
-            {fixed.tray, loaded.meshes[part], fixed.placement.transform, loaded.parts[part].gap});
+        setup.fixed.push_back({fixed.tray, loaded.meshes[part], fixed.placement.transform, loaded.parts[part].gap});
     }
     return setup;
 }

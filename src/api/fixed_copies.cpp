@@ -62,9 +62,9 @@ double scale_of(const MeshSource& source, const Mat3& linear) {
         }
     }
     if (!(volume > 0) || !(deviation <= kNotRigid)) {
-        throw InputError(source.file, source.place,
-                         volume < 0 ? "its transform is a mirror image"
-                                    : "its transform is not a rotation times a scale");
+        throw InputError(
+            source.file, source.place,
+            volume < 0 ? "its transform is a mirror image" : "its transform is not a rotation times a scale");
     }
     return scale;
 }
@@ -94,8 +94,7 @@ void add_fixed(const Job& job, LoadedJob& loaded) {
         part.scale = scale_of(source.mesh, transform.linear) / part.unit;
         if (std::abs(part.scale - 1) <= kSameScale) part.scale = 1;
         part.volume = signed_volume(mesh.mesh) * std::pow(part.to_mm(), 3);
-        const auto [at, is_new] =
-            index.try_emplace({part.mesh, part.scale, part.gap, part.name}, loaded.parts.size());
+        const auto [at, is_new] = index.try_emplace({part.mesh, part.scale, part.gap, part.name}, loaded.parts.size());
         if (is_new) add_part(loaded, std::move(part), std::make_shared<const Mesh>(mesh.mesh));
         Placement placement;
         placement.part = static_cast<int>(at->second);
@@ -146,8 +145,11 @@ void require_sound(const LoadedJob& loaded, const Container& container, const Pa
                 if (!first) first = &finding;
                 ++faults;
                 break;
-            case FindingKind::gap: ++near; break;
-            default: break;  // figures, which have not been measured
+            case FindingKind::gap:
+                ++near;
+                break;
+            default:
+                break;  // figures, which have not been measured
         }
     }
     if (first) {

@@ -45,12 +45,18 @@ GeneratedFiles generate(const GenerateOptions& options, const std::filesystem::p
 
 const char* generated_set_name(GeneratedSet set) {
     switch (set) {
-        case GeneratedSet::pieces: return "pieces";
-        case GeneratedSet::mixtures: return "mixtures";
-        case GeneratedSet::locks: return "locks";
-        case GeneratedSet::tori: return "tori";
-        case GeneratedSet::polyhedra: return "polyhedra";
-        case GeneratedSet::letters: return "letters";
+        case GeneratedSet::pieces:
+            return "pieces";
+        case GeneratedSet::mixtures:
+            return "mixtures";
+        case GeneratedSet::locks:
+            return "locks";
+        case GeneratedSet::tori:
+            return "tori";
+        case GeneratedSet::polyhedra:
+            return "polyhedra";
+        case GeneratedSet::letters:
+            return "letters";
     }
     return "";
 }

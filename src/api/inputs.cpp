@@ -34,8 +34,7 @@ std::optional<CountAndScale> split_argument(const std::string& argument) {
         const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
         if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0) ||
             !std::isfinite(static_cast<double>(value))) {
-            throw UsageError("'" + argument + "': the " + what + " '" + text +
-                             "' must be a positive number");
+            throw UsageError("'" + argument + "': the " + what + " '" + text + "' must be a positive number");
         }
     };
     CountAndScale result{match[1], 1, 1};
@@ -73,8 +72,7 @@ class Expander {
         const std::string ending = fs::path(file).extension().string();
         if (!fs::exists(status)) {
             const bool absent = !failure || failure == std::errc::no_such_file_or_directory;
-            inputs_.unusable.emplace_back(file, "",
-                                          absent ? "no such file or folder" : failure.message());
+            inputs_.unusable.emplace_back(file, "", absent ? "no such file or folder" : failure.message());
         } else if (fs::is_directory(status)) {
             folder(file, wanted);
         } else if (ending == ".csv") {
@@ -93,8 +91,7 @@ class Expander {
             for (const SetRow& row : read_set(file)) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                parts.push_back({(base / row.mesh).string(), count, row.scale * wanted.scale,
-                                 file + " " + place});
+                parts.push_back({(base / row.mesh).string(), count, row.scale * wanted.scale, file + " " + place});
             }
         } catch (const InputError& error) {
             inputs_.unusable.push_back(error);
@@ -105,14 +102,12 @@ class Expander {
 
     void job(const std::string& file, const CountAndScale& wanted) {
         if (inputs_.job) {
-            throw UsageError(file + ": is the second job file, after " + inputs_.job->file +
-                             "; one run has one job");
+            throw UsageError(file + ": is the second job file, after " + inputs_.job->file + "; one run has one job");
         }
         JobFile job = read_job(file);
         for (JobPart& part : job.parts) {
             const int count = product(part.count, wanted.count, file, part.key + ".count");
-            inputs_.parts.push_back({std::move(part.mesh), count, part.scale * wanted.scale,
-                                     file + " " + part.key,
+            inputs_.parts.push_back({std::move(part.mesh), count, part.scale * wanted.scale, file + " " + part.key,
                                      std::move(part.name), part.gap, std::move(part.orientations), part.priority,
                                      std::move(part.due)});
         }

@@ -21,8 +21,8 @@ InspectedObject inspect_object(LoadedMesh loaded, const InspectOptions& options)
     object.instances = loaded.instances;
     object.unit = loaded.unit.value_or(options.unit);
     object.unit_known = loaded.unit.has_value();
-    object.figures = inspect_mesh(
-        object.unit == 1 ? loaded.mesh : transformed(loaded.mesh, {object.unit * Mat3{}, {}}));
+    object.figures =
+        inspect_mesh(object.unit == 1 ? loaded.mesh : transformed(loaded.mesh, {object.unit * Mat3{}, {}}));
     object.repairs = std::move(loaded.repairs);
     object.warnings = std::move(loaded.warnings);
     object.unit_hint = size_warning(bounding_box(loaded.mesh), object.unit);
@@ -49,21 +49,15 @@ InspectedFile inspect_file(const std::string& name, const InspectOptions& option
     return file;
 }
 
-std::string flag(bool value) {
-    return value ? "true" : "false";
-}
+std::string flag(bool value) { return value ? "true" : "false"; }
 
-std::string number(std::size_t value) {
-    return std::to_string(value);
-}
+std::string number(std::size_t value) { return std::to_string(value); }
 
 std::string vector_json(const Vec3& v) {
     return "[" + json_number(v.x) + ", " + json_number(v.y) + ", " + json_number(v.z) + "]";
 }
 
-std::string place_json(const std::optional<Vec3>& place) {
-    return place ? vector_json(*place) : "null";
-}
+std::string place_json(const std::optional<Vec3>& place) { return place ? vector_json(*place) : "null"; }
 
 /// "[a, b]" of texts that are JSON already.
 template <class List, class Text>
@@ -78,30 +72,26 @@ std::string list_json(const List& list, const Text& text) {
 std::string object_json(const InspectedObject& object) {
     const MeshFigures& f = object.figures;
     const auto hole = [](const BorderLoop& loop) {
-        return "{\"place\": " + vector_json(loop.place) +
-               ", \"length\": " + json_number(loop.length) + ", \"edges\": " + number(loop.edges) +
-               "}";
+        return "{\"place\": " + vector_json(loop.place) + ", \"length\": " + json_number(loop.length) +
+               ", \"edges\": " + number(loop.edges) + "}";
     };
     return "{\"name\": " + json_string(object.name) +
            ", \"object\": " + (object.object ? json_string(*object.object) : "null") +
-           ", \"instances\": " + std::to_string(object.instances) +
-           ", \"unit\": " + json_number(object.unit) +
-           ", \"unit_known\": " + flag(object.unit_known) +
-           ", \"size\": " + vector_json(f.box.size()) + ", \"box\": [" + vector_json(f.box.min) +
-           ", " + vector_json(f.box.max) + "]" + ", \"volume\": " + json_number(f.volume) +
-           ", \"area\": " + json_number(f.area) + ", \"triangles\": " + number(f.triangles) +
-           ", \"vertices\": " + number(f.vertices) + ", \"shells\": " + number(f.shells) +
-           ", \"watertight\": " + flag(f.watertight()) +
-           ", \"border\": {\"edges\": " + number(f.edges.border) +
-           ", \"loops\": " + number(f.border_loops) + ", \"longest\": " + list_json(f.holes, hole) +
+           ", \"instances\": " + std::to_string(object.instances) + ", \"unit\": " + json_number(object.unit) +
+           ", \"unit_known\": " + flag(object.unit_known) + ", \"size\": " + vector_json(f.box.size()) +
+           ", \"box\": [" + vector_json(f.box.min) + ", " + vector_json(f.box.max) + "]" +
+           ", \"volume\": " + json_number(f.volume) + ", \"area\": " + json_number(f.area) +
+           ", \"triangles\": " + number(f.triangles) + ", \"vertices\": " + number(f.vertices) +
+           ", \"shells\": " + number(f.shells) + ", \"watertight\": " + flag(f.watertight()) +
+           ", \"border\": {\"edges\": " + number(f.edges.border) + ", \"loops\": " + number(f.border_loops) +
+           ", \"longest\": " + list_json(f.holes, hole) +
            "}, \"orientation\": " + json_string(orientation_name(object.orientation)) +
            ", \"misdirected\": {\"edges\": " + number(f.edges.misdirected) +
            ", \"place\": " + place_json(f.misdirected_place) +
            "}, \"non_manifold\": {\"edges\": " + number(f.edges.crowded) +
            ", \"place\": " + place_json(f.crowded_place) +
            "}, \"self_intersections\": {\"pairs\": " + std::to_string(f.crossings.pairs) +
-           ", \"complete\": " + flag(f.crossings.complete) +
-           ", \"place\": " + place_json(f.crossings.place) +
+           ", \"complete\": " + flag(f.crossings.complete) + ", \"place\": " + place_json(f.crossings.place) +
            "}, \"duplicates\": " + number(f.duplicates) +
            ", \"unit_hint\": " + (object.unit_hint ? json_string(*object.unit_hint) : "null") +
            ", \"repairs\": " + list_json(object.repairs, json_string) +
@@ -109,8 +99,7 @@ std::string object_json(const InspectedObject& object) {
 }
 
 std::string file_json(const InspectedFile& file) {
-    std::string text =
-        "{\"file\": " + json_string(file.file) + ", \"usable\": " + flag(!file.unusable);
+    std::string text = "{\"file\": " + json_string(file.file) + ", \"usable\": " + flag(!file.unusable);
     if (file.unusable) {
         return text + ", \"place\": " + json_string(file.unusable->place()) +
                ", \"cause\": " + json_string(file.unusable->cause()) + "}";
@@ -120,8 +109,7 @@ std::string file_json(const InspectedFile& file) {
 
 }  // namespace
 
-std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOptions& options,
-                                   Listener& listener) {
+std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOptions& options, Listener& listener) {
     std::vector<std::string> names;
     std::set<std::string> known;
     for (const PartSource& part : inputs.parts) {
@@ -136,8 +124,7 @@ std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOp
             const std::size_t at = begin + static_cast<std::size_t>(i);
             files[at] = inspect_file(names[at], options);
         });
-        listener.on_progress({Phase::load, static_cast<std::int64_t>(end),
-                              static_cast<std::int64_t>(files.size()), 0,
+        listener.on_progress({Phase::load, static_cast<std::int64_t>(end), static_cast<std::int64_t>(files.size()), 0,
                               static_cast<double>(end) / static_cast<double>(files.size())});
     }
     for (const InputError& error : inputs.unusable) {
@@ -153,8 +140,8 @@ std::string inspection_json(const std::vector<InspectedFile>& files) {
         unusable += file.unusable ? 1 : 0;
         text += (text.empty() ? "\n" : ",\n") + file_json(file);
     }
-    return "{\"usable\": " + number(files.size() - unusable) +
-           ", \"unusable\": " + number(unusable) + ", \"files\": [" + text + "\n]}";
+    return "{\"usable\": " + number(files.size() - unusable) + ", \"unusable\": " + number(unusable) +
+           ", \"files\": [" + text + "\n]}";
 }
 
 Scene inspection_scene(const std::vector<InspectedFile>& files) {
@@ -178,11 +165,8 @@ Scene inspection_scene(const std::vector<InspectedFile>& files) {
         Vec3 corner = 0.5 * (scene.packing.container.size - boxes[i].size());
         corner.z = 0;
         TrayPacking tray;
-        tray.placements.push_back({static_cast<int>(i),
-                                   0,
-                                   0,
-                                   false,
-                                   {scene.packing.parts[i].unit * Mat3{}, corner - boxes[i].min}});
+        tray.placements.push_back(
+            {static_cast<int>(i), 0, 0, false, {scene.packing.parts[i].unit * Mat3{}, corner - boxes[i].min}});
         scene.packing.trays.push_back(std::move(tray));
     }
     return scene;

@@ -21,9 +21,7 @@ struct FileContent {
     std::optional<InputError> error;
 };
 
-std::string count_of(std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
+std::string count_of(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 /// Several remarks on one file in one line.
 std::string joined(const std::vector<std::string>& remarks) {
@@ -81,8 +79,7 @@ class Hash {
     std::string hex() const {
         const XXH128_hash_t hash = XXH3_128bits_digest(state_);
         char text[33];
-        std::snprintf(text, sizeof text, "%016llx%016llx",
-                      static_cast<unsigned long long>(hash.high64),
+        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                       static_cast<unsigned long long>(hash.low64));
         return text;
     }
@@ -124,8 +121,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
     for (std::size_t f = 0; f < files.size(); ++f) {
         if (contents[f].error) result.unusable.push_back(*contents[f].error);
         for (const LoadedMesh& loaded : contents[f].meshes) {
-            const std::string name =
-                loaded.object ? files[f] + " (" + loaded.name + ")" : files[f];
+            const std::string name = loaded.object ? files[f] + " (" + loaded.name + ")" : files[f];
             if (!loaded.repairs.empty()) {
                 listener.on_warning(name + ": mended: " + joined(loaded.repairs));
             }
@@ -154,8 +150,8 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         if (content.error) {
             part.name = source.name.value_or(std::filesystem::path(source.mesh).stem().string());
             const std::string& place = content.error->place();
-            add(source, part, nullptr, 0, place.empty() ? content.error->cause()
-                                                : place + ": " + content.error->cause());
+            add(source, part, nullptr, 0,
+                place.empty() ? content.error->cause() : place + ": " + content.error->cause());
             continue;
         }
         for (std::size_t i = 0; i < content.meshes.size(); ++i) {
@@ -164,7 +160,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
                 throw InputError(source.mesh, loaded.object ? "object " + *loaded.object : "",
                                  "comes to more copies than can be counted");
             }
-            part.name = !source.name                ? loaded.name
+            part.name = !source.name                 ? loaded.name
                         : content.meshes.size() == 1 ? *source.name
                                                      : *source.name + " " + loaded.name;
             part.object = loaded.object;
@@ -174,8 +170,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             part.repairs = loaded.repairs;
             const double mm = part.to_mm();
             part.volume = signed_volume(*content.shared[i]) * mm * mm * mm;
-            add(source, part, content.shared[i],
-                bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
+            add(source, part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
         }
     }
     if (result.unusable.size() == files.size() && !files.empty()) {

@@ -65,8 +65,7 @@ KeepOut load_keep_out(const KeepOutSource& source, double default_unit) {
 StandingMesh load_standing_mesh(const MeshSource& source, double default_unit) {
     const double unit = source.unit.value_or(default_unit);
     const LoadedMesh loaded = only_mesh(source.file, source.place, unit);
-    StandingMesh standing{source.file,
-                          source.transform.value_or(Transform{loaded.unit.value_or(unit) * Mat3{}, {}})};
+    StandingMesh standing{source.file, source.transform.value_or(Transform{loaded.unit.value_or(unit) * Mat3{}, {}})};
     standing.surface = std::make_shared<const Mesh>(transformed(loaded.mesh, standing.transform));
     return standing;
 }

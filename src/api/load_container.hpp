@@ -9,8 +9,8 @@
 
 namespace spectralpack {
 
-/// The one mesh in the file; `default_unit`: mm per unit where neither file nor source says. Throws InputError, with the
-/// place that the source was named at, where the file is unusable or holds several objects.
+/// The one mesh in the file; `default_unit`: mm per unit where neither file nor source says. Throws InputError, with
+/// the place that the source was named at, where the file is unusable or holds several objects.
 StandingMesh load_standing_mesh(const MeshSource& source, double default_unit);
 
 /// With meshes in place. `tray`: the size of a box. A container mesh without a transform is moved to the origin.

@@ -32,9 +32,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Parts that are the same mesh at the same size with the same gap and orientations share an id, and so the engines'
 /// caches.
@@ -150,9 +148,9 @@ class Run {
 
     /// Packs into trays of one size.
     void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
-        pack_items(plan_.items, setup_on(base), engine, stop_, [&](const Progress& progress) {
-            listener_.on_progress(progress);
-        }, trays);
+        pack_items(
+            plan_.items, setup_on(base), engine, stop_,
+            [&](const Progress& progress) { listener_.on_progress(progress); }, trays);
     }
 
     void pack_items(const std::vector<PackItem>& items, const FillSetup& setup, PlacementSearch& engine,
@@ -163,7 +161,7 @@ class Run {
             [&](int part) {
                 const auto i = static_cast<std::size_t>(part);
                 return ScaledPart{scaled_mesh(i), loaded_.parts[i].gap, plan_.orientations[i].get(),
-                                   loaded_.parts[i].volume};
+                                  loaded_.parts[i].volume};
             },
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
@@ -288,8 +286,7 @@ class Run {
         on_grid.refine = false;
         on_grid.interlock = Interlock::off;
         // The second engine does not look at beams.
-        const bool done_on_grid =
-            !as_asked.refine && as_asked.interlock == Interlock::off && !options_.verify_with;
+        const bool done_on_grid = !as_asked.refine && as_asked.interlock == Interlock::off && !options_.verify_with;
         const StopToken enough = done_on_grid ? stop_ : job_.enough_orders.value_or(stop_);
 
         const OrderSearch wanted{options_.restarts, options_.beam, options_.seed, plan_.ranks,
@@ -315,7 +312,8 @@ class Run {
             const int work = beam ? beam_work : 1;
             TraysResult packed;
             try {
-                pack_items(items, setup, engine, enough, [&](const Progress& at) { tell(at, work); }, packed);
+                pack_items(
+                    items, setup, engine, enough, [&](const Progress& at) { tell(at, work); }, packed);
             } catch (...) {
                 if (order == 0) trays = std::move(packed);
                 if (order == 0 || !out_of_memory(std::current_exception())) throw;
@@ -335,7 +333,8 @@ class Run {
         TraysResult last;
         work_done = total_work - 1;
         order = orders - 1;
-        pack_items(plan_.items, as_asked, engine, stop_, [&](const Progress& at) { tell(at, 1); }, last);
+        pack_items(
+            plan_.items, as_asked, engine, stop_, [&](const Progress& at) { tell(at, 1); }, last);
         last.trays.front().searches += searches;
         if (last.trays.back().untried.empty()) trays = std::move(last);
     }
@@ -369,7 +368,7 @@ class Run {
     PhaseSeconds seconds_;
     double untangling_ = 0;  // seconds, also of trays that were given up
     std::int64_t verified_ = 0;
-    int orders_ = 1;  // packed in, the best being kept
+    int orders_ = 1;                // packed in, the best being kept
     std::optional<BaseSize> base_;  // of the least box
     bool keep_shapes_ = false;
     std::vector<std::shared_ptr<const Shape>> kept_;  // by part
@@ -377,8 +376,6 @@ class Run {
 
 }  // namespace
 
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
-    return Run(job, listener, stop).run();
-}
+PackResult pack(const Job& job, Listener& listener, const StopToken& stop) { return Run(job, listener, stop).run(); }
 
 }  // namespace spectralpack

@@ -44,8 +44,9 @@ Scene load_scene(const std::filesystem::path& packing_file) {
         LoadedMesh* object = find_object(file->second.loaded, part);
         if (!object) {
             throw InputError(part.mesh, "object " + part.object.value_or("?"),
-                             "the packing " + packing_file.string() + " places it, but the file does not "
-                             "hold it in this form");
+                             "the packing " + packing_file.string() +
+                                 " places it, but the file does not "
+                                 "hold it in this form");
         }
         auto& mesh = file->second.shared[object];
         if (!mesh) mesh = std::make_shared<const Mesh>(std::move(object->mesh));
@@ -56,9 +57,7 @@ Scene load_scene(const std::filesystem::path& packing_file) {
 }
 
 ContainerSource container_source(const Packing& packing) {
-    const auto source_of = [](const StandingMesh& mesh) {
-        return MeshSource{mesh.file, "", mesh.transform};
-    };
+    const auto source_of = [](const StandingMesh& mesh) { return MeshSource{mesh.file, "", mesh.transform}; };
     ContainerSource source;
     const Container& container = packing.container;
     if (container.mesh) source.mesh = source_of(*container.mesh);
@@ -78,8 +77,7 @@ const char* output_endings() { return ".json .3mf .stl .csv .png"; }
 
 bool is_output_file(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
-    return ending == ".json" || ending == ".3mf" || ending == ".stl" || ending == ".csv" ||
-           ending == ".png";
+    return ending == ".json" || ending == ".3mf" || ending == ".stl" || ending == ".csv" || ending == ".png";
 }
 
 namespace {
@@ -97,8 +95,7 @@ void write_one(const Scene& scene, const std::filesystem::path& path, const Rend
     } else if (ending == ".png") {
         write_picture(scene, path, picture, threads);
     } else {
-        throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " +
-                         output_endings());
+        throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " + output_endings());
     }
 }
 
@@ -149,8 +146,7 @@ void write_report(const Scene& scene, const std::filesystem::path& path, std::op
     replace_file(path, report_html(scene.packing, extras));
 }
 
-void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options,
-                   int threads) {
+void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options, int threads) {
     write_png(render(scene.packing, scene.meshes, options, Workers(threads)), path);
 }
 

@@ -79,16 +79,15 @@ bool fits(const Vec3& size, const Vec3& space) {
 }
 
 /// Why the part fits in no orientation; empty where it fits in one.
-std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations,
-                          const Vec3& space) {
+std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations, const Vec3& space) {
     for (const Mat3& turn : orientations) {
         if (fits(turned_size(mesh, turn, to_mm), space)) return "";
     }
     const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
-    return "is " + number(size.x) + " x " + number(size.y) + " x " + number(size.z) +
-           " mm and fits " + (std::isinf(space.z) ? "on " : "into ") + number(space.x) + " x " + number(space.y) +
-           (std::isinf(space.z) ? "" : " x " + number(space.z)) + " mm in none of the " + std::to_string(orientations.size()) + " orientation" +
-           (orientations.size() == 1 ? "" : "s") + " tried";
+    return "is " + number(size.x) + " x " + number(size.y) + " x " + number(size.z) + " mm and fits " +
+           (std::isinf(space.z) ? "on " : "into ") + number(space.x) + " x " + number(space.y) +
+           (std::isinf(space.z) ? "" : " x " + number(space.z)) + " mm in none of the " +
+           std::to_string(orientations.size()) + " orientation" + (orientations.size() == 1 ? "" : "s") + " tried";
 }
 
 /// Bytes of a part's voxels in one orientation, about: bit rows are padded to words, so the mean over which
@@ -98,8 +97,8 @@ std::int64_t shape_memory(const Vec3& size, double voxel, int detail, const std:
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double along = std::ceil((size[axis] + margin) / dx);
-            const double across = std::ceil((size[(axis + 1) % 3] + margin) / dx) *
-                                  std::ceil((size[(axis + 2) % 3] + margin) / dx);
+            const double across =
+                std::ceil((size[(axis + 1) % 3] + margin) / dx) * std::ceil((size[(axis + 2) % 3] + margin) / dx);
             sum += std::ceil(along / 64) * 8 * across / 3;
         }
         return sum;
@@ -124,15 +123,16 @@ std::vector<Vec3> sample_sizes(const Mesh& mesh, double to_mm, const std::vector
     return sizes;
 }
 
-/// Bytes that do not depend on the grid: meshes, surfaces and the voxels of the parts that are held at once, or of `all`.
+/// Bytes that do not depend on the grid: meshes, surfaces and the voxels of the parts that are held at once, or of
+/// `all`.
 std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded, bool all = false) {
     std::int64_t bytes = kProgramMemory + plan.memory_of_surfaces;
     std::vector<std::int64_t> shapes;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!loaded.meshes[i]) continue;
         const Mesh& mesh = *loaded.meshes[i];
-        bytes += static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) +
-                                           mesh.triangles.size() * sizeof(Triangle));
+        bytes +=
+            static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) + mesh.triangles.size() * sizeof(Triangle));
         if (!plan.too_large[i].empty() || copies_to_pack(loaded, i) == 0) continue;
         std::int64_t sum = 0;
         for (const Vec3& size : plan.turned_sizes[i]) {
@@ -141,7 +141,8 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
         shapes.push_back(sum * static_cast<std::int64_t>(plan.orientations[i]->size()) /
                          static_cast<std::int64_t>(plan.turned_sizes[i].size()));
     }
-    const std::size_t held = std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * static_cast<std::size_t>(plan.ahead));
+    const std::size_t held =
+        std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * static_cast<std::size_t>(plan.ahead));
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
                       std::greater<>());
     for (std::size_t i = 0; i < held; ++i) {
@@ -150,8 +151,8 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
     return bytes;
 }
 
-/// Bytes of the surfaces of a tray's copies for sliding and leaving, about: it holds at most its volume of material, and
-/// copies of a part share those of an orientation.
+/// Bytes of the surfaces of a tray's copies for sliding and leaving, about: it holds at most its volume of material,
+/// and copies of a part share those of an orientation.
 std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
                              double container_volume) {
     if (!options.refine && options.interlock == Interlock::off) return 0;
@@ -204,9 +205,8 @@ void plan_orientations(const LoadedJob& loaded, const PackOptions& options, cons
             if (fresh) wanted.push_back(want);
             continue;
         }
-        const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const Wanted& other) {
-            return !other.boxed && other.part == want.part;
-        });
+        const auto same = std::find_if(wanted.begin(), wanted.end(),
+                                       [&](const Wanted& other) { return !other.boxed && other.part == want.part; });
         wanted_by[i] = static_cast<std::size_t>(same - wanted.begin());
         if (same == wanted.end()) wanted.push_back(want);
     }
@@ -242,7 +242,8 @@ int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& o
         longest = std::max(longest, loaded.parts[i].to_mm() * std::max({size.x, size.y, size.z}));
     }
     const Vec3 space = room(options);
-    return fixed_layers(loaded, options.voxel) + voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
+    return fixed_layers(loaded, options.voxel) +
+           voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
 }
 
 Extent with_layers(Extent grid, int layers) {
@@ -321,8 +322,8 @@ void check_options(const PackOptions& options) {
     }
     const Vec3 space = room(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
-        throw UsageError("the container, less the wall gap, is smaller than one voxel of " +
-                         number(options.voxel) + " mm");
+        throw UsageError("the container, less the wall gap, is smaller than one voxel of " + number(options.voxel) +
+                         " mm");
     }
 }
 
@@ -341,8 +342,8 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
-        plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i],
-                                          room(options));
+        plan.too_large[i] =
+            why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i], room(options));
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
@@ -354,13 +355,11 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
         if (plan.too_large[i].empty() && copies > 0) {
-            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i],
-                             part.volume});
+            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i], part.volume});
         }
     }
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
-    plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()),
-                           plan.gap_classes.end());
+    plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
     plan.items = order_items(sizes, options.order, options.seed);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
@@ -371,8 +370,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(room(options).z, options.voxel);
     plan.memory_limit = options.memory > 0
                             ? options.memory
-                            : static_cast<std::int64_t>(kShareOfFree *
-                                                        static_cast<double>(available_memory()));
+                            : static_cast<std::int64_t>(kShareOfFree * static_cast<double>(available_memory()));
     plan.memory_of_surfaces = surfaces_memory(plan, loaded, options, container_volume);
     plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
     const auto engines = [&](int layers) {
@@ -388,8 +386,8 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.memory += engines(plan.grid.z);
     plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;
     if (options.memory == 0) {
-        const double wanted = kCacheUnasked * static_cast<double>(plan.grid.count()) *
-                              static_cast<double>(plan.most_orientations);
+        const double wanted =
+            kCacheUnasked * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
     const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * plan.cache;
@@ -402,8 +400,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     return plan;
 }
 
-void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
-                    const Workers& workers) {
+void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options, const Workers& workers) {
     if (plan.memory <= plan.memory_limit) return;
     double fitting = options.voxel;
     const Vec3 space = room(options);
@@ -413,10 +410,9 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
         const auto coarser = [&](int voxels) { return std::max(1, static_cast<int>(std::ceil(voxels * by))); };
         return Extent{coarser(plan.grid.x), coarser(plan.grid.y), coarser(plan.grid.z)};
     };
-    while (fitting < coarsest &&
-           parts_memory(fitting, options.detail, plan, loaded) +
-                   engines_memory(fitting, grid_at(fitting), plan, options, workers) >
-               plan.memory_limit) {
+    while (fitting < coarsest && parts_memory(fitting, options.detail, plan, loaded) +
+                                         engines_memory(fitting, grid_at(fitting), plan, options, workers) >
+                                     plan.memory_limit) {
         fitting *= 1.1;
     }
     std::string advice = "; no voxel size fits";
@@ -425,8 +421,8 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
         const double digit = std::pow(10, std::floor(std::log10(fitting)) - 1);
         advice = "; --voxel " + number(std::ceil(fitting / digit) * digit) + " would fit";
     }
-    throw ResourceError("packing at --voxel " + number(options.voxel) + " needs about " +
-                        megabytes(plan.memory) + " of memory, and " + megabytes(plan.memory_limit) +
+    throw ResourceError("packing at --voxel " + number(options.voxel) + " needs about " + megabytes(plan.memory) +
+                        " of memory, and " + megabytes(plan.memory_limit) +
                         (options.memory > 0 ? " are allowed" : " are free") + advice);
 }
 

@@ -12,23 +12,23 @@ namespace spectralpack {
 /// A job's decisions that follow from its options and parts.
 struct Plan {
     std::vector<std::shared_ptr<const std::vector<Mat3>>> orientations;  ///< by part: its set; null where unusable
-    std::size_t most_orientations = 0;  ///< of a part
-    std::vector<double> gap_classes;   ///< distinct gaps of usable parts, ascending
-    double height_penalty = 0;         ///< p
-    std::vector<PackItem> items;       ///< in the order to try, without what cannot fit
-    std::vector<int> ranks;            ///< by part: urgency_ranks()
+    std::size_t most_orientations = 0;                                   ///< of a part
+    std::vector<double> gap_classes;                                     ///< distinct gaps of usable parts, ascending
+    double height_penalty = 0;                                           ///< p
+    std::vector<PackItem> items;                  ///< in the order to try, without what cannot fit
+    std::vector<int> ranks;                       ///< by part: urgency_ranks()
     std::vector<std::vector<Vec3>> turned_sizes;  ///< by part: its mesh's in some of its orientations, spread over them
-    std::vector<std::string> too_large;  ///< by part: why it fits in no orientation; empty where it fits
-    EngineKind engine = EngineKind::cpu; ///< resolved
-    Extent grid;                       ///< with open height, as high as it starts
-    int most_layers = 0;               ///< open height: as high as memory lets it grow
-    std::int64_t memory = 0;           ///< bytes the run needs without caches, meshes included
+    std::vector<std::string> too_large;           ///< by part: why it fits in no orientation; empty where it fits
+    EngineKind engine = EngineKind::cpu;          ///< resolved
+    Extent grid;                                  ///< with open height, as high as it starts
+    int most_layers = 0;                          ///< open height: as high as memory lets it grow
+    std::int64_t memory = 0;                      ///< bytes the run needs without caches, meshes included
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
     std::int64_t memory_limit = 0;
-    std::int64_t cache = 0;            ///< bytes left for caches
-    std::int64_t keep = 0;             ///< bytes of voxels that may be held from one tray to the next
-    int ahead = 1;                     ///< parts whose voxels are made at a time
-    bool keeps_all = false;            ///< there is memory for the voxels of all parts at once
+    std::int64_t cache = 0;  ///< bytes left for caches
+    std::int64_t keep = 0;   ///< bytes of voxels that may be held from one tray to the next
+    int ahead = 1;           ///< parts whose voxels are made at a time
+    bool keeps_all = false;  ///< there is memory for the voxels of all parts at once
     double box_ratio = 0, volume_ratio = 0;
 };
 
@@ -45,12 +45,10 @@ Vec3 tray_size(const PackOptions& options);
 void check_options(const PackOptions& options);
 
 /// `options.tray` is the container's size. Throws as check_options and orientation_set do.
-Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
-               const Workers& workers);
+Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options, const Workers& workers);
 
 /// Throws ResourceError, with the bytes needed and the finest voxel size that would fit, when plan.memory is
 /// beyond plan.memory_limit.
-void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
-                    const Workers& workers);
+void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options, const Workers& workers);
 
 }  // namespace spectralpack

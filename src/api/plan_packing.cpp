@@ -41,8 +41,7 @@ class StandingTray {
         setup_.grid = grid_around(box, voxel, wall_gap, setup_.corner);
         workers.for_each(static_cast<std::int64_t>(parts_.size()), [&](std::int64_t k) {
             const auto i = static_cast<std::size_t>(k);
-            StandingVoxels voxels =
-                voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_, workers_);
+            StandingVoxels voxels = voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_, workers_);
             parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
                                 tray_.placements[i].fixed};
         });
@@ -64,7 +63,7 @@ class StandingTray {
 
     /// Copies of a part in one orientation share a surface.
     void make_surfaces() {
-        std::vector<std::vector<std::size_t>> alike;  // indices of copies
+        std::vector<std::vector<std::size_t>> alike;      // indices of copies
         std::map<int, std::vector<std::size_t>> of_part;  // indices into `alike`
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             const Placement& placement = tray_.placements[i];
@@ -119,7 +118,8 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
             continue;
         }
         const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
-        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, scene.packing.options.wall_gap, workers);
+        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, scene.packing.options.wall_gap,
+                              workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
         plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), [&](int, int) {

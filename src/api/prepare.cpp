@@ -83,9 +83,8 @@ class Preparation {
     bool holds(const std::string& name, const PreparedFile& known) const {
         const PreparedFile now = stamp(name);
         return now.bytes == known.bytes && now.modified == known.modified &&
-               std::all_of(known.rows.begin(), known.rows.end(), [&](const PreparedRow& row) {
-                   return row.mesh.empty() || fs::exists(output_ / row.mesh);
-               });
+               std::all_of(known.rows.begin(), known.rows.end(),
+                           [&](const PreparedRow& row) { return row.mesh.empty() || fs::exists(output_ / row.mesh); });
     }
 
     /// Reads a file and writes what is kept of it.
@@ -108,8 +107,8 @@ class Preparation {
   private:
     PreparedRow prepare_object(const std::string& name, const LoadedMesh& loaded, int object, bool one_of_many) const {
         const double unit = loaded.unit.value_or(options_.unit);
-        const PreparedMesh prepared = prepare_mesh(
-            unit == 1 ? loaded.mesh : transformed(loaded.mesh, {unit * Mat3{}, {}}), options_.rules);
+        const PreparedMesh prepared =
+            prepare_mesh(unit == 1 ? loaded.mesh : transformed(loaded.mesh, {unit * Mat3{}, {}}), options_.rules);
         PreparedRow row;
         row.file = name;
         row.object = object;
@@ -145,7 +144,7 @@ class Preparation {
 
     fs::path folder_, output_;
     PrepareOptions options_;
-    std::set<std::string> names_;         // mesh files, relative to the folder
+    std::set<std::string> names_;        // mesh files, relative to the folder
     std::vector<PreparedRow> unusable_;  // named like meshes, but no files
 };
 
@@ -221,12 +220,18 @@ PrepareSummary prepare(const fs::path& folder, const fs::path& output, const Pre
 
 const char* prepared_name(Prepared outcome) {
     switch (outcome) {
-        case Prepared::kept: return "kept";
-        case Prepared::unusable: return "unusable";
-        case Prepared::open: return "open";
-        case Prepared::inconsistent: return "inconsistent";
-        case Prepared::non_manifold: return "non-manifold";
-        case Prepared::no_volume: return "no volume";
+        case Prepared::kept:
+            return "kept";
+        case Prepared::unusable:
+            return "unusable";
+        case Prepared::open:
+            return "open";
+        case Prepared::inconsistent:
+            return "inconsistent";
+        case Prepared::non_manifold:
+            return "non-manifold";
+        case Prepared::no_volume:
+            return "no volume";
     }
     return "";
 }

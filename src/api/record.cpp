@@ -33,9 +33,8 @@ void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray,
     if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
     for (const PlacedItem& placed : filled.placed) {
         settled.insert(placed.item);
-        tray.placements.push_back(
-            {placed.item.part, placed.item.copy, placed.orientation, false,
-             transform_of(run.loaded, run.plan, placed)});
+        tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
+                                   transform_of(run.loaded, run.plan, placed)});
     }
 }
 
@@ -72,8 +71,7 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PackItem> settled
     for (const PackItem& item : run.trays.left_over) {
         if (!settled.insert(item).second) continue;
         const auto why = last.why.find(item.part);
-        unplaced.push_back(
-            {item.part, item.copy, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
+        unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
     }
     for (const PackItem& item : run.plan.items) {
         if (run.options.fill || settled.contains(item)) continue;
@@ -153,12 +151,11 @@ Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedIt
 
 Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
     const Part& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
-    return Error(ErrorKind::input,
-                 "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
-                     std::to_string(trays.left_over.size()) +
-                     (trays.left_over.size() == 1 ? " copy" : " copies") +
-                     " tried none finds a place in it, the first being " + first.name +
-                     (trays.trays.empty() ? "" : "; the trays before are kept"));
+    return Error(ErrorKind::input, "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
+                                       std::to_string(trays.left_over.size()) +
+                                       (trays.left_over.size() == 1 ? " copy" : " copies") +
+                                       " tried none finds a place in it, the first being " + first.name +
+                                       (trays.trays.empty() ? "" : "; the trays before are kept"));
 }
 
 }  // namespace spectralpack

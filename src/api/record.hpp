@@ -15,13 +15,13 @@ namespace spectralpack {
 struct PackRun {
     const LoadedJob& loaded;
     const Container& container;
-    const PackOptions& options;     ///< as used
+    const PackOptions& options;  ///< as used
     const Plan& plan;
-    const TraysResult& trays;       ///< at least one
-    std::optional<BaseSize> base;   ///< where it was searched for
-    PhaseSeconds seconds;           ///< but for disassembly and re-insertion, which the trays tell
+    const TraysResult& trays;      ///< at least one
+    std::optional<BaseSize> base;  ///< where it was searched for
+    PhaseSeconds seconds;          ///< but for disassembly and re-insertion, which the trays tell
     std::int64_t verified = 0;
-    int orders = 1;                 ///< packed in, of which the best was kept
+    int orders = 1;  ///< packed in, of which the best was kept
 };
 
 Packing packing_of(const PackRun& run, const Workers& workers);

@@ -18,8 +18,8 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
         throw ResourceError("cannot write " + path.string() + ": there is no folder " + folder.string());
     }
     // The ending is kept because some writers choose the format by it.
-    fs::path temporary = folder / ("." + path.stem().string() + ".part" + std::to_string(::getpid()) +
-                                   path.extension().string());
+    fs::path temporary =
+        folder / ("." + path.stem().string() + ".part" + std::to_string(::getpid()) + path.extension().string());
     std::error_code ignored;
     try {
         write(temporary);
@@ -40,8 +40,7 @@ void replace_file(const fs::path& path, std::string_view bytes) {
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         out.close();
         if (!out) {
-            throw ResourceError("cannot write " + path.string() +
-                                ": the disk is full or the folder is read-only");
+            throw ResourceError("cannot write " + path.string() + ": the disk is full or the folder is read-only");
         }
     });
 }

@@ -10,8 +10,7 @@ namespace spectralpack {
 
 /// Calls write(temporary path); renames on return, deletes the temporary and rethrows on an exception.
 /// Throws ResourceError naming `path` when the folder cannot be written.
-void replace_file(const std::filesystem::path& path,
-                  const std::function<void(const std::filesystem::path&)>& write);
+void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
 /// The same for bytes at hand.
 void replace_file(const std::filesystem::path& path, std::string_view bytes);

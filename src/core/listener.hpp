@@ -12,8 +12,8 @@ struct Progress {
     Phase phase = Phase::load;
     std::int64_t done = 0;
     std::int64_t total = 0;
-    double density = 0;  ///< of the packing so far, 0..1; only in Phase::search
-    double work = 0;     ///< share of the phase's expected work that is done, 0..1
+    double density = 0;         ///< of the packing so far, 0..1; only in Phase::search
+    double work = 0;            ///< share of the phase's expected work that is done, 0..1
     int order = 0, orders = 0;  ///< where several orders are packed in: which, from 1, of how many
 };
 

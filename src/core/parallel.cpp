@@ -12,15 +12,14 @@
 namespace spectralpack {
 
 struct Workers::Pool {
-    explicit Pool(int threads)
-        : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)) {
+    explicit Pool(int threads) : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)) {
         if (threads > tbb::info::default_concurrency()) {
             allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
         }
         arena.initialize();
     }
-    // More threads than the machine has are asked for here: once another library has started TBB with as many as it has,
-    // TBB would warn on standard error and give no more.
+    // More threads than the machine has are asked for here: once another library has started TBB with as many as it
+    // has, TBB would warn on standard error and give no more.
     std::optional<tbb::global_control> allowed;
     tbb::task_arena arena;
 };

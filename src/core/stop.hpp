@@ -14,8 +14,7 @@ class StopToken {
     StopToken() = default;  ///< never stops
     bool stopped() const { return reason() != StopReason::none; }
     StopReason reason() const {
-        return state_ ? static_cast<StopReason>(state_->load(std::memory_order_relaxed))
-                      : StopReason::none;
+        return state_ ? static_cast<StopReason>(state_->load(std::memory_order_relaxed)) : StopReason::none;
     }
 
   private:

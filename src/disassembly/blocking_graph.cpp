@@ -179,9 +179,8 @@ std::vector<std::vector<std::size_t>> BlockingGraph::groups(AxisDirection direct
     for (std::size_t i = 0; i < members.size(); ++i) {
         if (!held[i] && members[i].size() >= 2 && members[i].size() < standing) groups.push_back(std::move(members[i]));
     }
-    std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
-        return a.size() != b.size() ? a.size() < b.size() : a < b;
-    });
+    std::sort(groups.begin(), groups.end(),
+              [](const auto& a, const auto& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; });
     return groups;
 }
 

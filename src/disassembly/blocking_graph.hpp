@@ -61,7 +61,8 @@ class BlockingGraph {
     std::vector<bool> present_;
     std::vector<Word> edges_[kDirections];
     std::vector<int> blockers_[kDirections];
-    std::vector<std::vector<std::uint32_t>> passed_[3];  ///< by axis and who moves up (or stays, where the other moves down)
+    std::vector<std::vector<std::uint32_t>>
+        passed_[3];  ///< by axis and who moves up (or stays, where the other moves down)
 };
 
 }  // namespace spectralpack

@@ -59,7 +59,8 @@ VoxelIndex voxel(const Vec3& corner) {
 Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts)
     : Company(setup, std::move(names), std::move(parts), {setup.grid, {}}) {}
 
-Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot)
+Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts,
+                 const Plot& plot)
     : setup_(setup),
       names_(std::move(names)),
       parts_(std::move(parts)),
@@ -349,7 +350,8 @@ Company::Path Company::shortened(std::size_t i, Path path) const {
         if (direction_of(path[k]).axis == direction_of(path[k + 2]).axis) {
             for (const Path& tried : {merged({both, between}), merged({between, both})}) {
                 if (!free_path(i, from, tried)) continue;
-                path.erase(path.begin() + static_cast<std::ptrdiff_t>(k), path.begin() + static_cast<std::ptrdiff_t>(k + 3));
+                path.erase(path.begin() + static_cast<std::ptrdiff_t>(k),
+                           path.begin() + static_cast<std::ptrdiff_t>(k + 3));
                 path.insert(path.begin() + static_cast<std::ptrdiff_t>(k), tried.begin(), tried.end());
                 path = merged(path);
                 shorter = true;

@@ -22,8 +22,8 @@
 namespace spectralpack {
 
 // In millimetres.
-inline constexpr double kClearance = 1;   ///< by which a copy that has left is clear of the box of the others
-inline constexpr double kGraze = 8e-4;    ///< overlap sideways let pass: voxels are drawn in by 1e-4 dx, from both sides
+inline constexpr double kClearance = 1;  ///< by which a copy that has left is clear of the box of the others
+inline constexpr double kGraze = 8e-4;   ///< overlap sideways let pass: voxels are drawn in by 1e-4 dx, from both sides
 
 struct DisassemblySetup {
     PlacementSearch* search = nullptr;
@@ -88,8 +88,9 @@ class Company {
     };
     /// Not to be called from several threads at once.
     Flood flood(std::size_t i) const;
-    /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the setup's
-    /// token has stopped it, there is none and the pocket says nothing. Several threads may ask for different copies.
+    /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the
+    /// setup's token has stopped it, there is none and the pocket says nothing. Several threads may ask for different
+    /// copies.
     Flooded way_out(Flood& flood) const;
     /// A straight one, or else any.
     std::optional<Path> any_way_out(std::size_t i) const;
@@ -139,7 +140,8 @@ class Company {
     VoxelIndex origin_;  // of the tray, in the setup's grid
     Tray tray_;
     std::vector<ObjectId> objects_;
-    mutable std::map<std::size_t, std::shared_ptr<const BitGrid>> on_grid_;  ///< voxels of those off the grid, once asked for
+    mutable std::map<std::size_t, std::shared_ptr<const BitGrid>>
+        on_grid_;  ///< voxels of those off the grid, once asked for
 };
 
 }  // namespace spectralpack

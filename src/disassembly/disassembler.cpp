@@ -149,9 +149,9 @@ class Disassembler::Yard {
         return moved;
     }
 
-    /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile may
-    /// have opened the way of others, and more so the longer one waits. Some are tried at once; of those after the one that
-    /// leaves only pockets count, which its leaving opens again where it touches them.
+    /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile
+    /// may have opened the way of others, and more so the longer one waits. Some are tried at once; of those after the
+    /// one that leaves only pockets count, which its leaving opens again where it touches them.
     bool leave_by_flood() {
         for (std::size_t passed = 0; passed < turns_.size();) {
             std::vector<std::size_t> turns;  // of those tried, from turn_ on

@@ -16,20 +16,21 @@ namespace spectralpack {
 class FloodFill {
   public:
     /// `tiles`: free positions of the copy's voxels of this extent, itself not in the way. Outside is where its box
-    /// does not meet `rest`, the box of all other voxels (of which none may lie outside the tiles' grid). When stopped a
-    /// walk ends where it is, as if there were no way.
+    /// does not meet `rest`, the box of all other voxels (of which none may lie outside the tiles' grid). When stopped
+    /// a walk ends where it is, as if there were no way.
     FloodFill(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop = {});
 
     /// A shortest way from `start`, which is free, to outside: its ends and corners, axis-parallel from one to the
-    /// next. Empty when there is none. Best-first by steps gone and steps at least to go, which are exact (A*); each tile
-    /// of positions is computed when first touched.
+    /// next. Empty when there is none. Best-first by steps gone and steps at least to go, which are exact (A*); each
+    /// tile of positions is computed when first touched.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
   private:
     static constexpr int kRows = FreeTileReader::kRows;
     struct Tile {
         FreeTileReader::Rows free;
-        std::array<std::array<std::uint8_t, 64>, kRows> came{};  ///< 0: not visited; kStart; else 1 + the move that led here
+        std::array<std::array<std::uint8_t, 64>, kRows>
+            came{};  ///< 0: not visited; kStart; else 1 + the move that led here
     };
     struct Entry {
         VoxelIndex at;  ///< from the tiles' origin

@@ -68,21 +68,24 @@ class GrowingPlan::Letting {
 
     GrowingPlan& plan_;
     const std::size_t part_;
-    std::size_t next_ = 0;       // of the plan's steps
-    std::vector<Step> steps_;    // the new plan, so far
-    Companies companies_;        // after those
-    int company_ = 0;            // the part's
-    Members waiting_;            // go last
-    std::vector<bool> waits_;    // by part
-    StandingHull standing_;      // those waiting included
-    StandingHull going_;         // those not, but those that are out: they may come in again
+    std::size_t next_ = 0;             // of the plan's steps
+    std::vector<Step> steps_;          // the new plan, so far
+    Companies companies_;              // after those
+    int company_ = 0;                  // the part's
+    Members waiting_;                  // go last
+    std::vector<bool> waits_;          // by part
+    StandingHull standing_;            // those waiting included
+    StandingHull going_;               // those not, but those that are out: they may come in again
     std::vector<Since> unknown_from_;  // of those that are out: steps from that number on know nothing of them any more
     std::vector<Since> discarded_;     // instead of the part
 };
 
 GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts,
                          const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
-    : setup_(setup), parts_(std::move(parts)), names_(parts_.size()), discarded_after_(std::move(discarded_after)),
+    : setup_(setup),
+      parts_(std::move(parts)),
+      names_(parts_.size()),
+      discarded_after_(std::move(discarded_after)),
       by_index_(setup),
       places_(parts_.size(), kAway) {
     by_index_.on_grid = [this](int i) { return setup_.on_grid(names_[static_cast<std::size_t>(i)]); };
@@ -183,8 +186,8 @@ DisassemblySetup GrowingPlan::setup_of(const Members& members) const {
     return setup;
 }
 
-/// Makes the company that of `standing`, ascending: by those that came and went, where they are few. To make it anew takes
-/// as long as to fill a tray with all.
+/// Makes the company that of `standing`, ascending: by those that came and went, where they are few. To make it anew
+/// takes as long as to fill a tray with all.
 void GrowingPlan::gather(const Members& standing) {
     Members came, went;
     auto next = standing.begin();
@@ -234,8 +237,8 @@ std::optional<int> GrowingPlan::lightest_of(const std::vector<std::vector<int>>&
     return lightest;
 }
 
-/// Plans for members that stand by themselves. Where they hold each other, those that are lighter than `part` together are
-/// discarded if that helps and may be done `instead`.
+/// Plans for members that stand by themselves. Where they hold each other, those that are lighter than `part` together
+/// are discarded if that helps and may be done `instead`.
 std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members, std::size_t part, bool instead) {
     const DisassemblySetup setup = setup_of(members);
     Disassembler disassembler(setup, parts_of(members), [](int, int) {});
@@ -265,7 +268,9 @@ std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members
     return apart;
 }
 
-bool GrowingPlan::let(std::size_t part, std::size_t most, bool instead) { return Letting(*this, part).run(most, instead); }
+bool GrowingPlan::let(std::size_t part, std::size_t most, bool instead) {
+    return Letting(*this, part).run(most, instead);
+}
 
 GrowingPlan::Letting::Letting(GrowingPlan& plan, std::size_t part)
     : plan_(plan),
@@ -291,8 +296,8 @@ void GrowingPlan::Letting::keep(Step step) {
     steps_.push_back(std::move(step));
 }
 
-/// `path`, on which the movers leave those that go as planned, gone on with until they leave those that wait as well; none
-/// where those are in the way.
+/// `path`, on which the movers leave those that go as planned, gone on with until they leave those that wait as well;
+/// none where those are in the way.
 std::optional<GrowingPlan::Path> GrowingPlan::Letting::past(const Members& movers, Path path) const {
     if (path.empty()) return std::nullopt;  // nobody else was left
     Box own;

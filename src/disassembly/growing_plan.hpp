@@ -19,17 +19,17 @@ class GrowingPlan {
     /// So many are planned for anew at most where nothing else is asked for: more take long, and seldom come apart.
     static constexpr std::size_t kMostAnew = 50;
 
-    /// The plan of `parts`, named by their index, and after how many of its steps each was discarded. `setup` is referred
-    /// to; it knows the names.
+    /// The plan of `parts`, named by their index, and after how many of its steps each was discarded. `setup` is
+    /// referred to; it knows the names.
     GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts, const std::vector<RemovalStep>& steps,
                 std::vector<std::size_t> discarded_after);
     GrowingPlan(const GrowingPlan&) = delete;
     GrowingPlan& operator=(const GrowingPlan&) = delete;
 
-    /// Lets a discarded part stand where it stood, if a plan for all is found. It leaves before the first step that it is in
-    /// the way of, or else, with those whose way it is in then and those whose way they are in, last: these are taken
-    /// apart anew, by themselves. The others go as before. Where they hold each other, lighter ones than the part may be
-    /// discarded instead. Nothing changes where they hold each other all the same, or are more than `most`.
+    /// Lets a discarded part stand where it stood, if a plan for all is found. It leaves before the first step that it
+    /// is in the way of, or else, with those whose way it is in then and those whose way they are in, last: these are
+    /// taken apart anew, by themselves. The others go as before. Where they hold each other, lighter ones than the part
+    /// may be discarded instead. Nothing changes where they hold each other all the same, or are more than `most`.
     bool let_back(int part, std::size_t most = kMostAnew);
 
     /// Likewise for a new part, of another name, for which nobody is discarded.
@@ -67,7 +67,8 @@ class GrowingPlan {
     void gather(const Members& standing);
     std::optional<Path> way_out(std::size_t part, const Members& standing);
     std::optional<Apart> take_apart(const Members& members, std::size_t part, bool instead);
-    std::optional<int> lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members, std::size_t part) const;
+    std::optional<int> lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members,
+                                   std::size_t part) const;
     DisassemblySetup setup_of(const Members& members) const;
     std::vector<StandingPart> parts_of(const Members& members) const;
 

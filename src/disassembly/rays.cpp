@@ -38,7 +38,8 @@ class RayGrid {
         const double least = std::min({a[axis_], b[axis_], c[axis_]});
         const double most = std::max({a[axis_], b[axis_], c[axis_]});
         const std::int64_t v_begin = std::max(v0_, first(std::min({a[v_], b[v_], c[v_]})));
-        const std::int64_t v_end = std::min(v0_ + static_cast<std::int64_t>(nv_), first(std::max({a[v_], b[v_], c[v_]})));
+        const std::int64_t v_end =
+            std::min(v0_ + static_cast<std::int64_t>(nv_), first(std::max({a[v_], b[v_], c[v_]})));
         for (std::int64_t j = v_begin; j < v_end; ++j) {
             const double v = at(j);
             double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -89,11 +90,11 @@ class RayGrid {
 };
 
 void add_edges(std::vector<Span>& spans, int axis, BlockingGraph& graph) {
-    std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) {
-        return a.ray != b.ray ? a.ray < b.ray : a.copy < b.copy;
-    });
+    std::sort(spans.begin(), spans.end(),
+              [](const Span& a, const Span& b) { return a.ray != b.ray ? a.ray < b.ray : a.copy < b.copy; });
     for (std::size_t begin = 0, end; begin < spans.size(); begin = end) {
-        for (end = begin; end < spans.size() && spans[end].ray == spans[begin].ray;) ++end;
+        for (end = begin; end < spans.size() && spans[end].ray == spans[begin].ray;)
+            ++end;
         for (std::size_t i = begin; i < end; ++i) {
             for (std::size_t j = begin; j < end; ++j) {
                 if (i != j && spans[i].first < spans[j].last - kRayTolerance) {

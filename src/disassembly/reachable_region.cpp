@@ -32,7 +32,8 @@ ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
 
 /// Steps at least along y or z; 0 is outside.
 int ReachableRegion::to_go(int y, int z) const {
-    return std::max(0, std::min({y + solid_.y - rest_.lo.y, rest_.hi.y - y, z + solid_.z - rest_.lo.z, rest_.hi.z - z}));
+    return std::max(0,
+                    std::min({y + solid_.y - rest_.lo.y, rest_.hi.y - y, z + solid_.z - rest_.lo.z, rest_.hi.z - z}));
 }
 
 std::uint64_t ReachableRegion::outside_at(int y, int z, int i) const {

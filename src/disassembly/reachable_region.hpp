@@ -22,8 +22,9 @@ class ReachableRegion {
     /// On a walk so far.
     bool visited(const VoxelIndex& position);
 
-    /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every position
-    /// visited for that is remembered with the answer, and a walk that meets one ends there: none is visited twice.
+    /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every
+    /// position visited for that is remembered with the answer, and a walk that meets one ends there: none is visited
+    /// twice.
     bool contains(const VoxelIndex& start);
 
     /// Around all positions visited so far.
@@ -57,7 +58,7 @@ class ReachableRegion {
 
     FreeTileReader& tiles_;
     Extent solid_;
-    VoxelBox rest_;        // from the tiles' origin
+    VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
     StopToken stop_;
     VoxelBox visited_box_;

@@ -32,7 +32,8 @@ void StandingHull::add(const Box& box) {
 void StandingHull::remove(std::size_t i) {
     present_[i] = false;
     for (std::vector<Side>& side : sides_) {
-        while (!side.empty() && !present_[side.back().of]) side.pop_back();
+        while (!side.empty() && !present_[side.back().of])
+            side.pop_back();
     }
 }
 

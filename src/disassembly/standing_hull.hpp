@@ -28,9 +28,7 @@ class StandingHull {
         double reach;  ///< how far out
         std::size_t of;
 
-        bool operator<(const Side& other) const {
-            return reach != other.reach ? reach < other.reach : of < other.of;
-        }
+        bool operator<(const Side& other) const { return reach != other.reach ? reach < other.reach : of < other.of; }
     };
     static constexpr std::size_t kSides = 6;  ///< -x, +x, -y, +y, -z, +z
 

@@ -28,8 +28,7 @@ class BinvoxParser {
         read_runs();
         LoadedMesh loaded;
         loaded.mesh = boundary();
-        const double edge =
-            scale_ / static_cast<double>(*std::max_element(dim_.begin(), dim_.end()));
+        const double edge = scale_ / static_cast<double>(*std::max_element(dim_.begin(), dim_.end()));
         for (Vec3& vertex : loaded.mesh.vertices) {
             vertex = translate_ + edge * vertex;
         }
@@ -51,15 +50,13 @@ class BinvoxParser {
                 dim_ = {dimension(words_[1]), dimension(words_[3]), dimension(words_[2])};
             } else if (words_[0] == "translate" && words_.size() == 4) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    translate_[axis] =
-                        lines_.coordinate(source_.file, words_[static_cast<std::size_t>(axis) + 1]);
+                    translate_[axis] = lines_.coordinate(source_.file, words_[static_cast<std::size_t>(axis) + 1]);
                 }
             } else if (words_[0] == "scale" && words_.size() == 2) {
                 scale_ = lines_.coordinate(source_.file, words_[1]);
                 if (!(scale_ > 0)) fail("the scale must be above 0");
             } else {
-                fail("expected dim, translate, scale or data, found " +
-                     quoted_excerpt(lines_.line()));
+                fail("expected dim, translate, scale or data, found " + quoted_excerpt(lines_.line()));
             }
         }
         if (dim_[0] == 0) fail("the dimensions are missing");
@@ -91,8 +88,8 @@ class BinvoxParser {
         }
         if (promised != voxels || data.size() % 2 != 0 || voxels > kMostVoxels) {
             throw InputError(source_.file, "data",
-                             "there are " + std::to_string(promised) +
-                                 " voxels where the dimensions need " + std::to_string(voxels));
+                             "there are " + std::to_string(promised) + " voxels where the dimensions need " +
+                                 std::to_string(voxels));
         }
         solid_.reserve(static_cast<std::size_t>(voxels));
         for (std::size_t i = 0; i < data.size(); i += 2) {
@@ -120,8 +117,7 @@ class BinvoxParser {
                         for (const int side : {0, 1}) {
                             auto neighbour = at;
                             neighbour[axis] += side == 1 ? 1 : -1;
-                            if (!is_solid(neighbour))
-                                add_face(mesh, welder, at, static_cast<int>(axis), side);
+                            if (!is_solid(neighbour)) add_face(mesh, welder, at, static_cast<int>(axis), side);
                         }
                     }
                 }
@@ -131,8 +127,7 @@ class BinvoxParser {
         return mesh;
     }
 
-    void add_face(Mesh& mesh, VertexWelder& welder, const std::array<std::int64_t, 3>& at, int axis,
-                  int side) const {
+    void add_face(Mesh& mesh, VertexWelder& welder, const std::array<std::int64_t, 3>& at, int axis, int side) const {
         if (mesh.triangles.size() >= 2 * kMostFaces) {
             throw InputError(source_.file, "data", "its surface has too many faces");
         }
@@ -167,8 +162,6 @@ class BinvoxParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_binvox(const MeshSource& source) {
-    return {{BinvoxParser(source).parse(), true}};
-}
+std::vector<ParsedMesh> parse_binvox(const MeshSource& source) { return {{BinvoxParser(source).parse(), true}}; }
 
 }  // namespace spectralpack

@@ -35,8 +35,7 @@ class CsvParser {
     std::string field() {
         if (take('"')) return quoted_field();
         const std::size_t end = std::min(text_.find_first_of(",\r\n\"", at_), text_.size());
-        if (end < text_.size() && text_[end] == '"')
-            fail("a quote inside a field that does not start with one");
+        if (end < text_.size() && text_[end] == '"') fail("a quote inside a field that does not start with one");
         std::string field(text_.substr(at_, end - at_));
         at_ = end;
         return field;
@@ -74,9 +73,7 @@ class CsvParser {
 
 }  // namespace
 
-std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text) {
-    return CsvParser(file, text).parse();
-}
+std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text) { return CsvParser(file, text).parse(); }
 
 std::string csv_field(std::string_view field) {
     const bool plain = field.find_first_of(",\"\r\n") == std::string_view::npos &&

@@ -42,9 +42,7 @@ char* allocate(std::size_t size) {
 
 }  // namespace
 
-void FileBytes::Free::operator()(char* bytes) const {
-    std::free(bytes);
-}
+void FileBytes::Free::operator()(char* bytes) const { std::free(bytes); }
 
 FileBytes::FileBytes(const std::filesystem::path& path) {
     // Not blocking: a named pipe would wait for a writer before it could be refused.
@@ -56,8 +54,7 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
     const auto size = static_cast<std::size_t>(status.st_size);
     bytes_.reset(allocate(size));
     if (!bytes_) {
-        throw ResourceError(path.string() + ": there is no memory for its " + std::to_string(size) +
-                            " bytes");
+        throw ResourceError(path.string() + ": there is no memory for its " + std::to_string(size) + " bytes");
     }
     while (size_ < size) {
         const ssize_t got = ::read(file.number, bytes_.get() + size_, size - size_);

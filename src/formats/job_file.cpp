@@ -30,8 +30,8 @@ class JobReader {
         if (root_.at("version").integer<std::int64_t>() != 1) {
             root_.at("version").fail("is not a version this program reads (1)");
         }
-        root_.expect_keys({"format", "version", "unit", "container", "open_height", "trays",
-                           "keep_out", "wall_gap", "gap", "parts", "fixed", "options"});
+        root_.expect_keys({"format", "version", "unit", "container", "open_height", "trays", "keep_out", "wall_gap",
+                           "gap", "parts", "fixed", "options"});
         job_.settings.file = file_;
         if (const auto options = root_.find("options")) read_job_options(*options);
         PackOptions& o = job_.settings.options;
@@ -117,19 +117,14 @@ class JobReader {
     }
 
     void read_job_options(const Node& node) {
-        node.expect_keys({"tray",           "trays",           "gap",
-                          "try-per-tray",   "printer",         "onto",
-                          "wall-gap",       "voxel",           "rotations",
-                          "refine",         "interlock",       "order",
-                          "height-penalty", "height-at",       "seed",
-                          "engine",         "threads",         "memory",
-                          "verify-with",    "time-limit",      "unit",
-                          "output",         "report",          "progress",
-                          "dry-run",        "skip-unusable",   "require-all",
-                          "json",           "material-density", "detail",
-                          "take-out",       "open-height",
-                          "minimise",       "fill",            "max-density",
-                          "max-layer-fill", "restarts",        "beam"});
+        node.expect_keys(
+            {"tray",           "trays",         "gap",         "try-per-tray", "printer",          "onto",
+             "wall-gap",       "voxel",         "rotations",   "refine",       "interlock",        "order",
+             "height-penalty", "height-at",     "seed",        "engine",       "threads",          "memory",
+             "verify-with",    "time-limit",    "unit",        "output",       "report",           "progress",
+             "dry-run",        "skip-unusable", "require-all", "json",         "material-density", "detail",
+             "take-out",       "open-height",   "minimise",    "fill",         "max-density",      "max-layer-fill",
+             "restarts",       "beam"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);
@@ -152,11 +147,10 @@ class JobReader {
         if (const auto v = node.find("report")) s.report = path_of(*v);
         if (const auto v = node.find("material-density")) s.material_density = v->positive();
         if (const auto v = node.find("progress")) s.progress = v->one_of(kProgressNames);
-        const std::pair<const char*, std::optional<bool>*> flags[] = {
-            {"dry-run", &s.dry_run},
-            {"json", &s.json},
-            {"skip-unusable", &s.skip_unusable},
-            {"require-all", &s.require_all}};
+        const std::pair<const char*, std::optional<bool>*> flags[] = {{"dry-run", &s.dry_run},
+                                                                      {"json", &s.json},
+                                                                      {"skip-unusable", &s.skip_unusable},
+                                                                      {"require-all", &s.require_all}};
         for (const auto& [key, flag] : flags) {
             if (const auto v = node.find(key)) *flag = v->boolean();
         }
@@ -171,8 +165,7 @@ class JobReader {
     }
 
     void read_part(const Node& node) {
-        node.expect_keys(
-            {"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
+        node.expect_keys({"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
         JobPart part;
         part.key = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -197,8 +190,7 @@ class JobReader {
             return static_cast<unsigned>(std::stoul(text.substr(at, size)));
         };
         if (!digits || !std::chrono::year_month_day(std::chrono::year(static_cast<int>(number(0, 4))),
-                                                    std::chrono::month(number(5, 2)),
-                                                    std::chrono::day(number(8, 2)))
+                                                    std::chrono::month(number(5, 2)), std::chrono::day(number(8, 2)))
                             .ok()) {
             node.fail("must be a date like \"2026-12-01\"");
         }
@@ -228,8 +220,6 @@ JobFile parse_job(const fs::path& path, std::string_view text) {
     return JobReader(path, parse_json(path.string(), text)).read();
 }
 
-JobFile read_job(const fs::path& path) {
-    return parse_job(path, FileBytes(path).view());
-}
+JobFile read_job(const fs::path& path) { return parse_job(path, FileBytes(path).view()); }
 
 }  // namespace spectralpack

@@ -19,9 +19,9 @@ struct JobPart {
     double scale = 1;
     std::optional<double> gap;  ///< mm; none: the job's
     PartOrientations orientations = {};
-    double priority = 0;        ///< higher goes first
-    std::string due = {};       ///< "2026-12-01"; empty: none
-    std::string key;            ///< where it stands in the file: "parts[3]"
+    double priority = 0;   ///< higher goes first
+    std::string due = {};  ///< "2026-12-01"; empty: none
+    std::string key;       ///< where it stands in the file: "parts[3]"
 };
 
 struct JobFile {

@@ -42,9 +42,7 @@ class Node {
         return value_.size();
     }
 
-    Node element(std::size_t i) const {
-        return Node(file_, value_[i], path_ + "[" + std::to_string(i) + "]");
-    }
+    Node element(std::size_t i) const { return Node(file_, value_[i], path_ + "[" + std::to_string(i) + "]"); }
 
     /// An array of exactly this many.
     void expect_size(std::size_t wanted) const {
@@ -128,9 +126,7 @@ class Node {
         fail("must be one of " + known);
     }
 
-    [[noreturn]] void fail(const std::string& cause) const {
-        throw InputError(file_, path_, cause);
-    }
+    [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_, path_, cause); }
 
   private:
     const std::string& file_;

@@ -13,15 +13,14 @@ namespace {
 
 using Parser = std::vector<ParsedMesh> (*)(const MeshSource&);
 
-constexpr std::pair<std::string_view, Parser> kParsers[] = {
-    {".stl", parse_stl}, {".obj", parse_obj}, {".3mf", parse_3mf},
-    {".ply", parse_ply}, {".off", parse_off}, {".binvox", parse_binvox}};
+constexpr std::pair<std::string_view, Parser> kParsers[] = {{".stl", parse_stl}, {".obj", parse_obj},
+                                                            {".3mf", parse_3mf}, {".ply", parse_ply},
+                                                            {".off", parse_off}, {".binvox", parse_binvox}};
 
 std::string lower_case_ending(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
-    });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; });
     return ending;
 }
 
@@ -49,8 +48,7 @@ void repair(ParsedMesh& parsed, const std::string& file, double default_unit) {
         throw InputError(file, loaded.object ? "object " + *loaded.object : "", *outcome.unusable);
     }
     std::move(outcome.repairs.begin(), outcome.repairs.end(), std::back_inserter(loaded.repairs));
-    std::move(outcome.warnings.begin(), outcome.warnings.end(),
-              std::back_inserter(loaded.warnings));
+    std::move(outcome.warnings.begin(), outcome.warnings.end(), std::back_inserter(loaded.warnings));
     if (auto hint = size_warning(outcome.box, loaded.unit.value_or(default_unit))) {
         loaded.warnings.push_back(std::move(*hint));
     }
@@ -64,8 +62,7 @@ std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double de
     if (!parser) parser = parser_by_ending(path);
     if (parser && bytes.view().empty()) throw InputError(path.string(), "", "the file is empty");
     if (!parser) {
-        throw InputError(path.string(), "",
-                         "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF, binvox)");
+        throw InputError(path.string(), "", "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF, binvox)");
     }
     std::vector<LoadedMesh> meshes;
     for (ParsedMesh& parsed : parser({path.string(), path.stem().string(), bytes.view()})) {
@@ -76,8 +73,6 @@ std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double de
     return meshes;
 }
 
-bool is_mesh_file(const std::filesystem::path& path) {
-    return parser_by_ending(path) != nullptr;
-}
+bool is_mesh_file(const std::filesystem::path& path) { return parser_by_ending(path) != nullptr; }
 
 }  // namespace spectralpack

@@ -18,8 +18,8 @@ struct LoadedMesh {
     std::string name;  ///< the object's own name or part number; else the file's stem
     std::optional<std::string> object;
     std::optional<Transform> item_transform;
-    int instances = 1;           ///< 3MF: build items that are this object in this orientation
-    std::optional<double> unit;  ///< mm per unit where the file says it (3MF)
+    int instances = 1;                  ///< 3MF: build items that are this object in this orientation
+    std::optional<double> unit;         ///< mm per unit where the file says it (3MF)
     std::vector<std::string> repairs;   ///< what was mended, in words
     std::vector<std::string> warnings;  ///< what the user should look at, in words
 };

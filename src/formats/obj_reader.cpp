@@ -22,10 +22,8 @@ class ObjParser {
             }
         }
         LoadedMesh loaded;
-        loaded.mesh.triangles =
-            faces_.triangles(vertices_, [&](std::uint32_t line, const std::string& cause) {
-                fail_at_line(source_.file, line, cause);
-            });
+        loaded.mesh.triangles = faces_.triangles(
+            vertices_, [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); });
         loaded.mesh.vertices = std::move(vertices_);
         return loaded;
     }
@@ -55,11 +53,9 @@ class ObjParser {
     /// x y z, perhaps followed by a weight or a colour.
     void parse_vertex() {
         if (words_.size() < 4) lines_.fail(source_.file, "a vertex has three coordinates");
-        vertices_.push_back({lines_.coordinate(source_.file, words_[1]),
-                             lines_.coordinate(source_.file, words_[2]),
+        vertices_.push_back({lines_.coordinate(source_.file, words_[1]), lines_.coordinate(source_.file, words_[2]),
                              lines_.coordinate(source_.file, words_[3])});
-        if (vertices_.size() > kMostVertices)
-            lines_.fail(source_.file, "there are too many vertices");
+        if (vertices_.size() > kMostVertices) lines_.fail(source_.file, "there are too many vertices");
     }
 
     /// Each corner is v, v/vt, v//vn or v/vt/vn; indices start at 1, negative ones count back from
@@ -69,8 +65,7 @@ class ObjParser {
         for (std::size_t i = 1; i < words_.size(); ++i) {
             const std::string_view word = words_[i].substr(0, words_[i].find('/'));
             const auto index = parse_integer(word);
-            if (!index)
-                lines_.fail(source_.file, quoted_excerpt(words_[i]) + " is not a vertex of a face");
+            if (!index) lines_.fail(source_.file, quoted_excerpt(words_[i]) + " is not a vertex of a face");
             if (*index == 0) lines_.fail(source_.file, "vertex index 0: indices start at 1");
             corners_.push_back(*index > 0 ? *index - 1 : std::ssize(vertices_) + *index);
         }
@@ -89,8 +84,6 @@ class ObjParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_obj(const MeshSource& source) {
-    return {{ObjParser(source).parse()}};
-}
+std::vector<ParsedMesh> parse_obj(const MeshSource& source) { return {{ObjParser(source).parse()}}; }
 
 }  // namespace spectralpack

@@ -29,9 +29,8 @@ class OffParser {
             parse_face(polygons);
         }
         loaded.mesh.triangles = polygons.triangles(
-            loaded.mesh.vertices, [&](std::uint32_t line, const std::string& cause) {
-                fail_at_line(source_.file, line, cause);
-            });
+            loaded.mesh.vertices,
+            [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); });
         return loaded;
     }
 
@@ -45,8 +44,7 @@ class OffParser {
     }
 
     void expect_line() {
-        if (!next_line())
-            lines_.fail(source_.file, "the file ends before all its vertices and faces");
+        if (!next_line()) lines_.fail(source_.file, "the file ends before all its vertices and faces");
     }
 
     /// The key word (ST: texture, C: colour, N: normal before OFF), then the counts, on its line or
@@ -56,23 +54,20 @@ class OffParser {
         if (words_[0].ends_with("OFF")) {
             const std::string_view prefix = words_[0].substr(0, words_[0].size() - 3);
             if (prefix.find_first_not_of("STCN") != std::string_view::npos) {
-                lines_.fail(source_.file,
-                            quoted_excerpt(words_[0]) + ": only three dimensions can be read");
+                lines_.fail(source_.file, quoted_excerpt(words_[0]) + ": only three dimensions can be read");
             }
             words_.erase(words_.begin());
             if (words_.empty()) expect_line();
             if (words_[0] == "BINARY") lines_.fail(source_.file, "binary OFF cannot be read");
         }
-        if (words_.size() < 2)
-            lines_.fail(source_.file, "expected the numbers of vertices and faces");
+        if (words_.size() < 2) lines_.fail(source_.file, "expected the numbers of vertices and faces");
     }
 
     /// Nothing is reserved by it: each vertex and face must be there, on a line of its own.
     std::int64_t count(std::size_t word) const {
         const auto value = parse_integer(words_[word]);
         if (!value || *value < 0 || *value > static_cast<long long>(kMostVertices)) {
-            lines_.fail(source_.file,
-                        quoted_excerpt(words_[word]) + " is not a number of vertices or faces");
+            lines_.fail(source_.file, quoted_excerpt(words_[word]) + " is not a number of vertices or faces");
         }
         return *value;
     }
@@ -85,8 +80,7 @@ class OffParser {
         corners_.clear();
         for (std::size_t i = 1; i <= static_cast<std::size_t>(*size); ++i) {
             const auto index = parse_integer(words_[i]);
-            if (!index)
-                lines_.fail(source_.file, quoted_excerpt(words_[i]) + " is not a vertex of a face");
+            if (!index) lines_.fail(source_.file, quoted_excerpt(words_[i]) + " is not a vertex of a face");
             corners_.push_back(*index);
         }
         polygons.add(corners_, static_cast<std::uint32_t>(lines_.number()));
@@ -100,8 +94,6 @@ class OffParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_off(const MeshSource& source) {
-    return {{OffParser(source).parse()}};
-}
+std::vector<ParsedMesh> parse_off(const MeshSource& source) { return {{OffParser(source).parse()}}; }
 
 }  // namespace spectralpack

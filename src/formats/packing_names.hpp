@@ -16,9 +16,8 @@ using Names = std::array<std::pair<std::string_view, Value>, N>;
 
 inline constexpr Names<Interlock, 3> kInterlockNames{
     {{"off", Interlock::off}, {"place", Interlock::place}, {"post", Interlock::post}}};
-inline constexpr Names<TakeOut, 3> kTakeOutNames{{{"smallest", TakeOut::smallest},
-                                                  {"lightest", TakeOut::lightest},
-                                                  {"thinnest", TakeOut::thinnest}}};
+inline constexpr Names<TakeOut, 3> kTakeOutNames{
+    {{"smallest", TakeOut::smallest}, {"lightest", TakeOut::lightest}, {"thinnest", TakeOut::thinnest}}};
 inline constexpr Names<Order, 5> kOrderNames{{{"size", Order::size},
                                               {"input", Order::input},
                                               {"random", Order::random},
@@ -31,12 +30,11 @@ inline constexpr Names<EngineKind, 4> kEngineNames{{{"auto", EngineKind::automat
 inline constexpr Names<HeightReference, 2> kHeightNames{
     {{"bottom", HeightReference::bottom}, {"top", HeightReference::top}}};
 inline constexpr Names<Minimise, 2> kMinimiseNames{{{"none", Minimise::none}, {"box", Minimise::box}}};
-inline constexpr Names<UnplacedReason, 5> kReasonNames{
-    {{"tray_full", UnplacedReason::tray_full},
-     {"too_large", UnplacedReason::too_large},
-     {"interlocked", UnplacedReason::interlocked},
-     {"unusable", UnplacedReason::unusable},
-     {"stopped", UnplacedReason::stopped}}};
+inline constexpr Names<UnplacedReason, 5> kReasonNames{{{"tray_full", UnplacedReason::tray_full},
+                                                        {"too_large", UnplacedReason::too_large},
+                                                        {"interlocked", UnplacedReason::interlocked},
+                                                        {"unusable", UnplacedReason::unusable},
+                                                        {"stopped", UnplacedReason::stopped}}};
 
 template <class Value, std::size_t N>
 constexpr std::string_view name_of(const Names<Value, N>& names, Value value) {

@@ -100,8 +100,7 @@ class PackingReader {
         if (root_.at("version").integer<std::int64_t>() != 1) {
             root_.at("version").fail("is not a version this program reads (1)");
         }
-        if (const auto units = root_.find("units"); units && units->text() != "mm")
-            units->fail("must be \"mm\"");
+        if (const auto units = root_.find("units"); units && units->text() != "mm") units->fail("must be \"mm\"");
         if (const auto program = root_.find("program")) packing_.program = program->text();
         if (const auto hash = root_.find("input_hash")) packing_.input_hash = hash->text();
         read_container(root_.at("container"));
@@ -168,8 +167,7 @@ class PackingReader {
 
     std::string mesh_path(const Node& node) const {
         const std::string text = node.text();
-        if (text.empty() || text.find('\0') != std::string::npos)
-            node.fail("must be the path of a file");
+        if (text.empty() || text.find('\0') != std::string::npos) node.fail("must be the path of a file");
         // Dropping ".." from the text is only right where the folder before it is no link.
         const fs::path joined = folder_ / text, plain = joined.lexically_normal();
         std::error_code failure;
@@ -181,8 +179,7 @@ class PackingReader {
         const Node part = node.at("part");
         const auto index = part.integer<int>();
         if (index < 0 || std::cmp_greater_equal(index, packing_.parts.size())) {
-            part.fail("must be the position of a part, there are " +
-                      std::to_string(packing_.parts.size()));
+            part.fail("must be the position of a part, there are " + std::to_string(packing_.parts.size()));
         }
         return index;
     }
@@ -193,15 +190,13 @@ class PackingReader {
             Placement placement;
             placement.part = part_of(placed);
             if (const auto v = placed.find("copy")) placement.copy = v->integer<int>(0);
-            if (const auto v = placed.find("orientation"))
-                placement.orientation = v->integer<int>(0);
+            if (const auto v = placed.find("orientation")) placement.orientation = v->integer<int>(0);
             if (const auto v = placed.find("fixed")) placement.fixed = v->boolean();
             placement.transform = transform_of(placed.at("transform"));
             tray.placements.push_back(placement);
         });
         if (const auto v = node.find("density")) tray.density = v->number();
-        if (const auto v = node.find("density_bounding_box"))
-            tray.density_bounding_box = v->number();
+        if (const auto v = node.find("density_bounding_box")) tray.density_bounding_box = v->number();
         if (const auto v = node.find("bounding_box")) {
             v->expect_size(2);
             tray.bounding_box.min = vector_of(v->element(0));
@@ -275,8 +270,6 @@ Packing parse_packing(const fs::path& path, std::string_view text) {
     return PackingReader(path, parse_json(path.string(), text)).read();
 }
 
-Packing read_packing(const fs::path& path) {
-    return parse_packing(path, FileBytes(path).view());
-}
+Packing read_packing(const fs::path& path) { return parse_packing(path, FileBytes(path).view()); }
 
 }  // namespace spectralpack

@@ -24,23 +24,18 @@ std::string relative_mesh_path(const std::string& mesh, const fs::path& folder) 
     return failure || relative.empty() ? mesh : relative.generic_string();
 }
 
-std::string text_of(const Json& value) {
-    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string text_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 /// A name may lose bytes that are not UTF-8; a path that did would name another file.
 void check_utf8(const std::string& path) {
     try {
         static_cast<void>(Json(path).dump());
     } catch (const Json::type_error&) {
-        throw UsageError("a packing file cannot hold the path of a mesh that is not valid UTF-8: " +
-                         text_of(path));
+        throw UsageError("a packing file cannot hold the path of a mesh that is not valid UTF-8: " + text_of(path));
     }
 }
 
-Json vector_json(const Vec3& v) {
-    return {v.x, v.y, v.z};
-}
+Json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 Json transform_json(const Transform& t) {
     Json rows = Json::array();
@@ -166,8 +161,7 @@ class PackingWriter {
                 json["keep_out"].push_back(
                     {{"mesh", keep_out_paths_[i]}, {"transform", transform_json(keep_out.mesh->transform)}});
             } else {
-                json["keep_out"].push_back(
-                    {{"box", {vector_json(keep_out.box.min), vector_json(keep_out.box.max)}}});
+                json["keep_out"].push_back({{"box", {vector_json(keep_out.box.min), vector_json(keep_out.box.max)}}});
             }
         }
         return json;
@@ -179,8 +173,7 @@ class PackingWriter {
                 {"name", part.name},
                 {"mesh", mesh_paths_[index]},
                 {"object", or_null(part.object)},
-                {"item_transform",
-                 part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
+                {"item_transform", part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
                 {"count", part.count},
                 {"share", part.share > 0 ? Json(part.share) : Json(nullptr)},
                 {"scale", part.scale},
@@ -251,9 +244,7 @@ class PackingWriter {
     std::string container_path_;
 };
 
-bool is_list_of_objects(const Json& value) {
-    return value.is_array() && !value.empty() && value.front().is_object();
-}
+bool is_list_of_objects(const Json& value) { return value.is_array() && !value.empty() && value.front().is_object(); }
 
 bool holds_list_of_objects(const Json& value) {
     return is_list_of_objects(value) ||

@@ -66,23 +66,18 @@ class Values {
     Values(const MeshSource& source, Encoding encoding, std::string_view body, int first_line)
         : source_(source), encoding_(encoding), body_(body), line_(first_line) {}
 
-    double next(Scalar type) {
-        return encoding_ == Encoding::ascii ? next_word() : next_bytes(type);
-    }
+    double next(Scalar type) { return encoding_ == Encoding::ascii ? next_word() : next_bytes(type); }
 
     /// Bytes that are left; each value takes at least one.
     std::size_t left() const { return body_.size() - at_; }
 
     /// Least bytes that a value of this type takes.
-    std::size_t least_size(Scalar type) const {
-        return encoding_ == Encoding::ascii ? 1 : size_of(type);
-    }
+    std::size_t least_size(Scalar type) const { return encoding_ == Encoding::ascii ? 1 : size_of(type); }
 
     [[noreturn]] void fail(const std::string& cause) const {
         throw InputError(source_.file,
-                         encoding_ == Encoding::ascii
-                             ? "line " + std::to_string(line_)
-                             : "byte " + std::to_string(source_.bytes.size() - left()),
+                         encoding_ == Encoding::ascii ? "line " + std::to_string(line_)
+                                                      : "byte " + std::to_string(source_.bytes.size() - left()),
                          cause);
     }
 
@@ -168,10 +163,9 @@ class PlyParser {
             }
         }
         LoadedMesh loaded;
-        loaded.mesh.triangles =
-            faces_.triangles(vertices_, [&](std::uint32_t face, const std::string& cause) {
-                throw InputError(source_.file, "face " + std::to_string(face), cause);
-            });
+        loaded.mesh.triangles = faces_.triangles(vertices_, [&](std::uint32_t face, const std::string& cause) {
+            throw InputError(source_.file, "face " + std::to_string(face), cause);
+        });
         loaded.mesh.vertices = std::move(vertices_);
         return loaded;
     }
@@ -186,11 +180,9 @@ class PlyParser {
 
     void parse_header() {
         next_header_line();
-        if (words_[0] != "ply")
-            lines_.fail(source_.file, "is not a PLY file: it does not start with 'ply'");
+        if (words_[0] != "ply") lines_.fail(source_.file, "is not a PLY file: it does not start with 'ply'");
         next_header_line();
-        if (words_.size() < 2 || words_[0] != "format")
-            lines_.fail(source_.file, "expected 'format'");
+        if (words_.size() < 2 || words_[0] != "format") lines_.fail(source_.file, "expected 'format'");
         if (words_[1] == "ascii") {
             encoding_ = Encoding::ascii;
         } else if (words_[1] == "binary_little_endian") {
@@ -208,8 +200,8 @@ class PlyParser {
             } else if (words_[0] == "property" && !elements_.empty()) {
                 parse_property();
             } else {
-                lines_.fail(source_.file, "expected 'element', 'property' or 'end_header', found " +
-                                              quoted_excerpt(words_[0]));
+                lines_.fail(source_.file,
+                            "expected 'element', 'property' or 'end_header', found " + quoted_excerpt(words_[0]));
             }
         }
     }
@@ -223,8 +215,7 @@ class PlyParser {
     void parse_property() {
         Property property;
         const bool list = words_.size() == 5 && words_[1] == "list";
-        if (!list && words_.size() != 3)
-            lines_.fail(source_.file, "a property has a type and a name");
+        if (!list && words_.size() != 3) lines_.fail(source_.file, "a property has a type and a name");
         if (list) property.count_type = scalar(words_[2]);
         property.type = scalar(words_[list ? 3 : 1]);
         property.name = words_.back();
@@ -247,19 +238,16 @@ class PlyParser {
         const std::size_t most = least == 0 ? 0 : values.left() / least;
         if (std::cmp_greater(element.count, most)) {
             values.fail("the header promises " + std::to_string(element.count) + " times '" +
-                        std::string(element.name) + "', the file has room for " +
-                        std::to_string(most));
+                        std::string(element.name) + "', the file has room for " + std::to_string(most));
         }
-        if (std::cmp_greater(element.count, kMostVertices))
-            values.fail("there are too many elements");
+        if (std::cmp_greater(element.count, kMostVertices)) values.fail("there are too many elements");
     }
 
     /// Reads a property; of a list, into list_.
     double read_property(Values& values, const Property& property) {
         if (!property.count_type) return values.next(property.type);
         const double count = values.next(*property.count_type);
-        if (!(count >= 0 && count <= static_cast<double>(values.left())) ||
-            count != std::floor(count)) {
+        if (!(count >= 0 && count <= static_cast<double>(values.left())) || count != std::floor(count)) {
             values.fail("a list promises more values than the file has");
         }
         list_.clear();
@@ -273,9 +261,8 @@ class PlyParser {
         std::vector<int> axes;  // which coordinate a property is, or -1
         int found = 0;
         for (const Property& property : element.properties) {
-            const std::size_t axis = property.name.size() == 1
-                                         ? std::string_view("xyz").find(property.name)
-                                         : std::string_view::npos;
+            const std::size_t axis =
+                property.name.size() == 1 ? std::string_view("xyz").find(property.name) : std::string_view::npos;
             const bool coordinate = axis != std::string_view::npos && !property.count_type;
             axes.push_back(coordinate ? static_cast<int>(axis) : -1);
             found |= coordinate ? 1 << axis : 0;
@@ -288,8 +275,7 @@ class PlyParser {
                 const double value = read_property(values, element.properties[k]);
                 if (axes[k] < 0) continue;
                 if (!std::isfinite(value)) {
-                    values.fail("vertex " + std::to_string(i + 1) +
-                                ": a coordinate is not a finite number");
+                    values.fail("vertex " + std::to_string(i + 1) + ": a coordinate is not a finite number");
                 }
                 vertex[axes[k]] = value;
             }
@@ -302,8 +288,7 @@ class PlyParser {
         for (std::int64_t i = 0; i < element.count; ++i) {
             for (const Property& property : element.properties) {
                 read_property(values, property);
-                if (!property.count_type ||
-                    (property.name != "vertex_indices" && property.name != "vertex_index")) {
+                if (!property.count_type || (property.name != "vertex_indices" && property.name != "vertex_index")) {
                     continue;
                 }
                 corners.clear();
@@ -330,8 +315,6 @@ class PlyParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_ply(const MeshSource& source) {
-    return {{PlyParser(source).parse()}};
-}
+std::vector<ParsedMesh> parse_ply(const MeshSource& source) { return {{PlyParser(source).parse()}}; }
 
 }  // namespace spectralpack

@@ -20,13 +20,11 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
 }
 
 /// The loop seen along its own normal (Newell's method), counter-clockwise.
-std::vector<Point2> flattened(const std::vector<Vec3>& vertices,
-                              std::span<const std::uint32_t> loop) {
+std::vector<Point2> flattened(const std::vector<Vec3>& vertices, std::span<const std::uint32_t> loop) {
     Vec3 normal;
     const Vec3 origin = vertices[loop[0]];
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        normal = normal +
-                 cross(vertices[loop[i]] - origin, vertices[loop[(i + 1) % loop.size()]] - origin);
+        normal = normal + cross(vertices[loop[i]] - origin, vertices[loop[(i + 1) % loop.size()]] - origin);
     }
     int drop = 0;  // the axis the face looks along most
     for (int axis = 1; axis < 3; ++axis) {
@@ -65,8 +63,7 @@ bool is_convex(const std::vector<Point2>& points) {
 /// means two new tests, each against the reflex corners alone.
 class EarClipper {
   public:
-    EarClipper(std::vector<Point2> points, std::span<const std::uint32_t> loop,
-               std::vector<Triangle>& triangles)
+    EarClipper(std::vector<Point2> points, std::span<const std::uint32_t> loop, std::vector<Triangle>& triangles)
         : points_(std::move(points)), loop_(loop), triangles_(triangles), left_(points_.size()) {
         const std::size_t n = points_.size();
         for (std::size_t i = 0; i < n; ++i) {
@@ -102,9 +99,7 @@ class EarClipper {
     }
 
   private:
-    double turn_at(std::size_t i) const {
-        return turn(points_[previous_[i]], points_[i], points_[next_[i]]);
-    }
+    double turn_at(std::size_t i) const { return turn(points_[previous_[i]], points_[i], points_[next_[i]]); }
 
     bool is_ear(std::size_t i) const {
         const Point2 &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
@@ -163,8 +158,7 @@ void PolygonFaces::add(std::span<const std::int64_t> corners, std::uint32_t plac
 }
 
 std::vector<Triangle> PolygonFaces::triangles(
-    const std::vector<Vec3>& vertices,
-    const std::function<void(std::uint32_t, const std::string&)>& fail) const {
+    const std::vector<Vec3>& vertices, const std::function<void(std::uint32_t, const std::string&)>& fail) const {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> loop;
     std::size_t begin = 0;
@@ -173,15 +167,14 @@ std::vector<Triangle> PolygonFaces::triangles(
         for (; begin < face.end; ++begin) {
             const std::int64_t corner = corners_[begin];
             if (corner < 0 || std::cmp_greater_equal(corner, vertices.size())) {
-                fail(face.place, "a face refers to a vertex that is not there (there are " +
-                                     std::to_string(vertices.size()) + ")");
+                fail(face.place,
+                     "a face refers to a vertex that is not there (there are " + std::to_string(vertices.size()) + ")");
             }
             loop.push_back(static_cast<std::uint32_t>(corner));
         }
         if (loop.size() < 3) fail(face.place, "a face has fewer than three corners");
         if (!triangulate(vertices, loop, triangles)) {
-            fail(face.place, "a concave face has more than " + std::to_string(kMostConcaveCorners) +
-                                 " corners");
+            fail(face.place, "a concave face has more than " + std::to_string(kMostConcaveCorners) + " corners");
         }
         if (triangles.size() > kMostTriangles) fail(face.place, "there are too many triangles");
     }

@@ -31,9 +31,8 @@ class PolygonFaces {
 
     /// Triangles of all faces over `vertices`. Calls fail(place, cause), which must throw, for an
     /// index out of range and for a face of fewer than three corners.
-    std::vector<Triangle> triangles(
-        const std::vector<Vec3>& vertices,
-        const std::function<void(std::uint32_t, const std::string&)>& fail) const;
+    std::vector<Triangle> triangles(const std::vector<Vec3>& vertices,
+                                    const std::function<void(std::uint32_t, const std::string&)>& fail) const;
 
   private:
     struct Face {

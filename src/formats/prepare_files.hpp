@@ -22,7 +22,7 @@ struct PreparedRow {
     std::string detail;
     std::string mesh;  ///< the result, relative to the output; empty where dropped
     std::int64_t triangles_before = 0, triangles_after = 0;
-    Vec3 size;  ///< of the result, mm
+    Vec3 size;          ///< of the result, mm
     double volume = 0;  ///< of the result, mm^3
     double scale = 1;   ///< applied
     std::string repairs;

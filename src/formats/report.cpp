@@ -74,15 +74,13 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 std::string base64(const std::string& bytes) {
-    static constexpr char kDigits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     text.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         unsigned group = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            group =
-                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+            group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
         }
         for (int shift = 18; shift >= 0; shift -= 6) {
             text += kDigits[group >> shift & 63];
@@ -101,9 +99,8 @@ std::string layer_plot(const TrayPacking& tray, const Container& container) {
     if (area.empty()) return "";
     const double full = container.size.x * container.size.y;
     const double bar = kHeight * tray.layers.thickness / container.size.z;
-    std::string svg = fmt::format(
-        "<svg viewBox=\"-52 -8 {} {}\" role=\"img\"><title>Area of each layer</title>\n",
-        kWidth + 80, kHeight + 44);
+    std::string svg = fmt::format("<svg viewBox=\"-52 -8 {} {}\" role=\"img\"><title>Area of each layer</title>\n",
+                                  kWidth + 80, kHeight + 44);
     for (int percent = 0; percent <= 100; percent += 25) {
         const double x = kWidth * percent / 100;
         svg += fmt::format(
@@ -114,9 +111,8 @@ std::string layer_plot(const TrayPacking& tray, const Container& container) {
     for (std::size_t layer = 0; layer < area.size(); ++layer) {
         const double bottom = kHeight - bar * static_cast<double>(layer);
         const double top = std::max(0.0, bottom - bar);  // the last layer may be cut
-        svg += fmt::format("<rect x=\"0\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
-                           top, kWidth * std::clamp(area[layer] / full, 0.0, 1.0),
-                           std::max(0.0, bottom - top));
+        svg += fmt::format("<rect x=\"0\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n", top,
+                           kWidth * std::clamp(area[layer] / full, 0.0, 1.0), std::max(0.0, bottom - top));
     }
     svg += fmt::format(
         "<text x=\"-6\" y=\"{}\" text-anchor=\"end\">0 mm</text><text x=\"-6\" y=\"8\" "
@@ -162,8 +158,8 @@ class HtmlReport {
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
             "<title>Packing report</title><style>{}</style></head><body>\n",
             kStyle);
-        add("<h1>{} of {} copies in {:g} × {:g} × {:g} mm</h1>\n", packing_.metrics.placed,
-            packing_.metrics.copies, size.x, size.y, size.z);
+        add("<h1>{} of {} copies in {:g} × {:g} × {:g} mm</h1>\n", packing_.metrics.placed, packing_.metrics.copies,
+            size.x, size.y, size.z);
         interlocking();
         if (packing_.trays.size() > 1) all_trays();
         for (std::size_t i = 0; i < packing_.trays.size(); ++i) {
@@ -174,8 +170,7 @@ class HtmlReport {
         add("<p><small>{}, voxels of {:g} mm, gap {:g} mm, engine {}, {:.1f} s. Input "
             "{}.</small></p>\n",
             xml_attribute(packing_.program), packing_.options.voxel, packing_.options.gap,
-            xml_attribute(packing_.metrics.engine), packing_.metrics.seconds.total,
-            xml_attribute(packing_.input_hash));
+            xml_attribute(packing_.metrics.engine), packing_.metrics.seconds.total, xml_attribute(packing_.input_hash));
         add("</body></html>\n");
         return std::move(text_);
     }
@@ -218,23 +213,19 @@ class HtmlReport {
         const double container = volume_of(packing_.container);
         if (packing_.trays.size() > 1) add("<h2>Tray {}</h2>\n", index + 1);
         if (index < extras_.pictures.size() && !extras_.pictures[index].empty()) {
-            add("<img alt=\"The packed tray\" src=\"data:image/png;base64,{}\">\n",
-                base64(extras_.pictures[index]));
+            add("<img alt=\"The packed tray\" src=\"data:image/png;base64,{}\">\n", base64(extras_.pictures[index]));
         }
         add("<h2>Figures</h2>\n<div class=\"cols\"><table>\n");
         row("Copies", fmt::format("{}", tray.placements.size()));
         row("Density by volume", fmt::format("{:.1f} %", 100 * tray.density));
-        row("Density in the packing's own box",
-            fmt::format("{:.1f} %", 100 * tray.density_bounding_box));
+        row("Density in the packing's own box", fmt::format("{:.1f} %", 100 * tray.density_bounding_box));
         row("Height", fmt::format("{:g} mm", tray.height));
-        row("Volume", fmt::format("{:.1f} cm³",
-                                  tray.density * container / kCubicMillimetresPerCubicCentimetre));
+        row("Volume", fmt::format("{:.1f} cm³", tray.density * container / kCubicMillimetresPerCubicCentimetre));
         if (extras_.material_density) {
-            row("Mass", fmt::format("{:.1f} g", tray.density * container /
-                                                    kCubicMillimetresPerCubicCentimetre *
+            row("Mass", fmt::format("{:.1f} g", tray.density * container / kCubicMillimetresPerCubicCentimetre *
                                                     *extras_.material_density));
-            row("Density by mass", fmt::format("{:.3f} g/cm³ of the container",
-                                               tray.density * *extras_.material_density));
+            row("Density by mass",
+                fmt::format("{:.3f} g/cm³ of the container", tray.density * *extras_.material_density));
         }
         add("</table>\n{}</div>\n", layer_plot(tray, packing_.container));
     }
@@ -258,11 +249,9 @@ class HtmlReport {
             add("<tr><td>{}{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
                 "class=\"n\">{}</td>"
                 "<td class=\"n\">{}</td>{}<td>{}</td></tr>\n",
-                xml_attribute(part.name), part.scale == 1 ? "" : fmt::format(" × {:g}", part.scale),
-                part.count, outcomes_[i].placed, outcomes_[i].left_over_count(),
-                part.volume == 0
-                    ? "–"
-                    : fmt::format("{:.2f}", part.volume / kCubicMillimetresPerCubicCentimetre),
+                xml_attribute(part.name), part.scale == 1 ? "" : fmt::format(" × {:g}", part.scale), part.count,
+                outcomes_[i].placed, outcomes_[i].left_over_count(),
+                part.volume == 0 ? "–" : fmt::format("{:.2f}", part.volume / kCubicMillimetresPerCubicCentimetre),
                 mass_cell(part_mass), xml_attribute(joined(part.repairs)));
         }
         add("</tbody><tfoot><tr><td>Together</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
@@ -271,8 +260,7 @@ class HtmlReport {
     }
 
     double mass_of_one(const Part& part) const {
-        return part.volume / kCubicMillimetresPerCubicCentimetre *
-               extras_.material_density.value_or(0);
+        return part.volume / kCubicMillimetresPerCubicCentimetre * extras_.material_density.value_or(0);
     }
 
     std::string mass_cell(double mass) const {
@@ -286,9 +274,8 @@ class HtmlReport {
             "<tbody>\n");
         for (std::size_t i = 0; i < outcomes_.size(); ++i) {
             for (const auto& [reason, some] : outcomes_[i].left_over) {
-                add("<tr><td>{}</td><td class=\"n\">{}</td><td>{}{}</td></tr>\n",
-                    xml_attribute(packing_.parts[i].name), some.copies, in_words(reason),
-                    some.detail.empty() ? "" : ": " + xml_attribute(some.detail));
+                add("<tr><td>{}</td><td class=\"n\">{}</td><td>{}{}</td></tr>\n", xml_attribute(packing_.parts[i].name),
+                    some.copies, in_words(reason), some.detail.empty() ? "" : ": " + xml_attribute(some.detail));
             }
         }
         add("</tbody></table>\n");
@@ -313,18 +300,15 @@ std::string report_csv(const Packing& packing, const ReportExtras& extras) {
         const Part& part = packing.parts[i];
         std::string reasons;
         for (const auto& [reason, some] : outcomes[i].left_over) {
-            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies,
-                                   name_of(kReasonNames, reason));
+            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies, name_of(kReasonNames, reason));
         }
         const std::string mass =
             extras.material_density
-                ? fmt::format("{}", part.volume / kCubicMillimetresPerCubicCentimetre *
-                                        *extras.material_density)
+                ? fmt::format("{}", part.volume / kCubicMillimetresPerCubicCentimetre * *extras.material_density)
                 : "";
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\r\n", i,
-                       csv_field(part.name), csv_field(part.mesh), part.scale, part.count,
-                       outcomes[i].placed, outcomes[i].left_over_count(), csv_field(reasons),
-                       part.volume, mass);
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{}\r\n", i, csv_field(part.name),
+                       csv_field(part.mesh), part.scale, part.count, outcomes[i].placed, outcomes[i].left_over_count(),
+                       csv_field(reasons), part.volume, mass);
     }
     return text;
 }

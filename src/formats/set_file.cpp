@@ -23,12 +23,10 @@ std::string trimmed(std::string_view text) {
 
 class SetParser {
   public:
-    SetParser(std::string file, std::vector<CsvRow> rows)
-        : file_(std::move(file)), rows_(std::move(rows)) {}
+    SetParser(std::string file, std::vector<CsvRow> rows) : file_(std::move(file)), rows_(std::move(rows)) {}
 
     std::vector<SetRow> parse() {
-        if (rows_.empty())
-            throw InputError(file_, "", "the set is empty: a header 'mesh,count,scale' is needed");
+        if (rows_.empty()) throw InputError(file_, "", "the set is empty: a header 'mesh,count,scale' is needed");
         parse_header(rows_.front());
         std::vector<SetRow> set;
         for (std::size_t i = 1; i < rows_.size(); ++i) {
@@ -47,9 +45,8 @@ class SetParser {
                                                  : name == "scale" ? &scale_
                                                                    : nullptr;
             if (!column) {
-                fail(header,
-                     "unknown column " + quoted_excerpt(name) + "; known are mesh, count, scale" +
-                         (name.find(';') != std::string::npos ? ", separated by commas" : ""));
+                fail(header, "unknown column " + quoted_excerpt(name) + "; known are mesh, count, scale" +
+                                 (name.find(';') != std::string::npos ? ", separated by commas" : ""));
             }
             if (*column) fail(header, "the column '" + name + "' is there twice");
             *column = i;
@@ -59,8 +56,8 @@ class SetParser {
 
     SetRow parse_row(const CsvRow& row) const {
         if (row.fields.size() != columns_) {
-            fail(row, "there are " + std::to_string(row.fields.size()) +
-                          " fields where the header has " + std::to_string(columns_));
+            fail(row, "there are " + std::to_string(row.fields.size()) + " fields where the header has " +
+                          std::to_string(columns_));
         }
         SetRow result;
         result.line = row.line;
@@ -69,16 +66,14 @@ class SetParser {
         if (count_) {
             const auto count = parse_integer(trimmed(row.fields[*count_]));
             if (!count || *count < 1 || *count > std::numeric_limits<int>::max()) {
-                fail(row, "count " + quoted_excerpt(row.fields[*count_]) +
-                              " is not a whole number from 1");
+                fail(row, "count " + quoted_excerpt(row.fields[*count_]) + " is not a whole number from 1");
             }
             result.count = static_cast<int>(*count);
         }
         if (scale_) {
             const auto scale = parse_number(trimmed(row.fields[*scale_]));
             if (!scale || !std::isfinite(*scale) || *scale <= 0) {
-                fail(row,
-                     "scale " + quoted_excerpt(row.fields[*scale_]) + " is not a number above 0");
+                fail(row, "scale " + quoted_excerpt(row.fields[*scale_]) + " is not a number above 0");
             }
             result.scale = *scale;
         }

@@ -28,9 +28,8 @@ std::uint32_t stated_count(std::string_view bytes) {
 }
 
 bool looks_like_text(std::string_view bytes) {
-    return std::all_of(
-        bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 512),
-        [](char c) { return static_cast<unsigned char>(c) >= ' ' || (c >= '\t' && c <= '\r'); });
+    return std::all_of(bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(std::ssize(bytes), 512),
+                       [](char c) { return static_cast<unsigned char>(c) >= ' ' || (c >= '\t' && c <= '\r'); });
 }
 
 /// Facets are welded as they are read: all their corners apart would take more room than the file.
@@ -38,8 +37,7 @@ Mesh weld_facets(const MeshSource& source, std::size_t count) {
     constexpr std::size_t kBatch = VertexWelder::kBatch / 3;
     Mesh mesh;
     mesh.triangles.resize(count);
-    VertexWelder welder(count / 2 +
-                        2);  // a closed surface has about half as many vertices as facets
+    VertexWelder welder(count / 2 + 2);  // a closed surface has about half as many vertices as facets
     const char* facet = source.bytes.data() + kHeader;
     std::array<Vec3, 3 * kBatch> corners;
     for (std::size_t i = 0; i < count; i += kBatch) {
@@ -74,23 +72,20 @@ LoadedMesh parse_binary(const MeshSource& source) {
     const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
     if (stated > held) {
         throw InputError(source.file, "byte 80",
-                         looks_like_text(bytes)
-                             ? "the file is text, but not an ASCII STL"
-                             : "the header promises " + std::to_string(stated) +
-                                   " facets, the file has room for " + std::to_string(held));
+                         looks_like_text(bytes) ? "the file is text, but not an ASCII STL"
+                                                : "the header promises " + std::to_string(stated) +
+                                                      " facets, the file has room for " + std::to_string(held));
     }
     const std::size_t trailing = bytes.size() - kHeader - stated * kFacet;
     if (trailing >= kFacet) {
-        throw InputError(source.file, "byte 80",
-                         "the header promises " + std::to_string(stated) +
-                             " facets, the file holds " + std::to_string(held));
+        throw InputError(
+            source.file, "byte 80",
+            "the header promises " + std::to_string(stated) + " facets, the file holds " + std::to_string(held));
     }
-    if (stated > kMostTriangles)
-        throw InputError(source.file, "byte 80", "there are too many facets");
+    if (stated > kMostTriangles) throw InputError(source.file, "byte 80", "there are too many facets");
     LoadedMesh loaded;
     if (trailing > 0) {
-        loaded.warnings.push_back(std::to_string(trailing) +
-                                  " bytes after the last facet are ignored");
+        loaded.warnings.push_back(std::to_string(trailing) + " bytes after the last facet are ignored");
     }
     loaded.mesh = weld_facets(source, stated);
     return loaded;
@@ -163,8 +158,7 @@ class AsciiStl {
         if (words_.size() != 4) fail("a vertex has three coordinates separated by spaces");
         Vec3 vertex;
         for (int axis = 0; axis < 3; ++axis) {
-            vertex[axis] =
-                lines_.coordinate(source_.file, words_[static_cast<std::size_t>(axis) + 1]);
+            vertex[axis] = lines_.coordinate(source_.file, words_[static_cast<std::size_t>(axis) + 1]);
         }
         loaded_.mesh.vertices.push_back(vertex);
     }
@@ -180,8 +174,7 @@ class AsciiStl {
 /// 'solid' alone proves nothing, some programs begin binary headers with it: the next line must go
 /// on as text does.
 bool is_ascii(std::string_view bytes) {
-    if (bytes.size() >= kHeader &&
-        bytes.size() == kHeader + kFacet * std::uint64_t{stated_count(bytes)}) {
+    if (bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * std::uint64_t{stated_count(bytes)}) {
         return false;
     }
     TextLines lines(bytes.substr(0, 4096));
@@ -190,9 +183,7 @@ bool is_ascii(std::string_view bytes) {
     while (lines.next()) {
         split_words(lines.line(), words);
         if (words.empty()) continue;
-        if (in_solid)
-            return equal_ignoring_case(words[0], "facet") ||
-                   equal_ignoring_case(words[0], "endsolid");
+        if (in_solid) return equal_ignoring_case(words[0], "facet") || equal_ignoring_case(words[0], "endsolid");
         if (!equal_ignoring_case(words[0], "solid")) return false;
         in_solid = true;
     }

@@ -17,8 +17,7 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little 
 constexpr std::size_t kFacet = 50;
 
 char* put(char* at, const Vec3& v) {
-    const float coordinates[3] = {static_cast<float>(v.x), static_cast<float>(v.y),
-                                  static_cast<float>(v.z)};
+    const float coordinates[3] = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     std::memcpy(at, coordinates, sizeof coordinates);
     return at + sizeof coordinates;
 }
@@ -40,8 +39,7 @@ std::string facets(const Mesh& mesh) {
 void write_facets(const std::filesystem::path& path, std::uint64_t count,
                   const std::function<void(std::ostream&)>& write) {
     if (count > std::numeric_limits<std::uint32_t>::max()) {
-        throw ResourceError("cannot write " + path.string() +
-                            ": an STL holds no more than 4294967295 facets");
+        throw ResourceError("cannot write " + path.string() + ": an STL holds no more than 4294967295 facets");
     }
     replace_file(path, [&](const std::filesystem::path& temporary) {
         std::ofstream out(temporary, std::ios::binary);
@@ -52,8 +50,7 @@ void write_facets(const std::filesystem::path& path, std::uint64_t count,
         write(out);
         out.close();
         if (!out)
-            throw ResourceError("cannot write " + path.string() +
-                                ": the disk is full or the folder is read-only");
+            throw ResourceError("cannot write " + path.string() + ": the disk is full or the folder is read-only");
     });
 }
 
@@ -66,8 +63,7 @@ void write_stl(const Mesh& mesh, const std::filesystem::path& path) {
     });
 }
 
-void write_stl(const Packing& packing, const PartMeshes& meshes,
-               const std::filesystem::path& path) {
+void write_stl(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path) {
     std::uint64_t count = 0;
     for (const TrayPacking& tray : packing.trays) {
         for (const Placement& placement : tray.placements) {
@@ -80,8 +76,8 @@ void write_stl(const Packing& packing, const PartMeshes& meshes,
             for (const Placement& placement : packing.trays[i].placements) {
                 Transform transform = placement.transform;
                 transform.translation = transform.translation + shift;
-                const std::string bytes = facets(
-                    transformed(*meshes.at(static_cast<std::size_t>(placement.part)), transform));
+                const std::string bytes =
+                    facets(transformed(*meshes.at(static_cast<std::size_t>(placement.part)), transform));
                 out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
             }
         }

@@ -24,18 +24,14 @@ bool TextLines::next() {
 double TextLines::coordinate(const std::string& file, std::string_view word) const {
     const auto value = parse_number(word);
     if (!value) {
-        fail(file,
-             quoted_excerpt(word) + " is not a number" +
-                 (word.find(',') != std::string_view::npos ? " (decimals need a point, not a comma)"
-                                                           : ""));
+        fail(file, quoted_excerpt(word) + " is not a number" +
+                       (word.find(',') != std::string_view::npos ? " (decimals need a point, not a comma)" : ""));
     }
     if (!std::isfinite(*value)) fail(file, "coordinate " + quoted_excerpt(word) + " is not finite");
     return *value;
 }
 
-void TextLines::fail(const std::string& file, const std::string& cause) const {
-    fail_at_line(file, number_, cause);
-}
+void TextLines::fail(const std::string& file, const std::string& cause) const { fail_at_line(file, number_, cause); }
 
 void fail_at_line(const std::string& file, long long line, const std::string& cause) {
     throw InputError(file, "line " + std::to_string(line), cause);
@@ -55,8 +51,7 @@ void split_words(std::string_view line, std::vector<std::string_view>& words) {
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](char x, char y) { return lower(x) == lower(y); });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 }  // namespace spectralpack

@@ -15,8 +15,7 @@ namespace spectralpack {
 namespace {
 
 constexpr std::string_view kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
-constexpr std::string_view kProduction =
-    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
+constexpr std::string_view kProduction = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 
 /// Extensions that a file may require and that leave the shape of its objects alone or are
 /// supported.
@@ -24,12 +23,8 @@ constexpr std::array<std::string_view, 4> kKnownExtensions{
     kCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
 
-constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{{{"micron", 0.001},
-                                                                     {"millimeter", 1},
-                                                                     {"centimeter", 10},
-                                                                     {"inch", 25.4},
-                                                                     {"foot", 304.8},
-                                                                     {"meter", 1000}}};
+constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{
+    {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
 enum class Element {
     document,
@@ -70,8 +65,7 @@ constexpr std::array<ElementRule, 12> kElements{{
 
 class ModelParser : public XmlHandler {
   public:
-    ModelParser(const std::string& file, const std::string& entry)
-        : entry_(entry), parser_(file, entry, *this) {}
+    ModelParser(const std::string& file, const std::string& entry) : entry_(entry), parser_(file, entry, *this) {}
 
     ModelPart parse(const TextSource& text) {
         text([&](std::string_view piece) { parser_.feed(piece); });
@@ -127,8 +121,8 @@ class ModelParser : public XmlHandler {
     void start_model(const XmlAttributes& attributes) {
         seen_model_ = true;
         if (const char* unit = attributes.find("unit")) {
-            const auto known = std::find_if(kUnits.begin(), kUnits.end(),
-                                            [&](const auto& pair) { return pair.first == unit; });
+            const auto known =
+                std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& pair) { return pair.first == unit; });
             if (known == kUnits.end()) fail("unit " + quoted_excerpt(unit) + " is unknown");
             part_.unit = known->second;
         }
@@ -136,10 +130,8 @@ class ModelParser : public XmlHandler {
         split_words(required ? required : "", words_);
         for (const std::string_view prefix : words_) {
             const auto uri = prefixes_.find(prefix);
-            if (uri == prefixes_.end())
-                fail("required extension " + quoted_excerpt(prefix) + " is not declared");
-            if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), uri->second) ==
-                kKnownExtensions.end()) {
+            if (uri == prefixes_.end()) fail("required extension " + quoted_excerpt(prefix) + " is not declared");
+            if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), uri->second) == kKnownExtensions.end()) {
                 fail("the file requires an extension that is not supported: " + uri->second);
             }
         }
@@ -147,8 +139,7 @@ class ModelParser : public XmlHandler {
 
     void start_object(const XmlAttributes& attributes) {
         key_ = {entry_, required(attributes, "id")};
-        if (part_.objects.contains(key_))
-            fail("object id " + quoted_excerpt(key_.id) + " is there twice");
+        if (part_.objects.contains(key_)) fail("object id " + quoted_excerpt(key_.id) + " is there twice");
         object_ = {};
         if (const char* type = attributes.find("type")) object_.type = type;
         if (const char* name = attributes.find("name")) object_.name = name;
@@ -160,8 +151,7 @@ class ModelParser : public XmlHandler {
             for (const std::uint32_t vertex : triangle) {
                 if (vertex >= object_.mesh.vertices.size()) {
                     fail("a triangle of object " + quoted_excerpt(key_.id) + " refers to vertex " +
-                         std::to_string(vertex) + " of " +
-                         std::to_string(object_.mesh.vertices.size()));
+                         std::to_string(vertex) + " of " + std::to_string(object_.mesh.vertices.size()));
                 }
             }
         }
@@ -209,16 +199,14 @@ class ModelParser : public XmlHandler {
         ModelItem item{referred_object(attributes), transform(attributes), {}, true};
         if (const char* number = attributes.find("partnumber")) item.part_number = number;
         if (const char* printable = attributes.find("printable")) {
-            item.printable =
-                std::string_view(printable) != "0" && std::string_view(printable) != "false";
+            item.printable = std::string_view(printable) != "0" && std::string_view(printable) != "false";
         }
         part_.items.push_back(std::move(item));
     }
 
     ObjectKey referred_object(const XmlAttributes& attributes) const {
         ObjectKey key{entry_, required(attributes, "objectid")};
-        if (const char* path = attributes.find(kProduction, "path"))
-            key.part = path + (*path == '/' ? 1 : 0);
+        if (const char* path = attributes.find(kProduction, "path")) key.part = path + (*path == '/' ? 1 : 0);
         return key;
     }
 
@@ -229,8 +217,7 @@ class ModelParser : public XmlHandler {
         const char* text = attributes.find("transform");
         if (!text) return transform;
         split_words(text, words_);
-        if (words_.size() != 12)
-            fail("a transform has 12 numbers, not " + std::to_string(words_.size()));
+        if (words_.size() != 12) fail("a transform has 12 numbers, not " + std::to_string(words_.size()));
         for (std::size_t i = 0; i < 12; ++i) {
             const auto value = parse_number(words_[i]);
             if (!value || !std::isfinite(*value)) {
@@ -265,8 +252,7 @@ class ModelParser : public XmlHandler {
 
 }  // namespace
 
-ModelPart parse_model_part(const std::string& file, const std::string& entry,
-                           const TextSource& text) {
+ModelPart parse_model_part(const std::string& file, const std::string& entry, const TextSource& text) {
     return ModelParser(file, entry).parse(text);
 }
 

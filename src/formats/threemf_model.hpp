@@ -50,7 +50,6 @@ using TextSource = std::function<void(const std::function<void(std::string_view)
 
 /// Parses the model part `entry` of `file`. Throws InputError for what the specification forbids or
 /// what needs an extension that changes geometry and is not known here.
-ModelPart parse_model_part(const std::string& file, const std::string& entry,
-                           const TextSource& text);
+ModelPart parse_model_part(const std::string& file, const std::string& entry, const TextSource& text);
 
 }  // namespace spectralpack

@@ -15,8 +15,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::string_view kModelRelationship =
-    "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+constexpr std::string_view kModelRelationship = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 
 // Bounds on what a small file may grow to. Coordinates as text deflate to a fifth; hundredfold is
 // no mesh.
@@ -33,14 +32,12 @@ constexpr std::uint64_t kPlenty = std::uint64_t{1} << 40;
 
 class RelationshipParser : public XmlHandler {
   public:
-    RelationshipParser(const std::string& file, const std::string& entry)
-        : parser(file, entry, *this) {}
+    RelationshipParser(const std::string& file, const std::string& entry) : parser(file, entry, *this) {}
 
     void on_start(const XmlName& name, const XmlAttributes& attributes) override {
         const char* type = attributes.find("Type");
         const char* found = attributes.find("Target");
-        if (name.local == "Relationship" && type && found && type == kModelRelationship &&
-            target.empty()) {
+        if (name.local == "Relationship" && type && found && type == kModelRelationship && target.empty()) {
             target = found;
         }
     }
@@ -80,8 +77,7 @@ class Reader {
         root_ = root_entry();
         load_part(root_);
         const ModelPart& model = parts_.at(root_);
-        if (model.items.empty())
-            throw InputError(source_.file, root_, "nothing is to be built: there are no items");
+        if (model.items.empty()) throw InputError(source_.file, root_, "nothing is to be built: there are no items");
         std::vector<LoadedMesh> loaded;
         std::map<ShapeKey, std::size_t> known;  // index in `loaded`
         std::size_t unprintable = 0, supports = 0;
@@ -91,15 +87,13 @@ class Reader {
                 ++unprintable;
             } else if (object.type != "model" && object.type != "surface") {
                 ++supports;
-            } else if (const auto [at, is_new] = known.try_emplace(shape_key(item), loaded.size());
-                       is_new) {
+            } else if (const auto [at, is_new] = known.try_emplace(shape_key(item), loaded.size()); is_new) {
                 loaded.push_back(load(item, object));
             } else {
                 ++loaded[at->second].instances;
             }
         }
-        if (loaded.empty())
-            throw InputError(source_.file, root_, "nothing is to be built: no item is printable");
+        if (loaded.empty()) throw InputError(source_.file, root_, "nothing is to be built: no item is printable");
         note(loaded.front(), unprintable, "marked as not printable");
         note(loaded.front(), supports, "support or of no known type");
         make_names_differ(loaded);
@@ -117,20 +111,17 @@ class Reader {
 
     std::string root_entry() {
         const std::string relationships = "_rels/.rels";
-        if (!zip_.has(relationships))
-            throw InputError(source_.file, "", "is a ZIP archive, but not a 3MF");
+        if (!zip_.has(relationships)) throw InputError(source_.file, "", "is a ZIP archive, but not a 3MF");
         RelationshipParser relations(source_.file, relationships);
         unpack(relationships, [&](std::string_view piece) { relations.parser.feed(piece); });
         relations.parser.finish();
-        if (relations.target.empty())
-            throw InputError(source_.file, relationships, "names no 3D model");
+        if (relations.target.empty()) throw InputError(source_.file, relationships, "names no 3D model");
         return relations.target.substr(relations.target.front() == '/' ? 1 : 0);
     }
 
     void load_part(const std::string& entry) {
         if (parts_.contains(entry)) return;
-        ModelPart part = parse_model_part(source_.file, entry,
-                                          [&](const auto& consume) { unpack(entry, consume); });
+        ModelPart part = parse_model_part(source_.file, entry, [&](const auto& consume) { unpack(entry, consume); });
         if (entry != root_ && part.unit != parts_.at(root_).unit) {
             throw InputError(source_.file, entry, "its unit is not that of " + root_);
         }
@@ -158,23 +149,19 @@ class Reader {
         const Extent extent = extent_of(item.object, 0);
         objects_ += extent.objects;
         triangles_ += extent.triangles;
-        if (objects_ > kMostObjects ||
-            triangles_ > kFreeTriangles + kMostRepeats * held_triangles_) {
+        if (objects_ > kMostObjects || triangles_ > kFreeTriangles + kMostRepeats * held_triangles_) {
             fail(item.object, "its components and items multiply beyond measure");
         }
         append(loaded.mesh, item.object, item.transform);
         return loaded;
     }
 
-    std::string name_of(const ObjectKey& key) const {
-        return key.part == root_ ? key.id : key.part + "#" + key.id;
-    }
+    std::string name_of(const ObjectKey& key) const { return key.part == root_ ? key.id : key.part + "#" + key.id; }
 
     /// Each object once.
     Extent extent_of(const ObjectKey& key, int level) {
         if (const auto known = extents_.find(key); known != extents_.end()) return known->second;
-        if (level > kMostLevels)
-            fail(key, "its components are nested too deep or contain themselves");
+        if (level > kMostLevels) fail(key, "its components are nested too deep or contain themselves");
         const ModelObject& object = find(key);
         Extent extent{1, object.mesh.triangles.size()};
         for (const ModelComponent& component : object.components) {
@@ -196,9 +183,8 @@ class Reader {
 
     static void note(LoadedMesh& loaded, std::size_t items, const std::string& what) {
         if (items == 0) return;
-        loaded.warnings.push_back(std::to_string(items) +
-                                  (items == 1 ? " build item is " : " build items are ") + what +
-                                  " and left out");
+        loaded.warnings.push_back(std::to_string(items) + (items == 1 ? " build item is " : " build items are ") +
+                                  what + " and left out");
     }
 
     void make_names_differ(std::vector<LoadedMesh>& loaded) const {

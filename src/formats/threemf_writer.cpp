@@ -32,15 +32,13 @@ constexpr const char* kRelationships =
 
 class ModelWriter {
   public:
-    ModelWriter(const Packing& packing, const PartMeshes& meshes)
-        : packing_(packing), meshes_(meshes) {}
+    ModelWriter(const Packing& packing, const PartMeshes& meshes) : packing_(packing), meshes_(meshes) {}
 
     std::string write() {
         out_ += R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 )";
-        append(" <metadata name=\"Application\">{}</metadata>\n <resources>\n",
-               xml_attribute(packing_.program));
+        append(" <metadata name=\"Application\">{}</metadata>\n <resources>\n", xml_attribute(packing_.program));
         // Only what is placed: the specification wants no object that nothing refers to.
         for (const TrayPacking& tray : packing_.trays) {
             for (const Placement& placement : tray.placements) {
@@ -78,9 +76,8 @@ class ModelWriter {
         }
         out_ += "    </vertices>\n    <triangles>\n";
         for (const Triangle& t : mesh->triangles) {
-            fmt::format_to(std::back_inserter(out_),
-                           FMT_COMPILE("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"), t[0],
-                           t[1], t[2]);
+            fmt::format_to(std::back_inserter(out_), FMT_COMPILE("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"),
+                           t[0], t[1], t[2]);
         }
         out_ += "    </triangles>\n   </mesh>\n  </object>\n";
     }
@@ -122,10 +119,8 @@ class ModelWriter {
 
 }  // namespace
 
-void write_3mf(const Packing& packing, const PartMeshes& meshes,
-               const std::filesystem::path& path) {
-    std::vector<ZipEntry> entries{{"[Content_Types].xml", kContentTypes},
-                                  {"_rels/.rels", kRelationships}};
+void write_3mf(const Packing& packing, const PartMeshes& meshes, const std::filesystem::path& path) {
+    std::vector<ZipEntry> entries{{"[Content_Types].xml", kContentTypes}, {"_rels/.rels", kRelationships}};
     entries.push_back({"3D/3dmodel.model", ModelWriter(packing, meshes).write()});
     replace_file(path, make_zip(entries));
 }

@@ -40,8 +40,7 @@ struct XmlParser::State {
     std::string file, entry;
     XmlHandler& handler;
     XML_Parser parser;
-    std::exception_ptr
-        thrown;  ///< by the handler; must not travel through the library's own frames
+    std::exception_ptr thrown;  ///< by the handler; must not travel through the library's own frames
 
     State(std::string file_name, std::string entry_name, XmlHandler& events)
         : file(std::move(file_name)),
@@ -67,8 +66,8 @@ struct XmlParser::State {
 
     [[noreturn]] void fail(const std::string& cause) const {
         throw InputError(file,
-                         entry + " line " + std::to_string(XML_GetCurrentLineNumber(parser)) +
-                             " column " + std::to_string(XML_GetCurrentColumnNumber(parser) + 1),
+                         entry + " line " + std::to_string(XML_GetCurrentLineNumber(parser)) + " column " +
+                             std::to_string(XML_GetCurrentColumnNumber(parser) + 1),
                          cause);
     }
 
@@ -90,12 +89,10 @@ struct XmlParser::State {
     }
 
     void parse(std::string_view text, bool last) {
-        const XML_Status status =
-            XML_Parse(parser, text.data(), static_cast<int>(text.size()), last ? 1 : 0);
+        const XML_Status status = XML_Parse(parser, text.data(), static_cast<int>(text.size()), last ? 1 : 0);
         if (thrown) std::rethrow_exception(std::exchange(thrown, nullptr));
         if (status != XML_STATUS_OK) {
-            fail(std::string("is not well-formed XML: ") +
-                 XML_ErrorString(XML_GetErrorCode(parser)));
+            fail(std::string("is not well-formed XML: ") + XML_ErrorString(XML_GetErrorCode(parser)));
         }
     }
 };
@@ -117,12 +114,8 @@ void XmlParser::feed(std::string_view text) {
     }
 }
 
-void XmlParser::finish() {
-    state_->parse({}, true);
-}
+void XmlParser::finish() { state_->parse({}, true); }
 
-void XmlParser::fail(const std::string& cause) const {
-    state_->fail(cause);
-}
+void XmlParser::fail(const std::string& cause) const { state_->fail(cause); }
 
 }  // namespace spectralpack

@@ -9,8 +9,7 @@ namespace {
 std::size_t character_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);
-    if (first < 0x80)
-        return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+    if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
     const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
     if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
     std::uint32_t code = first & (0x7fu >> length);
@@ -19,8 +18,8 @@ std::size_t character_length(std::string_view text) {
         code = code << 6 | (byte(i) & 0x3f);
     }
     const std::uint32_t least = length == 2 ? 0x80 : length == 3 ? 0x800 : 0x10000;
-    const bool allowed = code >= least && code <= 0x10ffff && !(code >= 0xd800 && code <= 0xdfff) &&
-                         code != 0xfffe && code != 0xffff;
+    const bool allowed =
+        code >= least && code <= 0x10ffff && !(code >= 0xd800 && code <= 0xdfff) && code != 0xfffe && code != 0xffff;
     return allowed ? length : 0;
 }
 

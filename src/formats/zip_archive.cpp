@@ -45,10 +45,8 @@ ZipReader::ZipReader(std::string file, std::string_view bytes)
     : file_(std::move(file)), archive_(std::make_unique<Archive>()) {
     ZipErrorText failure;
     Source source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &failure.error));
-    if (source)
-        archive_->handle.reset(zip_open_from_source(source.get(), ZIP_RDONLY, &failure.error));
-    if (!archive_->handle)
-        throw InputError(file_, "", "is not a whole ZIP archive: " + failure.text());
+    if (source) archive_->handle.reset(zip_open_from_source(source.get(), ZIP_RDONLY, &failure.error));
+    if (!archive_->handle) throw InputError(file_, "", "is not a whole ZIP archive: " + failure.text());
     static_cast<void>(source.release());  // the archive's now
 }
 
@@ -63,17 +61,14 @@ void ZipReader::unpack(const std::string& entry, std::uint64_t max_bytes,
     zip_t* archive = archive_->handle.get();
     const zip_int64_t index = zip_name_locate(archive, entry.c_str(), ZIP_FL_NOCASE);
     if (index < 0) throw InputError(file_, entry, "is not in the archive");
-    const std::unique_ptr<zip_file_t, CloseFile> file(
-        zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
-    if (!file)
-        throw InputError(file_, entry, std::string("cannot be unpacked: ") + zip_strerror(archive));
+    const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
+    if (!file) throw InputError(file_, entry, std::string("cannot be unpacked: ") + zip_strerror(archive));
     std::uint64_t unpacked = 0;
     std::vector<char> buffer(1 << 16);
     for (;;) {
         const zip_int64_t got = zip_fread(file.get(), buffer.data(), buffer.size());
         if (got < 0) {
-            throw InputError(file_, entry,
-                             std::string("is damaged: ") + zip_file_strerror(file.get()));
+            throw InputError(file_, entry, std::string("is damaged: ") + zip_file_strerror(file.get()));
         }
         if (got == 0) return;
         unpacked += static_cast<std::uint64_t>(got);
@@ -88,20 +83,16 @@ void ZipReader::unpack(const std::string& entry, std::uint64_t max_bytes,
 
 std::string make_zip(const std::vector<ZipEntry>& entries) {
     ZipErrorText failure;
-    const auto fail = [](const std::string& why) -> void {
-        throw ResourceError("cannot pack a ZIP archive: " + why);
-    };
+    const auto fail = [](const std::string& why) -> void { throw ResourceError("cannot pack a ZIP archive: " + why); };
     const Source bytes(zip_source_buffer_create(nullptr, 0, 0, &failure.error));
     if (!bytes) fail(failure.text());
     ArchiveHandle archive(zip_open_from_source(bytes.get(), ZIP_TRUNCATE, &failure.error));
     if (!archive) fail(failure.text());
     zip_source_keep(bytes.get());  // the archive frees one hold of it when it closes
     for (const ZipEntry& entry : entries) {
-        Source content(
-            zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0));
+        Source content(zip_source_buffer(archive.get(), entry.content.data(), entry.content.size(), 0));
         if (!content) fail(zip_strerror(archive.get()));
-        const zip_int64_t added =
-            zip_file_add(archive.get(), entry.name.c_str(), content.get(), ZIP_FL_ENC_UTF_8);
+        const zip_int64_t added = zip_file_add(archive.get(), entry.name.c_str(), content.get(), ZIP_FL_ENC_UTF_8);
         if (added < 0) fail(zip_strerror(archive.get()));
         static_cast<void>(content.release());
         const auto index = static_cast<zip_uint64_t>(added);

@@ -54,9 +54,9 @@ Mesh c_hook(Dice& dice, double size) {
 Mesh j_hook(Dice& dice, double size) {
     const double thick = dice.between(0.02, 0.045) * size, radius = dice.between(0.12, 0.25) * size;
     const double length = size - radius - thick;
-    return sweep(flat_path(joined({{radius, -length}, {radius, -length / 2}},
-                                  arc({}, radius, 0, dice.between(0.45, 0.65), 24))),
-                 false, circle(thick, kAround));
+    return sweep(
+        flat_path(joined({{radius, -length}, {radius, -length / 2}}, arc({}, radius, 0, dice.between(0.45, 0.65), 24))),
+        false, circle(thick, kAround));
 }
 
 Mesh s_hook(Dice& dice, double size) {
@@ -71,8 +71,8 @@ Mesh s_hook(Dice& dice, double size) {
 Mesh clip(Dice& dice, double size) {
     const double wall = dice.between(0.05, 0.1) * size, width = dice.between(0.15, 0.6) * size;
     const double gap = dice.between(0.2, 0.35), radius = size / 2 - wall;
-    const Outline section{{-wall / 2, -width / 2}, {wall / 2, -width / 2}, {wall / 2, width / 2},
-                          {-wall / 2, width / 2}};
+    const Outline section{
+        {-wall / 2, -width / 2}, {wall / 2, -width / 2}, {wall / 2, width / 2}, {-wall / 2, width / 2}};
     Outline line = arc({}, radius, gap / 2, 1 - gap / 2, 36);
     const Vec2 first = direction(gap / 2 - 0.06), last = direction(1 - gap / 2 + 0.06);
     const double lip = 1.25 * radius;
@@ -119,8 +119,8 @@ Mesh knot(Dice& dice, double size) {
 Mesh elbow(Dice& dice, double size) {
     const double tube = dice.between(0.12, 0.2) * size, wall = dice.between(0.12, 0.25) * tube;
     const double radius = size - tube, straight = dice.between(0.06, 0.3) * size;
-    const std::vector<Vec3> path = flat_path(joined(joined({{radius, -straight}}, arc({}, radius, 0, 0.25, 10)),
-                                                    {{-straight, radius}}));
+    const std::vector<Vec3> path =
+        flat_path(joined(joined({{radius, -straight}}, arc({}, radius, 0, 0.25, 10)), {{-straight, radius}}));
     std::vector<Loop> loops;
     const auto add = [&](const Frame& frame, double r) {
         Loop loop;

@@ -12,13 +12,10 @@ namespace {
 constexpr double kThrough = 1;
 
 /// The wall of a part of this size: as thin as printers make it, thicker in large parts.
-double wall_of(Dice& dice, double size) {
-    return dice.mm(std::max(1.0, 0.035 * size), std::max(1.6, 0.09 * size));
-}
+double wall_of(Dice& dice, double size) { return dice.mm(std::max(1.0, 0.035 * size), std::max(1.6, 0.09 * size)); }
 
 /// Cuts `count` windows into a plate, side by side in x between x0 and x1; z is the plate's own way.
-void cut_row(Blocks& blocks, int count, double x0, double x1, double y0, double y1, double z0,
-             double z1) {
+void cut_row(Blocks& blocks, int count, double x0, double x1, double y0, double y1, double z0, double z1) {
     const double pitch = (x1 - x0) / (3 * count + 1);
     for (int i = 0; i < count; ++i) {
         const double x = x0 + (3 * i + 1) * pitch;

@@ -38,9 +38,7 @@ Mesh Blocks::mesh() const {
     const std::array<std::size_t, 3> stride{1, nx, nx * ny};
     std::vector<char> filled(nx * ny * nz, 0);
     for (const Step& step : steps_) {
-        const auto inside = [](double low, double high, double from, double to) {
-            return from <= low && high <= to;
-        };
+        const auto inside = [](double low, double high, double from, double to) { return from <= low && high <= to; };
         for (std::size_t z = 0; z + 1 < zs.size(); ++z) {
             if (!inside(zs[z], zs[z + 1], step.low.z, step.high.z)) continue;
             for (std::size_t y = 0; y + 1 < ys.size(); ++y) {

@@ -6,9 +6,7 @@
 
 namespace spectralpack {
 
-double Dice::mm(double low, double high) {
-    return std::max(1.0, std::floor(10 * between(low, high) + 0.5)) / 10;
-}
+double Dice::mm(double low, double high) { return std::max(1.0, std::floor(10 * between(low, high) + 0.5)) / 10; }
 
 double Dice::quantile(const std::vector<double>& values) {
     const double at = between(0, static_cast<double>(values.size() - 1));

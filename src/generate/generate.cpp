@@ -21,7 +21,7 @@ struct Kind {
 
 // The longest sides in mm at evenly spaced quantiles follow the sets of real parts in docs/benchmarks.md.
 const std::vector<double> kPiecesSizes{8, 18, 25, 31, 39, 48, 62, 85, 105, 127};
-const std::vector<double> kMixturesSizes{9,  14, 20, 24, 29, 34, 40, 46,  52,  57, 61,
+const std::vector<double> kMixturesSizes{9,  14, 20, 24, 29, 34, 40,  46,  52,  57, 61,
                                          66, 72, 78, 81, 83, 90, 105, 120, 150, 400};
 const std::vector<double> kLocksSizes{21, 42, 54, 66, 78, 90, 102, 118, 146};
 const std::vector<double> kToriSizes{38, 45, 52, 60, 68, 75, 85};
@@ -38,10 +38,10 @@ constexpr double kLarge = 60;  // mm; what is longer is mostly hollow
 
 const std::vector<Kind>& compact_kinds() {
     static const std::vector<Kind> kinds{
-        {"bracket", bracket}, {"channel", channel}, {"l-block", l_block},
-        {"tee", tee},         {"steps", steps},     {"drilled-block", drilled_block},
-        {"wedge", wedge},     {"washer", washer, true},   {"bushing", bushing, true},
-        {"pin", pin, true},         {"knob", knob, true},       {"gear", gear, true}};
+        {"bracket", bracket}, {"channel", channel},     {"l-block", l_block},
+        {"tee", tee},         {"steps", steps},         {"drilled-block", drilled_block},
+        {"wedge", wedge},     {"washer", washer, true}, {"bushing", bushing, true},
+        {"pin", pin, true},   {"knob", knob, true},     {"gear", gear, true}};
     return kinds;
 }
 
@@ -60,27 +60,32 @@ const std::vector<Kind>& hollow_kinds() {
 }
 
 const std::vector<Kind>& shell_kinds() {
-    static const std::vector<Kind> kinds{{"tray", tray}, {"window-plate", window_plate}, {"cup", cup, true},
-                                         {"clip", clip}, {"elbow", elbow},               {"c-hook", c_hook}};
+    static const std::vector<Kind> kinds{{"tray", tray},     {"window-plate", window_plate},
+                                         {"cup", cup, true}, {"clip", clip},
+                                         {"elbow", elbow},   {"c-hook", c_hook}};
     return kinds;
 }
 
 const std::vector<Kind>& lock_kinds() {
-    static const std::vector<Kind> kinds{
-        {"ring", ring},           {"link", link},     {"curb-link", curb_link},
-        {"poly-ring", poly_ring}, {"c-hook", c_hook}, {"j-hook", j_hook},
-        {"s-hook", s_hook},       {"handle", handle}, {"flat-frame", flat_frame},
-        {"ladder", ladder},       {"cage", cage},     {"basket", basket},
-        {"spring", spring},       {"knot", knot},     {"clip", clip}};
+    static const std::vector<Kind> kinds{{"ring", ring},           {"link", link},     {"curb-link", curb_link},
+                                         {"poly-ring", poly_ring}, {"c-hook", c_hook}, {"j-hook", j_hook},
+                                         {"s-hook", s_hook},       {"handle", handle}, {"flat-frame", flat_frame},
+                                         {"ladder", ladder},       {"cage", cage},     {"basket", basket},
+                                         {"spring", spring},       {"knot", knot},     {"clip", clip}};
     return kinds;
 }
 
 const std::vector<Kind>& polyhedron_kinds() {
-    static const std::vector<Kind> kinds{{"tetrahedron", tetrahedron}, {"l-block", l_block},
-                                         {"pyramid", pyramid},         {"dart", dart},
-                                         {"frustum", frustum},         {"tee", tee},
-                                         {"bipyramid", bipyramid},     {"star", star},
-                                         {"wedge", wedge},             {"twisted-prism", twisted_prism}};
+    static const std::vector<Kind> kinds{{"tetrahedron", tetrahedron},
+                                         {"l-block", l_block},
+                                         {"pyramid", pyramid},
+                                         {"dart", dart},
+                                         {"frustum", frustum},
+                                         {"tee", tee},
+                                         {"bipyramid", bipyramid},
+                                         {"star", star},
+                                         {"wedge", wedge},
+                                         {"twisted-prism", twisted_prism}};
     return kinds;
 }
 
@@ -108,8 +113,8 @@ Mesh flattened(const Mesh& mesh, bool round, Dice& dice) {
 Mesh finished(const Mesh& mesh, const Mat3& rotation, double size) {
     const Mesh turned = transformed(mesh, {rotation, {}});
     const Vec3 sides = bounding_box(turned).size();
-    const double scale = std::min({size / std::max({sides.x, sides.y, sides.z}), kTray.x / sides.x,
-                                   kTray.y / sides.y, kTray.z / sides.z});
+    const double scale = std::min(
+        {size / std::max({sides.x, sides.y, sides.z}), kTray.x / sides.x, kTray.y / sides.y, kTray.z / sides.z});
     const Mesh scaled = transformed(turned, {scale * Mat3{}, {}});
     return transformed(scaled, {Mat3{}, -bounding_box(scaled).min});
 }
@@ -121,12 +126,18 @@ struct Recipe {
 
 Recipe recipe_of(GeneratedSet set) {
     switch (set) {
-        case GeneratedSet::pieces: return {"pieces", 1446};
-        case GeneratedSet::mixtures: return {"mixtures", 286};
-        case GeneratedSet::locks: return {"locks", 468};
-        case GeneratedSet::tori: return {"tori", 48};
-        case GeneratedSet::polyhedra: return {"polyhedra", 80};
-        case GeneratedSet::letters: break;
+        case GeneratedSet::pieces:
+            return {"pieces", 1446};
+        case GeneratedSet::mixtures:
+            return {"mixtures", 286};
+        case GeneratedSet::locks:
+            return {"locks", 468};
+        case GeneratedSet::tori:
+            return {"tori", 48};
+        case GeneratedSet::polyhedra:
+            return {"polyhedra", 80};
+        case GeneratedSet::letters:
+            break;
     }
     return {"letters", 8};
 }
@@ -173,8 +184,7 @@ std::vector<GeneratedPart> letters() {
 
 }  // namespace
 
-std::vector<GeneratedPart> generate_parts(GeneratedSet set, std::uint64_t seed,
-                                          std::optional<int> copies) {
+std::vector<GeneratedPart> generate_parts(GeneratedSet set, std::uint64_t seed, std::optional<int> copies) {
     if (set == GeneratedSet::letters) return letters();
     const Recipe recipe = recipe_of(set);
     std::vector<GeneratedPart> parts;

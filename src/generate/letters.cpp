@@ -67,9 +67,7 @@ class Shape2 {
     std::vector<std::vector<std::uint32_t>> polygons_;
 };
 
-Outline rectangle(double x0, double y0, double x1, double y1) {
-    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
+Outline rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 Outline operator+(Outline first, const Outline& second) {
     first.insert(first.end(), second.begin(), second.end());
@@ -175,20 +173,25 @@ Shape2 letter_h() {
 
 Shape2 shape_of(char letter) {
     switch (letter) {
-        case 'S': return letter_s();
-        case 'I': return letter_i();
-        case 'G': return letter_g();
-        case 'R': return letter_r();
-        case 'A': return letter_a();
-        case 'P': return stem_and_bowl({});
-        default: return letter_h();
+        case 'S':
+            return letter_s();
+        case 'I':
+            return letter_i();
+        case 'G':
+            return letter_g();
+        case 'R':
+            return letter_r();
+        case 'A':
+            return letter_a();
+        case 'P':
+            return stem_and_bowl({});
+        default:
+            return letter_h();
     }
 }
 
 }  // namespace
 
-Mesh letter_mesh(char letter) {
-    return shape_of(letter).extruded(kDeep);
-}
+Mesh letter_mesh(char letter) { return shape_of(letter).extruded(kDeep); }
 
 }  // namespace spectralpack

@@ -3,9 +3,7 @@
 namespace spectralpack {
 namespace {
 
-Vec3 unit(const Vec3& v) {
-    return 1 / length(v) * v;
-}
+Vec3 unit(const Vec3& v) { return 1 / length(v) * v; }
 
 /// Vertex indices of a fan round the middle of a loop that starts at vertex `first`.
 void add_fan(Mesh& mesh, std::uint32_t first, std::uint32_t count, bool reversed) {
@@ -67,8 +65,7 @@ Mesh prism(const Outline& outline, double z0, double z1) {
 }
 
 Mesh ring_prism(const Outline& outline, const Outline& hole, double z0, double z1) {
-    return loft({at_height(outline, z0), at_height(outline, z1), at_height(hole, z1),
-                 at_height(hole, z0)},
+    return loft({at_height(outline, z0), at_height(outline, z1), at_height(hole, z1), at_height(hole, z0)},
                 LoftEnds::joined);
 }
 
@@ -106,8 +103,6 @@ Mesh sweep(const std::vector<Vec3>& path, bool closed, const Outline& section, c
     return loft(loops, closed ? LoftEnds::joined : LoftEnds::capped);
 }
 
-std::vector<Vec3> flat_path(const Outline& line) {
-    return at_height(line, 0);
-}
+std::vector<Vec3> flat_path(const Outline& line) { return at_height(line, 0); }
 
 }  // namespace spectralpack

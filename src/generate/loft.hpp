@@ -46,8 +46,7 @@ struct Frame {
 std::vector<Frame> frames_along(const std::vector<Vec3>& path, bool closed, const Vec3& up);
 
 /// `section` carried along the path.
-Mesh sweep(const std::vector<Vec3>& path, bool closed, const Outline& section,
-           const Vec3& up = {0, 0, 1});
+Mesh sweep(const std::vector<Vec3>& path, bool closed, const Outline& section, const Vec3& up = {0, 0, 1});
 
 /// Points of a flat outline or line as a path at z = 0.
 std::vector<Vec3> flat_path(const Outline& line);

@@ -9,9 +9,7 @@ namespace {
 
 constexpr int kSegments = 32;
 
-double thin_wall(Dice& dice, double size) {
-    return dice.mm(std::max(1.0, 0.02 * size), std::max(1.6, 0.05 * size));
-}
+double thin_wall(Dice& dice, double size) { return dice.mm(std::max(1.0, 0.02 * size), std::max(1.6, 0.05 * size)); }
 
 /// A vessel from its outside (upwards) and the wall's thickness, with a floor as thick.
 Mesh vessel(const Outline& outside, double wall) {
@@ -32,24 +30,22 @@ Mesh vessel(const Outline& outside, double wall) {
 
 Mesh washer(Dice& dice, double size) {
     const double bore = dice.between(0.25, 0.65) * size / 2;
-    return ring_prism(circle(size / 2, kSegments), circle(bore, kSegments), 0,
-                      dice.mm(0.05 * size, 0.3 * size));
+    return ring_prism(circle(size / 2, kSegments), circle(bore, kSegments), 0, dice.mm(0.05 * size, 0.3 * size));
 }
 
 Mesh bushing(Dice& dice, double size) {
     const double bore = dice.between(0.2, 0.35) * size / 2, sleeve = dice.between(0.5, 0.7) * size / 2;
     const double flange = dice.mm(0.08 * size, 0.15 * size), height = dice.mm(0.4 * size, 0.95 * size);
-    return turned_ring({{bore, 0}, {size / 2, 0}, {size / 2, flange}, {sleeve, flange}, {sleeve, height},
-                        {bore, height}},
-                       kSegments);
+    return turned_ring(
+        {{bore, 0}, {size / 2, 0}, {size / 2, flange}, {sleeve, flange}, {sleeve, height}, {bore, height}}, kSegments);
 }
 
 Mesh pin(Dice& dice, double size) {
     const double head = dice.between(0.2, 0.45) * size / 2, shaft = dice.between(0.45, 0.7) * head;
     const double tall = dice.between(0.1, 0.25) * size;
-    return turned_solid({{0.85 * head, 0}, {head, 0.15 * tall}, {head, tall}, {shaft, tall}, {shaft, 0.97 * size},
-                         {0.8 * shaft, size}},
-                        24);
+    return turned_solid(
+        {{0.85 * head, 0}, {head, 0.15 * tall}, {head, tall}, {shaft, tall}, {shaft, 0.97 * size}, {0.8 * shaft, size}},
+        24);
 }
 
 Mesh knob(Dice& dice, double size) {
@@ -100,9 +96,9 @@ Mesh bowl(Dice& dice, double size) {
 Mesh funnel(Dice& dice, double size) {
     const double wall = std::min(thin_wall(dice, size), 0.04 * size), rim = dice.between(0.3, 0.5) * size;
     const double neck = dice.between(0.15, 0.3) * rim + wall, throat = dice.between(0.3, 0.5) * size;
-    return turned_ring({{neck - wall, 0}, {neck, 0}, {neck, throat}, {rim, size}, {rim - wall, size},
-                        {neck - wall, throat}},
-                       kSegments);
+    return turned_ring(
+        {{neck - wall, 0}, {neck, 0}, {neck, throat}, {rim, size}, {rim - wall, size}, {neck - wall, throat}},
+        kSegments);
 }
 
 }  // namespace spectralpack

@@ -45,9 +45,7 @@ void BoxIndex::remove(std::int64_t id, const Box& box) {
 
 std::vector<std::int64_t> BoxIndex::near(const Box& box) const {
     std::vector<std::int64_t> ids;
-    for_cells(box, [&](std::size_t cell) {
-        ids.insert(ids.end(), cells_[cell].begin(), cells_[cell].end());
-    });
+    for_cells(box, [&](std::size_t cell) { ids.insert(ids.end(), cells_[cell].begin(), cells_[cell].end()); });
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     return ids;

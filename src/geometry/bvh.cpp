@@ -38,9 +38,7 @@ class Builder {
         const Vec3 size = box.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = begin + (end - begin) / 2;
-        const auto at = [&](std::size_t i) {
-            return order_.begin() + static_cast<std::ptrdiff_t>(i);
-        };
+        const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
         std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
             const double ca = centres_[a][axis], cb = centres_[b][axis];
             return ca != cb ? ca < cb : a < b;
@@ -104,8 +102,7 @@ Bvh Bvh::turned(const Mat3& linear) const {
 }
 
 std::int64_t Bvh::bytes() const {
-    return static_cast<std::int64_t>(vertices_.size() * sizeof(Vec3) +
-                                     triangles_.size() * sizeof(Triangle) +
+    return static_cast<std::int64_t>(vertices_.size() * sizeof(Vec3) + triangles_.size() * sizeof(Triangle) +
                                      nodes_.size() * sizeof(Node));
 }
 

@@ -26,8 +26,7 @@ class Bvh {
         bool leaf() const { return count > 0; }
     };
 
-    static constexpr std::size_t kLeafTriangles =
-        4;  ///< 8 is slower, 1 and 2 are larger and no faster
+    static constexpr std::size_t kLeafTriangles = 4;  ///< 8 is slower, 1 and 2 are larger and no faster
 
     /// Splits at the median centroid along the longest axis: O(n log n), depth about log2 n, the
     /// same tree on every machine. Preconditions: finite coordinates, indices in range.
@@ -37,9 +36,7 @@ class Bvh {
     /// The tree of transformed(mesh, {linear, 0}): same shape, boxes fitted anew. O(n).
     Bvh turned(const Mat3& linear) const;
 
-    std::span<const Node> nodes() const {
-        return nodes_;
-    }  ///< the root first; empty without triangles
+    std::span<const Node> nodes() const { return nodes_; }  ///< the root first; empty without triangles
     std::size_t triangle_count() const { return triangles_.size(); }
     Corners corners(std::size_t i) const {
         const Triangle& t = triangles_[i];
@@ -51,7 +48,8 @@ class Bvh {
     bool faces_outwards() const { return faces_outwards_; }
 
     std::int64_t bytes() const;
-    /// What bytes() of the mesh's tree is at most: a leaf holds more than half of kLeafTriangles, unless it is the root.
+    /// What bytes() of the mesh's tree is at most: a leaf holds more than half of kLeafTriangles, unless it is the
+    /// root.
     static std::int64_t most_bytes(const Mesh& mesh);
 
   private:

@@ -86,9 +86,7 @@ ConvexHull convex_hull(const std::vector<Vec3>& points) {
         hull.normals.push_back({facet->normal[0], facet->normal[1], facet->normal[2]});
         std::vector<int> corners;
         vertexT *vertex, **vertexp;
-        FOREACHvertex_(facet->vertices) {
-            corners.push_back(qh_pointid(&qhull.state, vertex->point));
-        }
+        FOREACHvertex_(facet->vertices) { corners.push_back(qh_pointid(&qhull.state, vertex->point)); }
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const int a = corners[i], b = corners[(i + 1) % corners.size()];
             edges.emplace(std::min(a, b), std::max(a, b));

@@ -12,7 +12,9 @@ namespace spectralpack {
 /// A triangle in the axes of a move: `s` along it, growing in its direction, u and v across.
 struct SeenTriangle {
     SeenTriangle() {}  // many are made that are never looked at: nothing is set
-    SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction) { see(corners, offset, direction); }
+    SeenTriangle(const Corners& corners, const Vec3& offset, AxisDirection direction) {
+        see(corners, offset, direction);
+    }
     void see(const Corners& corners, const Vec3& offset, AxisDirection direction);
 
     /// Twice the shadow's area; positive where the triangle faces in the direction of the move.
@@ -27,7 +29,8 @@ struct SeenTriangle {
 /// polygons, so the directions to try are the normals of their edges.
 bool shadows_overlap(const SeenTriangle& a, const SeenTriangle& b, double graze);
 
-/// The ways by which `a` can be moved so that it meets `b`: an interval, because the triangles are convex. First and last.
+/// The ways by which `a` can be moved so that it meets `b`: an interval, because the triangles are convex. First and
+/// last.
 struct MeetingInterval {
     double enter, leave;
 };

@@ -18,8 +18,8 @@ Box bounding_box(const Mesh& mesh) {
 Mesh box_surface(const Box& box) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                 i & 4 ? box.max.z : box.min.z});
+        mesh.vertices.push_back(
+            {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -46,8 +46,8 @@ double signed_volume(const Mesh& mesh) {
     const Vec3 origin = mesh.vertices.empty() ? Vec3{} : mesh.vertices.front();
     double six_volumes = 0;
     for (const Triangle& t : mesh.triangles) {
-        six_volumes += dot(mesh.vertices[t[0]] - origin,
-                           cross(mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin));
+        six_volumes +=
+            dot(mesh.vertices[t[0]] - origin, cross(mesh.vertices[t[1]] - origin, mesh.vertices[t[2]] - origin));
     }
     return six_volumes / 6;
 }
@@ -88,14 +88,12 @@ bool is_closed(const Mesh& mesh) {
             if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
         }
     }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-    });
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
     for (std::size_t begin = 0; begin < edges.size();) {
         int sum = 0;
         std::size_t end = begin;
-        for (; end < edges.size() && edges[end].low == edges[begin].low &&
-               edges[end].high == edges[begin].high;
+        for (; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;
              ++end) {
             sum += edges[end].direction;
         }

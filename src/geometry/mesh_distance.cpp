@@ -4,9 +4,7 @@ namespace spectralpack {
 
 namespace {
 
-Box moved(const Box& box, const Vec3& by) {
-    return {box.min + by, box.max + by};
-}
+Box moved(const Box& box, const Vec3& by) { return {box.min + by, box.max + by}; }
 
 double square_distance(const Box& a, const Box& b) {
     const Vec3 gap = max(Vec3{}, max(a.min - b.max, b.min - a.max));
@@ -21,8 +19,7 @@ double extent(const Box& box) {
 class Search {
   public:
     /// `offset`: of a as seen from b.
-    Search(const Bvh& a, const Bvh& b, const Vec3& offset, double upper_bound)
-        : a_(a), b_(b), offset_(offset) {
+    Search(const Bvh& a, const Bvh& b, const Vec3& offset, double upper_bound) : a_(a), b_(b), offset_(offset) {
         best_.distance = upper_bound;
     }
 

@@ -18,9 +18,7 @@ void for_each_use(const Mesh& mesh, Visit visit) {
 
 /// Most vertices have a handful of edges; inserting beats std::sort there.
 void sort_uses(MeshEdges::Use* begin, MeshEdges::Use* end) {
-    const auto key = [](const MeshEdges::Use& use) {
-        return std::uint64_t{use.high} << 32 | use.code;
-    };
+    const auto key = [](const MeshEdges::Use& use) { return std::uint64_t{use.high} << 32 | use.code; };
     if (end - begin > 24) {
         std::sort(begin, end, [&](const auto& a, const auto& b) { return key(a) < key(b); });
         return;

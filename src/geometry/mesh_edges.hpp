@@ -23,9 +23,7 @@ class MeshEdges {
         std::uint32_t high, code;
 
         std::uint32_t triangle() const { return code >> 1; }
-        bool forward() const {
-            return (code & 1) == 0;
-        }  ///< walked from the smaller to the larger vertex
+        bool forward() const { return (code & 1) == 0; }  ///< walked from the smaller to the larger vertex
     };
 
     /// Calls visit(smaller vertex, uses) for every edge.
@@ -37,8 +35,7 @@ class MeshEdges {
                 while (last < begin_[low + 1] && uses_[last].high == uses_[first].high) {
                     ++last;
                 }
-                visit(static_cast<std::uint32_t>(low),
-                      std::span<const Use>(uses_.get() + first, last - first));
+                visit(static_cast<std::uint32_t>(low), std::span<const Use>(uses_.get() + first, last - first));
                 first = last;
             }
         }
@@ -54,7 +51,7 @@ struct EdgeCount {
     std::size_t border = 0;       ///< of one triangle, or of an odd number
     std::size_t misdirected = 0;  ///< of two triangles that walk it the same way
     std::size_t crowded = 0;      ///< of more than two triangles
-    bool closed = false;  ///< every edge is walked as often one way as the other (see is_closed)
+    bool closed = false;          ///< every edge is walked as often one way as the other (see is_closed)
 };
 
 EdgeCount count_edges(const MeshEdges& edges);

@@ -124,8 +124,7 @@ void find_places(const Mesh& mesh, const MeshEdges& edges, MeshFigures& figures)
     edges.for_each([&](std::uint32_t low, std::span<const MeshEdges::Use> uses) {
         const Vec3 middle = 0.5 * (mesh.vertices[low] + mesh.vertices[uses.front().high]);
         if (uses.size() > 2 && !figures.crowded_place) figures.crowded_place = middle;
-        if (uses.size() == 2 && uses[0].forward() == uses[1].forward() &&
-            !figures.misdirected_place) {
+        if (uses.size() == 2 && uses[0].forward() == uses[1].forward() && !figures.misdirected_place) {
             figures.misdirected_place = middle;
         }
     });

@@ -30,11 +30,10 @@ struct MeshFigures {
     std::size_t shells = 0;  ///< parts that hang together by edges
     EdgeCount edges;
     std::size_t border_loops = 0;
-    std::vector<BorderLoop> holes;      ///< the longest border loops, longest first
-    std::optional<Vec3> crowded_place;  ///< of an edge of more than two triangles
-    std::optional<Vec3>
-        misdirected_place;       ///< of an edge that both of its triangles walk the same way
-    std::size_t duplicates = 0;  ///< triangles on the same three vertices as an earlier one
+    std::vector<BorderLoop> holes;          ///< the longest border loops, longest first
+    std::optional<Vec3> crowded_place;      ///< of an edge of more than two triangles
+    std::optional<Vec3> misdirected_place;  ///< of an edge that both of its triangles walk the same way
+    std::size_t duplicates = 0;             ///< triangles on the same three vertices as an earlier one
     SelfCrossings crossings;
 
     bool watertight() const { return edges.closed; }

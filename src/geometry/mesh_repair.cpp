@@ -56,9 +56,7 @@ bool has_area(const Mesh& mesh, const Triangle& t, const Vec3& normal) {
     return dot(normal, normal) > kZeroArea * kZeroArea * longest * longest;
 }
 
-bool has_area(const Mesh& mesh, const Triangle& t) {
-    return has_area(mesh, t, normal_of(mesh, t));
-}
+bool has_area(const Mesh& mesh, const Triangle& t) { return has_area(mesh, t, normal_of(mesh, t)); }
 
 /// All vertices within kFlat of one plane: that of the largest facet.
 bool is_planar(const Mesh& mesh, double size) {
@@ -127,17 +125,14 @@ class Repairer {
         size_ = std::max({extent.x, extent.y, extent.z});
         tolerance_ = std::max(kCrack * size_, 0x1p-22 * coordinate);
         if (coordinate > kLargestCoordinate) {
-            return unusable("coordinates of " + shown(coordinate) +
-                            " are beyond what can be computed with");
+            return unusable("coordinates of " + shown(coordinate) + " are beyond what can be computed with");
         }
-        const std::string hint = size_ < 0x1p-20 * coordinate
-                                     ? " (at coordinates near " + shown(coordinate) +
-                                           " single precision cannot hold its shape)"
-                                     : "";
+        const std::string hint = size_ < 0x1p-20 * coordinate ? " (at coordinates near " + shown(coordinate) +
+                                                                    " single precision cannot hold its shape)"
+                                                              : "";
         for (int axis = 0; axis < 3; ++axis) {
             if (extent[axis] > 1e-9 * size_) continue;
-            return unusable(std::string("it is flat: it has no extent along ") + "xyz"[axis] +
-                            hint);
+            return unusable(std::string("it is flat: it has no extent along ") + "xyz"[axis] + hint);
         }
         return true;
     }
@@ -163,9 +158,8 @@ class Repairer {
         std::erase_if(smaller.triangles, [&](const Triangle& t) { return !has_area(mesh_, t); });
         if (opens(smaller)) {
             smaller = mesh_;
-            flat = std::erase_if(smaller.triangles, [](const Triangle& t) {
-                return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-            });
+            flat = std::erase_if(smaller.triangles,
+                                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
         }
         if (flat == 0) return true;
         mesh_ = std::move(smaller);
@@ -181,8 +175,7 @@ class Repairer {
 
     /// Step 3. Only facets at crowded edges can be there twice.
     void drop_duplicates() {
-        std::vector<std::pair<Triangle, std::uint32_t>>
-            keys;  // least corner first, then the facet's index
+        std::vector<std::pair<Triangle, std::uint32_t>> keys;  // least corner first, then the facet's index
         std::vector<bool> listed(mesh_.triangles.size());
         edges_->for_each([&](std::uint32_t, std::span<const MeshEdges::Use> uses) {
             if (uses.size() <= 2) return;
@@ -211,8 +204,7 @@ class Repairer {
         mesh_ = std::move(smaller);
         facets_dropped_ = true;
         find_edges();
-        result_.repairs.push_back("dropped " + counted(copies, "facet", "facets") +
-                                  " stored twice");
+        result_.repairs.push_back("dropped " + counted(copies, "facet", "facets") + " stored twice");
     }
 
     /// Step 4.
@@ -228,17 +220,15 @@ class Repairer {
         Mesh closer = mesh_;
         const std::size_t merged = weld_near_vertices(closer, candidates, tolerance_);
         if (merged == 0) return false;
-        std::erase_if(closer.triangles, [](const Triangle& t) {
-            return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-        });
+        std::erase_if(closer.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
         if (closer.triangles.empty() || count_edges(MeshEdges(closer)).border >= count_.border) {
             return false;
         }
         mesh_ = std::move(closer);
         facets_dropped_ = true;
         find_edges();
-        result_.repairs.push_back("merged " + counted(merged, "border vertex", "border vertices") +
-                                  " less than " + shown(tolerance_) + " from another");
+        result_.repairs.push_back("merged " + counted(merged, "border vertex", "border vertices") + " less than " +
+                                  shown(tolerance_) + " from another");
         return true;
     }
 
@@ -249,8 +239,7 @@ class Repairer {
         if (turned == 0 || !count_edges(MeshEdges(oriented)).closed) return;
         mesh_ = std::move(oriented);
         find_edges();
-        result_.repairs.push_back("turned " +
-                                  counted(turned, "facet that faced", "facets that faced") +
+        result_.repairs.push_back("turned " + counted(turned, "facet that faced", "facets that faced") +
                                   " the wrong way");
     }
 
@@ -267,12 +256,11 @@ class Repairer {
         if (turned == mesh_.triangles.size()) {
             result_.repairs.push_back("turned the mesh, which was inside out");
         } else if (turned > 0) {
-            result_.repairs.push_back("turned shells that were inside out (" +
-                                      counted(turned, "facet", "facets") + ")");
+            result_.repairs.push_back("turned shells that were inside out (" + counted(turned, "facet", "facets") +
+                                      ")");
         }
         if (shells_overlap(mesh_, groups)) {
-            result_.warnings.push_back(
-                "shells of it overlap: its volume counts the space they share twice");
+            result_.warnings.push_back("shells of it overlap: its volume counts the space they share twice");
         }
         return true;
     }
@@ -284,17 +272,15 @@ class Repairer {
             result_.repairs.push_back("turned the open mesh, whose facets faced inwards");
         }
         result_.warnings.push_back("is not closed: " +
-                                   (count_.border > 0
-                                        ? counted(count_.border, "border edge", "border edges")
-                                        : "neighbouring facets face opposite ways") +
+                                   (count_.border > 0 ? counted(count_.border, "border edge", "border edges")
+                                                      : "neighbouring facets face opposite ways") +
                                    "; packed by its surface");
         return true;
     }
 
     void describe_edges() {
         if (count_.crowded == 0) return;
-        result_.warnings.push_back(counted(count_.crowded, "edge is", "edges are") +
-                                   " shared by more than two facets");
+        result_.warnings.push_back(counted(count_.crowded, "edge is", "edges are") + " shared by more than two facets");
     }
 
     Mesh& mesh_;
@@ -310,9 +296,7 @@ class Repairer {
 
 }  // namespace
 
-MeshRepair repair_mesh(Mesh& mesh, bool welded) {
-    return Repairer(mesh, welded).run();
-}
+MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
 
 std::optional<std::string> size_warning(const Box& box, double mm_per_unit) {
     const Vec3 extent = box.size();

@@ -48,18 +48,16 @@ class DisjointSets {
 };
 
 bool meet(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-           a.min.z <= b.max.z && b.min.z <= a.max.z;
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+           b.min.z <= a.max.z;
 }
 
 /// Of the signed angle under which a facet is seen from `eye`, the half (van Oosterom and Strackee
 /// 1983).
 double half_solid_angle(const Mesh& mesh, const Triangle& t, const Vec3& eye) {
-    const Vec3 a = mesh.vertices[t[0]] - eye, b = mesh.vertices[t[1]] - eye,
-               c = mesh.vertices[t[2]] - eye;
+    const Vec3 a = mesh.vertices[t[0]] - eye, b = mesh.vertices[t[1]] - eye, c = mesh.vertices[t[2]] - eye;
     const double la = length(a), lb = length(b), lc = length(c);
-    return std::atan2(dot(a, cross(b, c)),
-                      la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    return std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
 }  // namespace
@@ -87,8 +85,7 @@ std::size_t orient_consistently(Mesh& mesh, const MeshEdges& edges) {
         for (std::size_t next = 0; next < shell.size(); ++next) {
             const std::uint32_t facet = shell[next];
             for (const Neighbour& neighbour : neighbours[facet]) {
-                const auto wanted =
-                    static_cast<signed char>(neighbour.agrees ? turn[facet] : 1 - turn[facet]);
+                const auto wanted = static_cast<signed char>(neighbour.agrees ? turn[facet] : 1 - turn[facet]);
                 signed char& state = turn[neighbour.facet];
                 if (state < 0) {
                     state = wanted;
@@ -125,8 +122,7 @@ ShellGroups shell_groups(const Mesh& mesh, const MeshEdges& edges) {
     const Vec3 origin = mesh.vertices.front();
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         Shell& shell = groups.shells[groups.shell_of_facet[i]];
-        const Vec3 &a = mesh.vertices[mesh.triangles[i][0]],
-                   &b = mesh.vertices[mesh.triangles[i][1]],
+        const Vec3 &a = mesh.vertices[mesh.triangles[i][0]], &b = mesh.vertices[mesh.triangles[i][1]],
                    &c = mesh.vertices[mesh.triangles[i][2]];
         shell.volume += dot(a - origin, cross(b - origin, c - origin)) / 6;
         shell.box.add(a);
@@ -154,8 +150,7 @@ ShellGroups shell_groups(const Mesh& mesh, const MeshEdges& edges) {
 
 std::size_t turn_outwards(Mesh& mesh, const ShellGroups& groups) {
     std::size_t turned = 0;
-    if (std::none_of(groups.volume.begin(), groups.volume.end(), [](double v) { return v < 0; }))
-        return 0;
+    if (std::none_of(groups.volume.begin(), groups.volume.end(), [](double v) { return v < 0; })) return 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         if (groups.volume[groups.shells[groups.shell_of_facet[i]].group] >= 0) continue;
         std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
@@ -167,8 +162,7 @@ std::size_t turn_outwards(Mesh& mesh, const ShellGroups& groups) {
 bool shells_overlap(const Mesh& mesh, const ShellGroups& groups) {
     const std::size_t shells = groups.shells.size();
     if (shells == groups.volume.size()) return false;  // no boxes meet
-    const std::size_t samples =
-        std::min(kMostSamples, kMostAngles / (shells * mesh.triangles.size()));
+    const std::size_t samples = std::min(kMostSamples, kMostAngles / (shells * mesh.triangles.size()));
     if (samples == 0) return false;
     std::vector<std::vector<std::uint32_t>> facets(shells);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -180,8 +174,7 @@ bool shells_overlap(const Mesh& mesh, const ShellGroups& groups) {
             const Vec3& eye = mesh.vertices[mesh.triangles[facets[shell][i]][0]];
             double angle = 0;
             for (std::size_t other = 0; other < shells; ++other) {
-                if (other == shell || distance(groups.shells[other].box, Box{eye, eye}) > 0)
-                    continue;
+                if (other == shell || distance(groups.shells[other].box, Box{eye, eye}) > 0) continue;
                 for (const std::uint32_t facet : facets[other]) {
                     angle += half_solid_angle(mesh, mesh.triangles[facet], eye);
                 }

@@ -105,8 +105,7 @@ std::size_t weld_equal_vertices(Mesh& mesh) {
     return points.size() - mesh.vertices.size();
 }
 
-std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& candidates,
-                               double tolerance) {
+std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& candidates, double tolerance) {
     if (candidates.empty() || !(tolerance > 0)) return 0;
     // Cells of twice the tolerance: what is near lies in the same cell or in the nearer neighbour,
     // per axis.

@@ -48,7 +48,6 @@ std::size_t weld_equal_vertices(Mesh& mesh);
 /// Returns how many were merged away. Expected time linear in the candidates: a cell of the search
 /// grid holds few vertices that are further apart than the tolerance. Precondition: coordinates are
 /// below 2^62 tolerances.
-std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& candidates,
-                               double tolerance);
+std::size_t weld_near_vertices(Mesh& mesh, const std::vector<std::uint32_t>& candidates, double tolerance);
 
 }  // namespace spectralpack

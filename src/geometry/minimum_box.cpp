@@ -13,9 +13,9 @@ namespace {
 constexpr std::size_t kMostVertices = 400;
 constexpr std::size_t kMostEdges = 60;  // up to so many, every two of them are crossed
 constexpr double kParallel = 1e-6;
-constexpr int kDirections = 5;         // half the side of the cube of directions
-constexpr double kWorthIt = 1e-4;      // by so much of its volume the axes' own box must be larger
-constexpr double kImproved = 1e-9;     // a smaller gain is rounding
+constexpr int kDirections = 5;      // half the side of the cube of directions
+constexpr double kWorthIt = 1e-4;   // by so much of its volume the axes' own box must be larger
+constexpr double kImproved = 1e-9;  // a smaller gain is rounding
 constexpr int kMostRounds = 50;
 
 struct Point {

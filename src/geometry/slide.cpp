@@ -32,8 +32,7 @@ struct Sweep {
 
 class Slide {
   public:
-    Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-          double gap, double at_most)
+    Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most)
         : moving_(moving),
           still_(still),
           offset_(offset),
@@ -77,8 +76,7 @@ class Slide {
             if (du > -kTouchTolerance || dv > -kTouchTolerance) return Box::kInfinity;
             if (a.low > b.high + kRecovery) return Box::kInfinity;  // gone past
         } else {
-            const double across =
-                std::max(du, 0.0) * std::max(du, 0.0) + std::max(dv, 0.0) * std::max(dv, 0.0);
+            const double across = std::max(du, 0.0) * std::max(du, 0.0) + std::max(dv, 0.0) * std::max(dv, 0.0);
             const double floor = gap_ - kSlideTolerance;
             if (across >= floor * floor || a.low > b.high) return Box::kInfinity;
         }
@@ -86,8 +84,7 @@ class Slide {
     }
 
     Pair pair_of(std::uint32_t a, std::uint32_t b) const {
-        return {a, b,
-                earliest(sweep(moving_.nodes()[a].box, offset_), sweep(still_.nodes()[b].box, {}))};
+        return {a, b, earliest(sweep(moving_.nodes()[a].box, offset_), sweep(still_.nodes()[b].box, {}))};
     }
 
     void push(std::uint32_t a, std::uint32_t b) {
@@ -151,8 +148,8 @@ class Slide {
         bool found;
         double way;
     };
-    Contact first_contact(const Corners& a, const Corners& b, double way, double end, double level,
-                          double reached, int heading = 1) const {
+    Contact first_contact(const Corners& a, const Corners& b, double way, double end, double level, double reached,
+                          int heading = 1) const {
         for (int step = 0; step < kNewtonSteps; ++step) {
             const ClosestPoints now = closest(a, b, way);
             if (now.distance <= reached) return {true, way};
@@ -169,16 +166,14 @@ class Slide {
         Vec3 sweep;
         sweep[axis_] = sign_ * best_;
         if (plane_separation(a, b, sweep) >= gap_ - kSlideTolerance / 2) return best_;
-        const Contact stop =
-            first_contact(a, b, 0, best_, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
+        const Contact stop = first_contact(a, b, 0, best_, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
         if (!stop.found) return best_;
         const double now = closest(a, b, stop.way).distance;
         // The gap's own floor does not sink with repeated moves; that of a pair too near to begin
         // with follows it, a sixteenth for the iteration to end in.
         const double floor = std::min(gap_ - kSlideTolerance, now - kSlideTolerance / 8);
         if (floor <= 0) return 0;
-        const Contact fall =
-            first_contact(a, b, stop.way, best_, floor, floor + kSlideTolerance / 16);
+        const Contact fall = first_contact(a, b, stop.way, best_, floor, floor + kSlideTolerance / 16);
         return fall.found ? stop.way : best_;
     }
 
@@ -260,8 +255,8 @@ class Slide {
 
 }  // namespace
 
-double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-             double gap, double at_most) {
+double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap,
+             double at_most) {
     return Slide(moving, offset, still, direction, gap, at_most).run();
 }
 

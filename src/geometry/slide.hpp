@@ -37,7 +37,7 @@ inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave
 /// Newton's iteration from before the contact approaches it from before, never passes it, and can
 /// stop at any step (slide.cpp). Time: grows with the triangles whose swept boxes come within the
 /// gap. Preconditions: gap >= 0 and at_most >= 0, finite.
-double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
-             double gap, double at_most);
+double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap,
+             double at_most);
 
 }  // namespace spectralpack

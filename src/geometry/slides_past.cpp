@@ -55,8 +55,12 @@ class Passage {
     SeenBox seen(const Box& box, const Vec3& offset) const {
         const int axis = direction_.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
         const double low = box.min[axis] + offset[axis], high = box.max[axis] + offset[axis];
-        return {direction_.sign > 0 ? low : -high, direction_.sign > 0 ? high : -low, box.min[u] + offset[u],
-                box.max[u] + offset[u],            box.min[v] + offset[v],            box.max[v] + offset[v]};
+        return {direction_.sign > 0 ? low : -high,
+                direction_.sign > 0 ? high : -low,
+                box.min[u] + offset[u],
+                box.max[u] + offset[u],
+                box.min[v] + offset[v],
+                box.max[v] + offset[v]};
     }
 
     /// Nothing of a meets anything of b on the way, by their boxes.
@@ -92,8 +96,8 @@ class Passage {
         if (enter >= end_) return false;
         const bool flat = enter >= -kRecovery && leave <= kRecovery;
         if (flat && faces_known_) {
-            // Two faces on each other. If a trails with its face and b's looks after it, they part. If they look at each
-            // other and have passed, the solids overlap a little already.
+            // Two faces on each other. If a trails with its face and b's looks after it, they part. If they look at
+            // each other and have passed, the solids overlap a little already.
             if (a.facing() < 0 && b.facing() > 0) return false;
             if (a.facing() > 0 && b.facing() < 0) return true;
         }

@@ -34,9 +34,7 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
     return product;
 }
 
-inline Mat3 operator*(double s, const Mat3& m) {
-    return {{s * m.rows[0], s * m.rows[1], s * m.rows[2]}};
-}
+inline Mat3 operator*(double s, const Mat3& m) { return {{s * m.rows[0], s * m.rows[1], s * m.rows[2]}}; }
 
 inline double determinant(const Mat3& m) { return dot(m.rows[0], cross(m.rows[1], m.rows[2])); }
 
@@ -50,8 +48,6 @@ struct Transform {
 inline Vec3 operator*(const Transform& t, const Vec3& p) { return t.linear * p + t.translation; }
 
 /// First b, then a.
-inline Transform operator*(const Transform& a, const Transform& b) {
-    return {a.linear * b.linear, a * b.translation};
-}
+inline Transform operator*(const Transform& a, const Transform& b) { return {a.linear * b.linear, a * b.translation}; }
 
 }  // namespace spectralpack

@@ -16,8 +16,8 @@ struct Interval {
 
 /// Signed distances of b's corners from the plane of a. None unless some are further than
 /// `tolerance` on either side.
-std::optional<std::array<double, 3>> sides(const Corners& a, const Vec3& unit_normal,
-                                           const Corners& b, double tolerance) {
+std::optional<std::array<double, 3>> sides(const Corners& a, const Vec3& unit_normal, const Corners& b,
+                                           double tolerance) {
     std::array<double, 3> side{};
     bool above = false, below = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -32,8 +32,7 @@ std::optional<std::array<double, 3>> sides(const Corners& a, const Vec3& unit_no
 
 /// Where a triangle with corners on both sides of a plane meets a line in that plane, as positions
 /// along `direction`.
-Interval span_on(const Corners& t, const std::array<double, 3>& side, const Vec3& direction,
-                 const Vec3& origin) {
+Interval span_on(const Corners& t, const std::array<double, 3>& side, const Vec3& direction, const Vec3& origin) {
     Interval span{Box::kInfinity, -Box::kInfinity};
     const auto meet = [&](double position) {
         span.low = std::min(span.low, position);
@@ -54,8 +53,8 @@ Vec3 unit(const Vec3& v) {
 }
 
 bool meet(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-           a.min.z <= b.max.z && b.min.z <= a.max.z;
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+           b.min.z <= a.max.z;
 }
 
 Box box_of(const Corners& corners) {
@@ -71,8 +70,7 @@ class Search {
     Search(const Mesh& mesh, double tolerance)
         : tree_(mesh),
           tolerance_(tolerance),
-          steps_left_(kLeastSteps +
-                      kStepsPerTriangle * static_cast<std::int64_t>(mesh.triangles.size())) {}
+          steps_left_(kLeastSteps + kStepsPerTriangle * static_cast<std::int64_t>(mesh.triangles.size())) {}
 
     SelfCrossings run() {
         if (!tree_.nodes().empty()) within(0);
@@ -142,8 +140,7 @@ class Search {
 }  // namespace
 
 std::optional<Vec3> crossing_point(const Corners& a, const Corners& b, double tolerance) {
-    const Vec3 normal_a = unit(cross(a[1] - a[0], a[2] - a[0])),
-               normal_b = unit(cross(b[1] - b[0], b[2] - b[0]));
+    const Vec3 normal_a = unit(cross(a[1] - a[0], a[2] - a[0])), normal_b = unit(cross(b[1] - b[0], b[2] - b[0]));
     const auto side_b = sides(a, normal_a, b, tolerance);
     if (!side_b) return std::nullopt;
     const auto side_a = sides(b, normal_b, a, tolerance);
@@ -151,8 +148,7 @@ std::optional<Vec3> crossing_point(const Corners& a, const Corners& b, double to
     const Vec3 line = unit(cross(normal_a, normal_b));
     if (line == Vec3{}) return std::nullopt;
     const Vec3& origin = a[0];
-    const Interval on_a = span_on(a, *side_a, line, origin),
-                   on_b = span_on(b, *side_b, line, origin);
+    const Interval on_a = span_on(a, *side_a, line, origin), on_b = span_on(b, *side_b, line, origin);
     const double low = std::max(on_a.low, on_b.low), high = std::min(on_a.high, on_b.high);
     if (!(high - low > tolerance)) return std::nullopt;
     // A point of the line of intersection: where an edge of a passes through the plane of b, then
@@ -166,8 +162,6 @@ std::optional<Vec3> crossing_point(const Corners& a, const Corners& b, double to
     return point + ((low + high) / 2 - dot(point - origin, line)) * line;
 }
 
-SelfCrossings self_crossings(const Mesh& mesh, double tolerance) {
-    return Search(mesh, tolerance).run();
-}
+SelfCrossings self_crossings(const Mesh& mesh, double tolerance) { return Search(mesh, tolerance).run(); }
 
 }  // namespace spectralpack

@@ -67,9 +67,7 @@ class Closest {
 
     /// `swapped`: the corner is b's, the triangle a.
     void corner_to_triangle(const Vec3& p, const Prepared& t, bool swapped) {
-        const auto offer_point = [&](const Vec3& on_t) {
-            swapped ? offer(on_t, p) : offer(p, on_t);
-        };
+        const auto offer_point = [&](const Vec3& on_t) { swapped ? offer(on_t, p) : offer(p, on_t); };
         for (int i = 0; i < 3; ++i) {
             const double s = dot(p - t.corner[i], t.edge[i]) * t.inverse_square[i];
             offer_point(t.corner[i] + std::clamp(s, 0.0, 1.0) * t.edge[i]);
@@ -104,8 +102,7 @@ class Closest {
     /// Does an edge of `t` pass through the inside of `through`? `side`: where t's corners lie.
     /// What only touches is found by the other tests. The plane of a needle may be noise, so where
     /// signs say that the edge passes, the point in question decides. `swapped`: t is b.
-    bool passes_through(const Prepared& t, const std::array<double, 3>& side,
-                        const Prepared& through, bool swapped) {
+    bool passes_through(const Prepared& t, const std::array<double, 3>& side, const Prepared& through, bool swapped) {
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3;
             if (!((side[i] < 0 && side[j] > 0) || (side[i] > 0 && side[j] < 0))) continue;
@@ -132,9 +129,7 @@ class Closest {
 
 }  // namespace
 
-ClosestPoints closest_points(const Corners& a, const Corners& b) {
-    return Closest(a, b).find();
-}
+ClosestPoints closest_points(const Corners& a, const Corners& b) { return Closest(a, b).find(); }
 
 double plane_separation(const Corners& a, const Corners& b, const Vec3& sweep) {
     // Any direction gives a bound, so it does not matter how exact a needle's normal is.
@@ -145,12 +140,9 @@ double plane_separation(const Corners& a, const Corners& b, const Vec3& sweep) {
         if (!(square > 0)) continue;
         const double swept = dot(normal, sweep);
         const double a1 = dot(normal, a[1] - a[0]), a2 = dot(normal, a[2] - a[0]);
-        const double b0 = dot(normal, b[0] - a[0]), b1 = dot(normal, b[1] - a[0]),
-                     b2 = dot(normal, b[2] - a[0]);
-        const double above =
-            std::min({b0, b1, b2}) - std::max({0.0, a1, a2}) - std::max(0.0, swept);
-        const double below =
-            std::min({0.0, a1, a2}) + std::min(0.0, swept) - std::max({b0, b1, b2});
+        const double b0 = dot(normal, b[0] - a[0]), b1 = dot(normal, b[1] - a[0]), b2 = dot(normal, b[2] - a[0]);
+        const double above = std::min({b0, b1, b2}) - std::max({0.0, a1, a2}) - std::max(0.0, swept);
+        const double below = std::min({0.0, a1, a2}) + std::min(0.0, swept) - std::max({b0, b1, b2});
         most = std::max(most, std::max(above, below) / std::sqrt(square));
     }
     return most;

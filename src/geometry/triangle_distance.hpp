@@ -22,9 +22,7 @@ struct ClosestPoints {
 /// Preconditions: finite coordinates.
 ClosestPoints closest_points(const Corners& a, const Corners& b);
 
-inline double distance(const Corners& a, const Corners& b) {
-    return closest_points(a, b).distance;
-}
+inline double distance(const Corners& a, const Corners& b) { return closest_points(a, b).distance; }
 
 /// A lower bound of the distance between b and a moved by any part of `sweep`, from the planes of
 /// the two: a tenth of the work. Negative or 0 where the planes say nothing.

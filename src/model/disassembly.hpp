@@ -14,7 +14,8 @@ namespace spectralpack {
 
 /// One copy, or several as one rigid group, leave their company.
 struct RemovalStep {
-    std::vector<int> placements;  ///< indices into TrayPacking::placements, ascending; all of one company, not all of it
+    std::vector<int>
+        placements;  ///< indices into TrayPacking::placements, ascending; all of one company, not all of it
     /// Translations made one after the other from where the placements stand in the packing (the way their company
     /// has gone before does not matter: it moved as one), mm; each keeps clear of what is left of the company. The
     /// last one ends wholly outside the bounding box of that. Empty where nothing is left of it.
@@ -32,7 +33,7 @@ struct InterlockCounts {
     int added = 0;       ///< copies that had found no place before and did so then
 
     InterlockCounts operator+(const InterlockCounts& other) const {
-        return {straight + other.straight, flooded + other.flooded, groups + other.groups, fills + other.fills,
+        return {straight + other.straight, flooded + other.flooded,       groups + other.groups, fills + other.fills,
                 removed + other.removed,   reinserted + other.reinserted, added + other.added};
     }
 };

@@ -15,7 +15,7 @@ struct JobSettings {
     std::string file;            ///< the job file, for messages
     std::optional<double> unit;  ///< mm per unit for mesh files that do not say theirs
     PackOptions options;
-    bool sized = false;          ///< the file says how large the tray is, or by which printer
+    bool sized = false;  ///< the file says how large the tray is, or by which printer
     ContainerSource container;
     std::vector<FixedSource> fixed;
     std::optional<std::string> onto;  ///< a packing file, usable from the working directory

@@ -19,9 +19,12 @@ bool parse_whole(std::string_view text, Number& number) {
 
 std::vector<Mat3> sampled(const RotationSpec& rotations) {
     switch (rotations.sampling) {
-        case RotationSpec::Sampling::none: return {Mat3{}};
-        case RotationSpec::Sampling::euler: return euler_orientations(rotations.step);
-        case RotationSpec::Sampling::icosahedron: return icosahedral_orientations(rotations.subdivisions);
+        case RotationSpec::Sampling::none:
+            return {Mat3{}};
+        case RotationSpec::Sampling::euler:
+            return euler_orientations(rotations.step);
+        case RotationSpec::Sampling::icosahedron:
+            return icosahedral_orientations(rotations.subdivisions);
     }
     return {};
 }
@@ -29,9 +32,12 @@ std::vector<Mat3> sampled(const RotationSpec& rotations) {
 /// A turn that makes the part's axis point up.
 Mat3 upward(const SignedAxis& up) {
     switch (up.axis) {
-        case 0: return turn_about(1, up.positive ? -90 : 90);
-        case 1: return turn_about(0, up.positive ? 90 : -90);
-        default: return turn_about(0, up.positive ? 0 : 180);
+        case 0:
+            return turn_about(1, up.positive ? -90 : 90);
+        case 1:
+            return turn_about(0, up.positive ? 90 : -90);
+        default:
+            return turn_about(0, up.positive ? 0 : 180);
     }
 }
 
@@ -74,9 +80,12 @@ RotationSpec parse_rotations(const std::string& rotations) {
 
 double yaw_step(const RotationSpec& rotations) {
     switch (rotations.sampling) {
-        case RotationSpec::Sampling::none: return 360;
-        case RotationSpec::Sampling::euler: return rotations.step;
-        case RotationSpec::Sampling::icosahedron: return icosahedral_roll(rotations.subdivisions);
+        case RotationSpec::Sampling::none:
+            return 360;
+        case RotationSpec::Sampling::euler:
+            return rotations.step;
+        case RotationSpec::Sampling::icosahedron:
+            return icosahedral_roll(rotations.subdivisions);
     }
     return 360;
 }
@@ -99,7 +108,8 @@ std::optional<Mat3> as_rotation(const Mat3& matrix) {
 std::vector<Mat3> orientation_set(const RotationSpec& rotations, const PartOrientations& part, const Mat3& box_frame) {
     using Kind = PartOrientations::Kind;
     switch (part.kind) {
-        case Kind::fixed: return {Mat3{}};
+        case Kind::fixed:
+            return {Mat3{}};
         case Kind::upright:
             require_step(yaw_step(rotations), "a rotation step");
             return turned_about_vertical({SignedAxis{}}, yaw_step(rotations));
@@ -108,8 +118,10 @@ std::vector<Mat3> orientation_set(const RotationSpec& rotations, const PartOrien
             require_step(yaw, "a turn about the vertical");
             return turned_about_vertical(part.up, yaw);
         }
-        case Kind::matrices: return distinct(part.matrices);
-        case Kind::any: break;
+        case Kind::matrices:
+            return distinct(part.matrices);
+        case Kind::any:
+            break;
     }
     std::vector<Mat3> set = sampled(rotations);
     if (!rotations.box || box_frame == Mat3{}) return set;

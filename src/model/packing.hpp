@@ -32,7 +32,7 @@ struct KeepOut {
 
 /// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
 struct Container {
-    Vec3 size;                 ///< with open height, z is the height reached
+    Vec3 size;  ///< with open height, z is the height reached
     std::optional<StandingMesh> mesh = {};
     std::vector<KeepOut> keep_out = {};
     bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
@@ -63,8 +63,8 @@ struct TrayPacking {
     std::vector<Placement> placements;  ///< in the order they were placed
     double density = 0;                 ///< signed volumes / container volume
     double density_bounding_box = 0;
-    Box bounding_box;                   ///< of the placed meshes; empty without placements
-    double height = 0;                  ///< top of the bounding box
+    Box bounding_box;   ///< of the placed meshes; empty without placements
+    double height = 0;  ///< top of the bounding box
     Layers layers;
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
@@ -85,13 +85,13 @@ struct PhaseSeconds {
 struct Metrics {
     std::int64_t copies = 0;
     std::int64_t placed = 0;
-    double density = 0;              ///< over all trays
-    std::optional<double> min_gap;   ///< measured, mm; none where it was not measured
+    double density = 0;             ///< over all trays
+    std::optional<double> min_gap;  ///< measured, mm; none where it was not measured
     PhaseSeconds seconds;
     std::optional<InterlockCounts> interlock;  ///< over all trays; none where interlocking was not looked at
-    std::int64_t searches = 0;       ///< copies searched for, skipped copies not counted
-    std::int64_t verified = 0;       ///< placements answered alike by the verifying engine
-    int orders = 1;                  ///< packed in, of which the best was kept
+    std::int64_t searches = 0;                 ///< copies searched for, skipped copies not counted
+    std::int64_t verified = 0;                 ///< placements answered alike by the verifying engine
+    int orders = 1;                            ///< packed in, of which the best was kept
     std::int64_t peak_memory = 0;
     std::string engine;
     int threads = 0;

@@ -18,9 +18,7 @@ bool in_top(const Mesh& mesh, const Triangle& triangle, double top) {
 
 }  // namespace
 
-Mesh surface_of(const KeepOut& keep_out) {
-    return keep_out.mesh ? *keep_out.mesh->surface : box_surface(keep_out.box);
-}
+Mesh surface_of(const KeepOut& keep_out) { return keep_out.mesh ? *keep_out.mesh->surface : box_surface(keep_out.box); }
 
 std::vector<Mesh> physical_surfaces(const Container& container) {
     Mesh walls = container_surface(container);

@@ -32,9 +32,8 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 std::span<const Printer> printers() { return kPrinters; }
 
 const Printer* find_printer(std::string_view name) {
-    const auto found = std::ranges::find_if(kPrinters, [&](const Printer& printer) {
-        return std::ranges::equal(printer.name, name, {}, {}, lower);
-    });
+    const auto found = std::ranges::find_if(
+        kPrinters, [&](const Printer& printer) { return std::ranges::equal(printer.name, name, {}, {}, lower); });
     return found == kPrinters.end() ? nullptr : &*found;
 }
 

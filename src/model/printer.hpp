@@ -14,11 +14,11 @@ struct Printer {
     std::string_view name;   ///< as on the command line
     std::string_view title;  ///< for people
     Vec3 size;
-    double gap = 0;          ///< between two copies
-    double wall = 0;         ///< to the side walls
-    double floor = 0;        ///< to the floor
-    std::string_view source; ///< of the size
-    bool verified = false;   ///< the size was compared with its source; clearances never are
+    double gap = 0;           ///< between two copies
+    double wall = 0;          ///< to the side walls
+    double floor = 0;         ///< to the floor
+    std::string_view source;  ///< of the size
+    bool verified = false;    ///< the size was compared with its source; clearances never are
 
     /// One clearance holds for walls and floor: the larger of the two.
     double wall_gap() const { return wall < floor ? floor : wall; }

@@ -59,8 +59,15 @@ class Beam {
   public:
     Beam(const BeamSetup& setup, const CostModel& model, const std::vector<PackItem>& items, ShapeStore& shapes,
          const Settle& settle, const StopToken& stop, GreedyResult& result, int most_layers)
-        : setup_(setup), model_(model), items_(items), shapes_(shapes), settle_(settle), stop_(stop), result_(result),
-          most_layers_(most_layers), released_(items.size(), false) {}
+        : setup_(setup),
+          model_(model),
+          items_(items),
+          shapes_(shapes),
+          settle_(settle),
+          stop_(stop),
+          result_(result),
+          most_layers_(most_layers),
+          released_(items.size(), false) {}
 
     void run(Tray& tray, const ItemDone& item_done) {
         State first{tray, setup_.make_engine(), std::vector<Copy>(items_.size(), Copy::waiting), {}, {}, {}};
@@ -100,8 +107,8 @@ class Beam {
             const int of_item = setup_.ranks[static_cast<std::size_t>(item.part)];
             if (rank && of_item != *rank) break;
             const Shape& shape = shapes_.at(k);
-            const SearchResult answer = find_place(state.tray, *state.engine, model_, item, shape,
-                                                   {nullptr, most_layers_}, stop_);
+            const SearchResult answer =
+                find_place(state.tray, *state.engine, model_, item, shape, {nullptr, most_layers_}, stop_);
             stopped_ = answer.stopped;
             if (stopped_) return true;
             ++result_.searches;
@@ -195,8 +202,8 @@ class Beam {
     void release() {
         for (std::size_t k = 0; k < items_.size(); ++k) {
             if (released_[k]) continue;
-            released_[k] = std::none_of(states_.begin(), states_.end(),
-                                        [k](const State& state) { return state.waits_for(k); });
+            released_[k] =
+                std::none_of(states_.begin(), states_.end(), [k](const State& state) { return state.waits_for(k); });
             if (released_[k]) shapes_.release(k, false);
         }
     }

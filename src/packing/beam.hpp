@@ -22,11 +22,11 @@ struct BeamSetup {
 /// only the first, so that it is pack_greedily().
 inline constexpr int kBeamBranch = 2;
 
-/// Packs `items` into `tray` as pack_greedily() does, but not in one order. A state is a tray in which some copies stand.
-/// Each goes on by one copy, at its best placement, in up to kBeamBranch ways; of all states that result, the `width`
-/// with the least cost go on: the sum of the costs of the copies placed by the sum of their voxels (with height at the
-/// top, that of top layers times voxels by the sum of voxels, then that of proximities). States in which copies of the
-/// same parts stand alike are one. Ties go to the earlier state, then the earlier copy. A state where nothing
+/// Packs `items` into `tray` as pack_greedily() does, but not in one order. A state is a tray in which some copies
+/// stand. Each goes on by one copy, at its best placement, in up to kBeamBranch ways; of all states that result, the
+/// `width` with the least cost go on: the sum of the costs of the copies placed by the sum of their voxels (with height
+/// at the top, that of top layers times voxels by the sum of voxels, then that of proximities). States in which copies
+/// of the same parts stand alike are one. Ties go to the earlier state, then the earlier copy. A state where nothing
 /// finds a place any more is done; the result is the one with the best score, its copies in the order in which they
 /// were placed: pack_greedily() in that order gives the same packing. When stopped, the best of what there is.
 /// Deterministic; about width * kBeamBranch times the searches of pack_greedily(), and a tray and an engine a state.

@@ -69,8 +69,8 @@ class Caps {
 
     CapSetup setup_;
     CapParts parts_;
-    double volume_ = 0;                                    // placed
-    std::vector<double> area_;                             // by layer, placed
+    double volume_ = 0;                                            // placed
+    std::vector<double> area_;                                     // by layer, placed
     std::map<std::pair<int, int>, std::vector<double>> profiles_;  // by part and orientation, in layer 0
     AllowedLayers allowed_;
 };

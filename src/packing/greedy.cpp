@@ -16,8 +16,9 @@ void grow(Tray& tray, int enough, int most_layers) {
     if (most_layers > 0) {
         wanted = std::min(wanted, most_layers);
         if (wanted < enough || wanted <= layers) {
-            throw ResourceError("the packing grows beyond the height that memory allows; a larger base, coarser "
-                                "voxels or more memory would help");
+            throw ResourceError(
+                "the packing grows beyond the height that memory allows; a larger base, coarser "
+                "voxels or more memory would help");
         }
     }
     tray = grown(tray, wanted);
@@ -30,8 +31,7 @@ class Placer {
 
     Placer(Tray& tray, PlacementSearch& search, const CostModel& model, const Settle& settle, const StopToken& stop,
            GreedyResult& result, const GreedyLimits& limits)
-        : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result),
-          limits_(limits) {}
+        : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result), limits_(limits) {}
 
     template <class ShapeOf>
     Outcome place(const PackItem& item, const ShapeOf& shape_of) {
@@ -87,10 +87,9 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& mo
     }
 }
 
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
-                   const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
-                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
-                   const GreedyLimits& limits) {
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PackItem>& items,
+                   ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                   GreedyResult& result, const GreedyLimits& limits) {
     Placer placer(tray, search, model, settle, stop, result, limits);
     std::unordered_set<int> hopeless;  // parts that found no place
     const auto most_hopeless = static_cast<std::size_t>(limits.give_up_after);
@@ -117,10 +116,9 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
     }
 }
 
-void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
-                    const std::vector<PartShare>& shares, ShapeStore& shapes, const Settle& settle,
-                    const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
-                    const GreedyLimits& limits) {
+void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
+                    ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                    GreedyResult& result, const GreedyLimits& limits) {
     struct Candidate {
         std::size_t index;  // in `shares`
         int placed = 0;
@@ -141,9 +139,8 @@ void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
             return static_cast<double>(shares[part.index].share) * static_cast<double>(placed + 1) -
                    static_cast<double>(part.placed) * static_cast<double>(all);
         };
-        const auto next = std::max_element(open.begin(), open.end(), [&](const Candidate& a, const Candidate& b) {
-            return lacks(a) < lacks(b);
-        });
+        const auto next = std::max_element(open.begin(), open.end(),
+                                           [&](const Candidate& a, const Candidate& b) { return lacks(a) < lacks(b); });
         const auto outcome = placer.place({shares[next->index].part, next->placed},
                                           [&]() -> const Shape& { return shapes.at(next->index); });
         if (outcome == Placer::Outcome::stopped) return;

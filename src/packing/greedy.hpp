@@ -38,9 +38,9 @@ struct GreedyResult {
 
 /// What else decides whether a copy is placed.
 struct GreedyLimits {
-    Caps* caps = nullptr;  ///< of this tray; null: none
-    int most_layers = 0;   ///< without a ceiling: how high the grid may grow; 0: as it needs
-    int give_up_after = 0; ///< parts that find no place; the rest is not tried then. 0: never
+    Caps* caps = nullptr;   ///< of this tray; null: none
+    int most_layers = 0;    ///< without a ceiling: how high the grid may grow; 0: as it needs
+    int give_up_after = 0;  ///< parts that find no place; the rest is not tried then. 0: never
 };
 
 /// The best placement of `shape`, a copy of item.part, within the limits. Under an open ceiling `tray` is replaced by a
@@ -56,10 +56,9 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& mo
 /// Under an open ceiling `tray` is replaced by a higher one whenever a place above its grid could be the best
 /// (packing/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is left
 /// over; throws ResourceError where that takes more than most_layers.
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model,
-                   const std::vector<PackItem>& items, ShapeStore& shapes, const Settle& settle,
-                   const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
-                   const GreedyLimits& limits = {});
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PackItem>& items,
+                   ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                   GreedyResult& result, const GreedyLimits& limits = {});
 
 /// A part and how many of its copies there should be for so many of the others'.
 struct PartShare {
@@ -70,9 +69,8 @@ struct PartShare {
 /// As many copies as find a place: each time one of the part that lacks most of its share among the parts that still
 /// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part.
 /// `shapes`: one item a part, in the order of `shares`. Nothing is left over.
-void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
-                    const std::vector<PartShare>& shares, ShapeStore& shapes, const Settle& settle,
-                    const ItemDone& item_done, const StopToken& stop, GreedyResult& result,
-                    const GreedyLimits& limits = {});
+void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
+                    ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                    GreedyResult& result, const GreedyLimits& limits = {});
 
 }  // namespace spectralpack

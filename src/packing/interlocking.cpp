@@ -21,9 +21,7 @@ using Clock = std::chrono::steady_clock;
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
 constexpr double kShareToRemove = 0.1;
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Those of `set`, which hold each other, that are taken out before trying again. Fixed copies stay.
 std::vector<int> select_remove(const std::vector<int>& set, const std::vector<StandingPart>& parts, TakeOut rule) {
@@ -62,7 +60,11 @@ class Untangling {
   public:
     Untangling(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                const StopToken& stop)
-        : tray_(tray), search_(search), placed_(placed), setup_(setup), stop_(stop),
+        : tray_(tray),
+          search_(search),
+          placed_(placed),
+          setup_(setup),
+          stop_(stop),
           standing_(setup, tray, placed, search, stop) {}
 
     Untangled run() {
@@ -175,8 +177,9 @@ class Untangling {
         put_in(std::move(items), taken_out);
     }
 
-    /// Under an open ceiling what was taken out always finds a place, if only on top of all. Where that made the packing
-    /// higher, all is packed once more, each copy where it comes out from among those before it; the lower one stays.
+    /// Under an open ceiling what was taken out always finds a place, if only on top of all. Where that made the
+    /// packing higher, all is packed once more, each copy where it comes out from among those before it; the lower one
+    /// stays.
     void pack_anew_if_lower() {
         const double height_now = height();
         Untangled repaired = std::exchange(result_, {});
@@ -198,7 +201,8 @@ class Untangling {
         }
         placed_ = placed;
         for (std::size_t i = 0; i < placed_.size(); ++i) {
-            if (Caps* caps = setup_.limits.caps) caps->add(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
+            if (Caps* caps = setup_.limits.caps)
+                caps->add(placed_[i].item.part, placed_[i].orientation, placed_[i].offset);
             placed_[i].object = tray_.add(std::move(objects[i]));
         }
         result_ = std::move(repaired);

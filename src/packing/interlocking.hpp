@@ -19,8 +19,8 @@ struct InterlockSetup : StandingSetup {
     ShapeStore* shapes = nullptr;  ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
-    std::vector<PackItem> order;    ///< in which copies are put back
-    std::vector<PackItem> waiting;  ///< had found no place; are tried again where others were taken out
+    std::vector<PackItem> order;     ///< in which copies are put back
+    std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;         ///< told while planning
     Disassembler::Left to_put_back;  ///< told how many copies are still to be tried, while putting back
 };
@@ -34,24 +34,25 @@ struct InterlockReport {
 };
 
 struct Untangled {
-    Disassembly plan;                  ///< by index into `placed`
-    std::vector<PackItem> interlocked; ///< taken out for good
+    Disassembly plan;                   ///< by index into `placed`
+    std::vector<PackItem> interlocked;  ///< taken out for good
     InterlockReport report;
 };
 
 /// Disassembles what `placed` and `tray` hold. While something is stuck, takes out of each stuck set what the rule says
-/// and goes on; then lets stand what need not go after all, lighter copies instead of heavier ones. Then puts back what was
-/// taken out, and puts in what had found no place, in the order of the job: each at its best placement if it comes out
-/// from there when its turn comes, or else at its best reachable one, on the grid. Without a ceiling all is packed anew
-/// where that made the packing higher, and the lower one stays. `placed` and `tray` end as the packing that the plan is of.
-/// When stopped, the plan is complete only if all that stands had been planned by then, and what has been found interlocked
-/// until then is out; what had not been tried by then is not among `interlocked`. (docs/algorithm.md, section 11)
+/// and goes on; then lets stand what need not go after all, lighter copies instead of heavier ones. Then puts back what
+/// was taken out, and puts in what had found no place, in the order of the job: each at its best placement if it comes
+/// out from there when its turn comes, or else at its best reachable one, on the grid. Without a ceiling all is packed
+/// anew where that made the packing higher, and the lower one stays. `placed` and `tray` end as the packing that the
+/// plan is of. When stopped, the plan is complete only if all that stands had been planned by then, and what has been
+/// found interlocked until then is out; what had not been tried by then is not among `interlocked`. (docs/algorithm.md,
+/// section 11)
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 
 /// Makes the plan for parts that stand; takes nothing out. `interlocked` names the sets that hold each other, of the
 /// first `copies` parts: what comes after them is a container.
-Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts,
-                             std::size_t copies, const Disassembler::Left& left);
+Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts, std::size_t copies,
+                             const Disassembler::Left& left);
 
 }  // namespace spectralpack

@@ -32,7 +32,8 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
         const TrayItems wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
         FilledTray& tray = result.trays.emplace_back();
         try {
-            filler.fill(wanted, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
+            filler.fill(
+                wanted, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;

@@ -16,8 +16,8 @@ struct TraysLimit {
 
 struct TraysResult {
     std::vector<FilledTray> trays;
-    std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried to
-                                      ///< the end, or is interlocked
+    std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
+                                      ///< to the end, or is interlocked
     /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
     /// `trays`.
     bool stuck = false;

@@ -51,8 +51,7 @@ double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr
 }
 
 void measure_tray(TrayPacking& tray, const Container& container, const std::vector<Part>& parts,
-                  const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness,
-                  const Workers& workers) {
+                  const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness, const Workers& workers) {
     const std::size_t count = tray.placements.size();
     const auto layers = static_cast<std::size_t>(std::ceil(container.size.z / thickness - 1e-9));
     tray.layers = {thickness, std::vector<double>(layers, 0)};
@@ -67,8 +66,7 @@ void measure_tray(TrayPacking& tray, const Container& container, const std::vect
         workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
             const Placement& placement = tray.placements[begin + k];
-            const Mesh placed = transformed(*meshes[static_cast<std::size_t>(placement.part)],
-                                            placement.transform);
+            const Mesh placed = transformed(*meshes[static_cast<std::size_t>(placement.part)], placement.transform);
             boxes[begin + k] = bounding_box(placed);
             add_section_areas(placed, thickness, areas[k]);
         });

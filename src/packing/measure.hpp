@@ -24,7 +24,6 @@ double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr
 /// `meshes` by part, in the mesh file's own coordinates. Layer areas are those of the cross-section half way up
 /// each layer (signed, so hollows count as empty); a layer is `thickness` mm.
 void measure_tray(TrayPacking& tray, const Container& container, const std::vector<Part>& parts,
-                  const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness,
-                  const Workers& workers);
+                  const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness, const Workers& workers);
 
 }  // namespace spectralpack

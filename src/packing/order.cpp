@@ -23,11 +23,15 @@ constexpr double kFarthest = 0.2;  // of all copies, that one goes back
 /// What an order by size sorts by, largest first.
 double size_of(const PartSize& part, Order order) {
     switch (order) {
-        case Order::size: return part.box_volume;
-        case Order::volume: return part.volume;
-        case Order::mixed: return std::sqrt(part.box_volume * std::max(0.0, part.volume));
+        case Order::size:
+            return part.box_volume;
+        case Order::volume:
+            return part.volume;
+        case Order::mixed:
+            return std::sqrt(part.box_volume * std::max(0.0, part.volume));
         case Order::input:
-        case Order::random: break;
+        case Order::random:
+            break;
     }
     return 0;
 }
@@ -44,9 +48,8 @@ std::vector<PackItem> without(const std::vector<PackItem>& items, const std::set
 
 std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
     std::vector<PartSize> sorted = parts;
-    std::stable_sort(sorted.begin(), sorted.end(), [&](const PartSize& a, const PartSize& b) {
-        return size_of(a, order) > size_of(b, order);
-    });
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const PartSize& a, const PartSize& b) { return size_of(a, order) > size_of(b, order); });
     std::vector<PackItem> items;
     for (const PartSize& part : sorted) {
         for (int copy = 0; copy < part.count; ++copy) {

@@ -42,12 +42,12 @@ struct PartSize {
 /// Before that, in every order: higher priority first, then earlier due date.
 std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
 
-/// Which parts go first whatever the order, by part: lower ranks first, and only copies of equal rank may change places.
-/// `parts` in any order; parts that are not among them rank 0.
+/// Which parts go first whatever the order, by part: lower ranks first, and only copies of equal rank may change
+/// places. `parts` in any order; parts that are not among them rank 0.
 std::vector<int> urgency_ranks(const std::vector<PartSize>& parts);
 
-/// Another order, not far from `items`: each copy goes back by up to a fifth of their number, at random, and none passes
-/// one of another rank.
+/// Another order, not far from `items`: each copy goes back by up to a fifth of their number, at random, and none
+/// passes one of another rank.
 std::vector<PackItem> perturbed(const std::vector<PackItem>& items, const std::vector<int>& ranks,
                                 RandomStream& random);
 

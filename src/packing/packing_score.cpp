@@ -5,8 +5,8 @@
 
 namespace spectralpack {
 
-PackingScore score_packing(const std::vector<PackItem>& items,
-                           const std::vector<const std::vector<PlacedItem>*>& trays, const PackingMeasures& measures) {
+PackingScore score_packing(const std::vector<PackItem>& items, const std::vector<const std::vector<PlacedItem>*>& trays,
+                           const PackingMeasures& measures) {
     std::map<int, std::int64_t> missing;  // copies by part
     for (const PackItem& item : items) {
         ++missing[item.part];

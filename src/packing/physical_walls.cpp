@@ -49,7 +49,8 @@ void set_outside_box(BitGrid& grid, const GridPlace& place, const Vec3& size) {
 
 }  // namespace
 
-StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner, const Workers& workers) {
+StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner,
+                            const Workers& workers) {
     auto voxels = std::make_shared<BitGrid>(Tray(grid).extent());
     const GridPlace place{corner, grid.voxel_size};
     set_outside_box(*voxels, place, container.size);
@@ -71,7 +72,8 @@ TrayObject PhysicalWalls::moved(TrayObject object) const {
     return object;
 }
 
-PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap, const Workers& workers) {
+PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap,
+                             const Workers& workers) {
     const double dx = tray.voxel_size;
     PhysicalWalls walls;
     walls.margin = static_cast<int>(std::ceil(wall_gap / dx)) + 1;

@@ -24,14 +24,15 @@ class ReachableSearch final : public PlacementSearch {
         : engine_(engine), walls_(walls) {}
 
     /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. A walk
-    /// outwards answers that and is remembered while the engine searches, so that each position is visited once at most.
+    /// outwards answers that and is remembered while the engine searches, so that each position is visited once at
+    /// most.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         return engine_.free_positions(tray, shape, index, query);
     }
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
-                                             const FreeQuery& query) override {
+                                               const FreeQuery& query) override {
         return engine_.free_tiles(tray, std::move(solid), query);
     }
     const char* name() const override { return engine_.name(); }
@@ -44,8 +45,8 @@ class ReachableSearch final : public PlacementSearch {
 
     PlacementSearch& engine_;
     const PhysicalWalls* walls_;
-    std::optional<Tray> finest_;            // where collisions are decided on finer voxels than positions, or with walls
-    std::uint64_t followed_ = 0;            // the tray that it follows
+    std::optional<Tray> finest_;  // where collisions are decided on finer voxels than positions, or with walls
+    std::uint64_t followed_ = 0;  // the tray that it follows
 };
 
 }  // namespace spectralpack

@@ -4,7 +4,8 @@
 #include <utility>
 
 namespace spectralpack {
-RemovablePacking::RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps) : standing_(standing) {
+RemovablePacking::RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps)
+    : standing_(standing) {
     make(standing_.placed(), steps);
 }
 

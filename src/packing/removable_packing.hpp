@@ -15,9 +15,9 @@ class RemovablePacking {
     /// What stands comes apart by `steps`. `standing` and what it refers to outlive it.
     RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps);
 
-    /// Whether all still comes apart with `item`, the last of what is placed and already in the tray: at once, or in its
-    /// turn, after others. If so it is in the plan, else the packing is without it, and so is to be the tray. When the
-    /// setup's token stops it, there is no way.
+    /// Whether all still comes apart with `item`, the last of what is placed and already in the tray: at once, or in
+    /// its turn, after others. If so it is in the plan, else the packing is without it, and so is to be the tray. When
+    /// the setup's token stops it, there is no way.
     bool admit(const PlacedItem& item);
 
     /// By index into what is placed.

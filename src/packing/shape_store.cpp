@@ -25,7 +25,8 @@ std::int64_t bytes_of(const Shape& shape) {
 }  // namespace
 
 int ShapeStore::ahead(std::size_t orientations) {
-    return static_cast<int>(std::clamp<std::size_t>(kOrientationsAhead / std::max<std::size_t>(1, orientations), 1, kAhead));
+    return static_cast<int>(
+        std::clamp<std::size_t>(kOrientationsAhead / std::max<std::size_t>(1, orientations), 1, kAhead));
 }
 
 ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep, int ahead)

@@ -23,7 +23,8 @@ class ShapeStore {
 
     /// Parts made at a time at most: enough to keep the threads busy, few enough to hold.
     static constexpr int kAhead = 32;
-    /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all threads.
+    /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all
+    /// threads.
     static int ahead(std::size_t orientations);
 
     /// `keep`: bytes of shapes that may be held from one tray to the next. `ahead`: parts made at a time.
@@ -46,7 +47,7 @@ class ShapeStore {
     Make make_;
     Workers workers_;
     Timed timed_;
-    std::int64_t keep_;                                 // bytes that may still be held for later trays
+    std::int64_t keep_;  // bytes that may still be held for later trays
     std::size_t ahead_;
     std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next three
     std::vector<std::int64_t> kept_;                    // bytes taken from keep_

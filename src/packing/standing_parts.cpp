@@ -26,11 +26,11 @@ StandingParts::StandingParts(const StandingSetup& setup, const Tray& tray, const
     disassembly_.stop = stop;
 }
 
-bool StandingParts::grid_holds() const {
-    return setup_.walls || disassembly_.grid.size.z >= tray_.setup().size.z;
-}
+bool StandingParts::grid_holds() const { return setup_.walls || disassembly_.grid.size.z >= tray_.setup().size.z; }
 
-void StandingParts::renew_grid() { disassembly_.grid = setup_.walls ? setup_.walls->grid : finest_setup(tray_.setup()); }
+void StandingParts::renew_grid() {
+    disassembly_.grid = setup_.walls ? setup_.walls->grid : finest_setup(tray_.setup());
+}
 
 /// An object of the tray in the grid that ways out are looked for in.
 TrayObject StandingParts::in_grid(const TrayObject& object) const {

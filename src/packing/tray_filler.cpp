@@ -32,8 +32,7 @@ CapSetup cap_setup(const FillSetup& setup) {
 
 }  // namespace
 
-TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of,
-                       const Workers& workers)
+TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers)
     : setup_(std::move(setup)), search_(search), part_of_(std::move(part_of)), workers_(workers) {
     if (setup_.container.physical && setup_.interlock != Interlock::off) {
         physical_ = physical_walls(setup_.container, finest_setup(setup_.tray), setup_.wall_gap, workers_);
@@ -52,8 +51,8 @@ std::vector<StandingPart> TrayFiller::stand_fixed(int number, Tray& tray, Refine
     for (const FixedCopy& copy : setup_.fixed) {
         if (copy.tray != number) continue;
         const Mesh mesh = transformed(*copy.mesh, copy.transform);
-        StandingVoxels voxels = voxelize_at(mesh, bounding_box(mesh).min - corner,
-                                            setup_.tray.voxel_size / detail, workers_);
+        StandingVoxels voxels =
+            voxelize_at(mesh, bounding_box(mesh).min - corner, setup_.tray.voxel_size / detail, workers_);
         const auto gap_class = std::lower_bound(gaps.begin(), gaps.end(), copy.gap) - gaps.begin();
         TrayObject object = fine_object(std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position,
                                         detail, static_cast<int>(gap_class));
@@ -83,8 +82,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
     std::unique_ptr<Refinement> refinement;
     if (setup_.refine) {
         refinement = std::make_unique<Refinement>(
-            RefineSetup{setup_.container.size, setup_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
-            surfaces,
+            RefineSetup{setup_.container.size, setup_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail, surfaces,
             [&](int part, int orientation, const Vec3& offset) {
                 return !caps || caps->may_stand(part, orientation, offset);
             },
@@ -105,8 +103,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
     };
     const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers, wanted.give_up_after};
     ReachableSearch reachable(search_, physical_ ? &*physical_ : nullptr);
-    PlacementSearch& search =
-        setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
+    PlacementSearch& search = setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
     pack(tray, search, settle, limits);
     double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
@@ -146,15 +143,15 @@ void TrayFiller::fill(const TrayItems& wanted, ShapeStore& shapes, const ItemDon
                       FilledTray& result) {
     const std::vector<PackItem>& items = wanted.items;
     shapes.start_tray(items);
-    fill_one(wanted, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
-                                               const GreedyLimits& limits) {
-        if (setup_.beam) {
-            pack_in_beam(tray, *setup_.beam, setup_.model, items, shapes, settle, item_done, stop, result,
-                         limits.most_layers);
-        } else {
-            pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
-        }
-    });
+    fill_one(wanted, shapes, stop, result,
+             [&](Tray& tray, PlacementSearch& search, const Settle& settle, const GreedyLimits& limits) {
+                 if (setup_.beam) {
+                     pack_in_beam(tray, *setup_.beam, setup_.model, items, shapes, settle, item_done, stop, result,
+                                  limits.most_layers);
+                 } else {
+                     pack_greedily(tray, search, setup_.model, items, shapes, settle, item_done, stop, result, limits);
+                 }
+             });
 }
 
 void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
@@ -164,10 +161,10 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, ShapeStore
         items.push_back({share.part, 0});
     }
     shapes.start_tray(items);
-    fill_one({}, shapes, stop, result, [&](Tray& tray, PlacementSearch& search, const Settle& settle,
-                                          const GreedyLimits& limits) {
-        pack_in_shares(tray, search, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
-    });
+    fill_one({}, shapes, stop, result,
+             [&](Tray& tray, PlacementSearch& search, const Settle& settle, const GreedyLimits& limits) {
+                 pack_in_shares(tray, search, setup_.model, shares, shapes, settle, item_done, stop, result, limits);
+             });
     std::map<int, int> copies;  // by part: what was interlocked left gaps in their numbers
     for (PlacedItem& placed : result.placed) {
         placed.item.copy = copies[placed.item.part]++;

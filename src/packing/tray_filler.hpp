@@ -25,15 +25,15 @@ struct FixedCopy {
 
 /// What all trays of a job have in common, and the fixed copies of each.
 struct FillSetup {
-    TraySetup tray;          ///< the container's grid, walls and keep-outs; every tray starts from it
-    Container container;     ///< with open height its size.z is infinite
-    double wall_gap = 0;     ///< mm
+    TraySetup tray;       ///< the container's grid, walls and keep-outs; every tray starts from it
+    Container container;  ///< with open height its size.z is infinite
+    double wall_gap = 0;  ///< mm
     std::vector<FixedCopy> fixed;
     CostModel model;
     std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
     int most_layers = 0;                                ///< open height: the grid may grow to so many
-    std::optional<BeamSetup> beam;  ///< copies are not tried in one order; without refinement and caps only
-    bool refine = false;  ///< continuous refinement (section 3.2)
+    std::optional<BeamSetup> beam;         ///< copies are not tried in one order; without refinement and caps only
+    bool refine = false;                   ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
     TakeOut take_out = TakeOut::thinnest;
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
@@ -59,9 +59,9 @@ class TrayFiller {
     /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that are moved.
     TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
 
-    /// Fills a new tray with what finds a place of `wanted`; `shapes` makes their voxels. `result` as in pack_greedily();
-    /// in the end it is a packing that comes apart, unless interlocking is off. What finds no place is tried again where
-    /// interlocked copies made room, unless it is left to a next tray.
+    /// Fills a new tray with what finds a place of `wanted`; `shapes` makes their voxels. `result` as in
+    /// pack_greedily(); in the end it is a packing that comes apart, unless interlocking is off. What finds no place is
+    /// tried again where interlocked copies made room, unless it is left to a next tray.
     void fill(const TrayItems& wanted, ShapeStore& shapes, const ItemDone& item_done, const StopToken& stop,
               FilledTray& result);
 
@@ -70,7 +70,7 @@ class TrayFiller {
     void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
                         const StopToken& stop, FilledTray& result);
 
-    int trays_with_fixed() const { return trays_with_fixed_; }  ///< the number of the last such tray, plus one
+    int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }      ///< over all trays, for the record
     double untangle_seconds() const { return untangle_seconds_; }  ///< the same
     /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.

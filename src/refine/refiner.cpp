@@ -51,9 +51,7 @@ class Walk {
 
   private:
     double distance_to(const Neighbour& other) const {
-        return least_distance(*at_.surface, at_.offset, *other.copy->surface, other.copy->offset,
-                              other.gap)
-            .distance;
+        return least_distance(*at_.surface, at_.offset, *other.copy->surface, other.copy->offset, other.gap).distance;
     }
 
     /// How much of the gaps is kept here; false when a surface is crossed. (At gap 0 there is
@@ -76,11 +74,11 @@ class Walk {
 
     /// Away from the worst neighbour, along the axis that leads most directly. True if that helped.
     bool recover() {
-        const auto worst = std::max_element(
-            neighbours_.begin(), neighbours_.end(),
-            [](const Neighbour& a, const Neighbour& b) { return a.gap - a.kept < b.gap - b.kept; });
-        const ClosestPoints nearest = least_distance(
-            *at_.surface, at_.offset, *worst->copy->surface, worst->copy->offset, worst->gap);
+        const auto worst =
+            std::max_element(neighbours_.begin(), neighbours_.end(),
+                             [](const Neighbour& a, const Neighbour& b) { return a.gap - a.kept < b.gap - b.kept; });
+        const ClosestPoints nearest =
+            least_distance(*at_.surface, at_.offset, *worst->copy->surface, worst->copy->offset, worst->gap);
         const Vec3 apart = nearest.apart();
         int axis = 0;
         for (int i = 1; i < 3; ++i) {
@@ -88,8 +86,7 @@ class Walk {
         }
         const double slope = std::abs(apart[axis]) / nearest.distance;
         const double before = shortfall();
-        move({axis, apart[axis] > 0 ? 1 : -1},
-             (worst->gap - worst->kept) / slope + kSlideSlack / 2);
+        move({axis, apart[axis] > 0 ? 1 : -1}, (worst->gap - worst->kept) / slope + kSlideSlack / 2);
         return measure() && shortfall() < before;
     }
 
@@ -97,9 +94,8 @@ class Walk {
     double move(AxisDirection direction, double longest) {
         const int axis = direction.axis;
         const Box box = at_.box();
-        const double room = direction.sign > 0
-                                ? setup_.container[axis] - setup_.wall_gap - box.max[axis]
-                                : box.min[axis] - setup_.wall_gap;
+        const double room = direction.sign > 0 ? setup_.container[axis] - setup_.wall_gap - box.max[axis]
+                                               : box.min[axis] - setup_.wall_gap;
         double way = std::min(longest, room);
         if (!(way > kLeastMove)) return 0;
         Box swept = box;
@@ -112,8 +108,7 @@ class Walk {
         for (const Neighbour& other : neighbours_) {
             const Box there = other.copy->box();
             if (distance(swept, there) > other.kept + kSlideSlack) continue;
-            const double from = direction.sign > 0 ? there.min[axis] - box.max[axis]
-                                                   : box.min[axis] - there.max[axis];
+            const double from = direction.sign > 0 ? there.min[axis] - box.max[axis] : box.min[axis] - there.max[axis];
             reached.push_back({from, &other});
         }
         // Whoever is met first shortens the way for the others. The result is the least of all, in
@@ -121,8 +116,8 @@ class Walk {
         std::stable_sort(reached.begin(), reached.end(),
                          [](const Reached& a, const Reached& b) { return a.from < b.from; });
         for (const Reached& r : reached) {
-            way = slide(*at_.surface, at_.offset - r.other->copy->offset, *r.other->copy->surface,
-                        direction, r.other->kept, way);
+            way = slide(*at_.surface, at_.offset - r.other->copy->offset, *r.other->copy->surface, direction,
+                        r.other->kept, way);
             if (!(way > kLeastMove)) return 0;
         }
         at_.offset[axis] += direction.sign * way;
@@ -132,8 +127,7 @@ class Walk {
 
     /// The end again, by distances alone.
     bool proved() const {
-        return way_ == 0 ||
-               std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& other) {
+        return way_ == 0 || std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& other) {
                    return other.gap == 0 || distance_to(other) >= other.kept - kProof;
                });
     }
@@ -232,8 +226,7 @@ double Refiner::clearance_to(const StandingCopy& copy, double upper_bound, const
     for (const CopyId id : ids) {
         const StandingCopy* other = find(id);
         if (!other || other->wall || !counts(id)) continue;
-        least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least)
-                    .distance;
+        least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least).distance;
     }
     return least;
 }

@@ -16,7 +16,7 @@
 namespace spectralpack {
 
 struct RefineSetup {
-    Vec3 container;           ///< size of the box, z infinite where there is no ceiling; what else bounds it is added as walls
+    Vec3 container;  ///< size of the box, z infinite where there is no ceiling; what else bounds it is added as walls
     double wall_gap = 0;      ///< least distance of a mesh's box to the container's sides
     double longest_move = 4;  ///< along one axis in one round: 2 dx in the paper
     int rounds = 3;           ///< of x, y, z each
@@ -26,7 +26,7 @@ struct RefineSetup {
 struct StandingCopy {
     std::shared_ptr<const Bvh> surface;
     Vec3 offset;
-    double gap = 0;  ///< two copies keep the larger of their gaps
+    double gap = 0;     ///< two copies keep the larger of their gaps
     bool wall = false;  ///< a wall or keep-out: who comes near keeps this gap, not its own
 
     Box box() const { return {surface->box().min + offset, surface->box().max + offset}; }
@@ -72,8 +72,7 @@ class Refiner {
 
     /// Least distance of the surface of `copy` to those of the others (walls and `except` left out), if it is
     /// below `upper_bound`; else upper_bound.
-    double clearance(const StandingCopy& copy, double upper_bound,
-                     std::optional<CopyId> except = std::nullopt) const;
+    double clearance(const StandingCopy& copy, double upper_bound, std::optional<CopyId> except = std::nullopt) const;
     /// Least distance between the surfaces of two copies that stand here, walls left out; none with fewer than two.
     std::optional<double> least_gap() const;
 

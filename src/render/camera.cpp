@@ -30,8 +30,7 @@ Fit fit_axis(std::span<const Vec3> points, const Vec3& axis, const Vec3& forward
 }
 
 /// The same for a camera that stands further back: as far aside as leaves equal margins.
-double centred(std::span<const Vec3> points, const Vec3& axis, const Vec3& forward, double tangent,
-               double back) {
+double centred(std::span<const Vec3> points, const Vec3& axis, const Vec3& forward, double tangent, double back) {
     double narrow = 0, wide = tangent;
     for (int i = 0; i < 50; ++i) {
         const double middle = (narrow + wide) / 2;
@@ -49,12 +48,10 @@ Vec3 Camera::ray(double x, double y) const {
 PicturePoint Camera::project(const Vec3& point) const {
     const Vec3 v = point - eye;
     const double depth = dot(v, forward);
-    return {(1 + dot(v, right) / (depth * tan_x)) * width / 2,
-            (1 - dot(v, up) / (depth * tan_y)) * height / 2, depth};
+    return {(1 + dot(v, right) / (depth * tan_x)) * width / 2, (1 - dot(v, up) / (depth * tan_y)) * height / 2, depth};
 }
 
-Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width,
-                  int height) {
+Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width, int height) {
     const double a = azimuth * kRadians, e = elevation * kRadians;
     Camera camera;
     camera.width = width;
@@ -66,19 +63,17 @@ Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation
     camera.tan_x = std::tan(kHalfView * kRadians) * width / shorter;
     camera.tan_y = std::tan(kHalfView * kRadians) * height / shorter;
 
-    const double across = camera.tan_x * (1 - 2 * kMargin),
-                 upright = camera.tan_y * (1 - 2 * kMargin);
+    const double across = camera.tan_x * (1 - 2 * kMargin), upright = camera.tan_y * (1 - 2 * kMargin);
     double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const Vec3& point : points) {
         first = std::min(first, dot(point, camera.forward));
         last = std::max(last, dot(point, camera.forward));
     }
-    const double back = std::min({fit_axis(points, camera.right, camera.forward, across).back,
-                                  fit_axis(points, camera.up, camera.forward, upright).back,
-                                  first - kNearest * (last - first)});
+    const double back =
+        std::min({fit_axis(points, camera.right, camera.forward, across).back,
+                  fit_axis(points, camera.up, camera.forward, upright).back, first - kNearest * (last - first)});
     camera.eye = centred(points, camera.right, camera.forward, across, back) * camera.right +
-                 centred(points, camera.up, camera.forward, upright, back) * camera.up +
-                 back * camera.forward;
+                 centred(points, camera.up, camera.forward, upright, back) * camera.up + back * camera.forward;
     return camera;
 }
 

@@ -29,7 +29,6 @@ struct Camera {
 /// sees them all with a margin, in the middle of the picture, from no nearer than half their depth.
 /// Azimuth 0 looks along +y, 90 along -x; elevation is in [-90, 90]. Precondition: points that do
 /// not all coincide. Scaling the points scales the camera's distance.
-Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width,
-                  int height);
+Camera fit_camera(std::span<const Vec3> points, double azimuth, double elevation, int width, int height);
 
 }  // namespace spectralpack

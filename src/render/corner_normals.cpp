@@ -13,8 +13,7 @@ Vec3 unit(const Vec3& v) {
 
 /// Which corners (3 * triangle + place in it) meet at a vertex.
 struct Around {
-    explicit Around(const Mesh& mesh)
-        : begin(mesh.vertices.size() + 1), corners(3 * mesh.triangles.size()) {
+    explicit Around(const Mesh& mesh) : begin(mesh.vertices.size() + 1), corners(3 * mesh.triangles.size()) {
         for (const Triangle& t : mesh.triangles) {
             for (const std::uint32_t vertex : t) {
                 ++begin[vertex + 1];
@@ -46,8 +45,7 @@ std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
         flat[t] = unit(normal);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 a = unit(p[(k + 1) % 3] - p[k]), b = unit(p[(k + 2) % 3] - p[k]);
-            weight[3 * t + k] =
-                length(normal) * std::acos(std::min(1.0, std::max(-1.0, dot(a, b))));
+            weight[3 * t + k] = length(normal) * std::acos(std::min(1.0, std::max(-1.0, dot(a, b))));
         }
     }
     std::vector<CornerNormals> result(flat.size());
@@ -65,8 +63,7 @@ std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
                 }
                 if (length(sum) > 0) normal = unit(sum);
             }
-            result[t][k] = {static_cast<float>(normal.x), static_cast<float>(normal.y),
-                            static_cast<float>(normal.z)};
+            result[t][k] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
         }
     }
     return result;

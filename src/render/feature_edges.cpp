@@ -19,8 +19,8 @@ Vec3 normal(const Mesh& mesh, std::uint32_t triangle) {
 std::vector<std::pair<Vec3, Vec3>> feature_edges(const Mesh& mesh) {
     std::vector<std::pair<Vec3, Vec3>> edges;
     MeshEdges(mesh).for_each([&](std::uint32_t low, std::span<const MeshEdges::Use> uses) {
-        const bool bend = uses.size() != 2 || dot(normal(mesh, uses[0].triangle()),
-                                                  normal(mesh, uses[1].triangle())) < kFlat;
+        const bool bend =
+            uses.size() != 2 || dot(normal(mesh, uses[0].triangle()), normal(mesh, uses[1].triangle())) < kFlat;
         if (bend) edges.emplace_back(mesh.vertices[low], mesh.vertices[uses[0].high]);
     });
     return edges;

@@ -20,9 +20,8 @@ Outline::Outline(const Stage& stage)
     }
     for (const Box& box : stage.outlined) {
         const auto corner = [&](int i) {
-            return stage.camera.project({i & 1 ? box.max.x : box.min.x,
-                                         i & 2 ? box.max.y : box.min.y,
-                                         i & 4 ? box.max.z : box.min.z});
+            return stage.camera.project(
+                {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
         };
         int furthest = 0;
         for (int i = 1; i < 8; ++i) {
@@ -32,8 +31,7 @@ Outline::Outline(const Stage& stage)
             for (const int axis : {1, 2, 4}) {
                 const int j = i | axis;
                 if (i == j) continue;
-                edges_.push_back(
-                    {corner(i), corner(j), i == furthest || j == furthest ? kFar : kNear});
+                edges_.push_back({corner(i), corner(j), i == furthest || j == furthest ? kFar : kNear});
             }
         }
     }
@@ -45,8 +43,7 @@ std::vector<Outline::Edge> Outline::near(int x0, int y0, int x1, int y1) const {
     for (const Edge& edge : edges_) {
         const auto [left, right] = std::minmax(edge.from.x, edge.to.x);
         const auto [top, bottom] = std::minmax(edge.from.y, edge.to.y);
-        if (right + margin < x0 || left - margin > x1 || bottom + margin < y0 || top - margin > y1)
-            continue;
+        if (right + margin < x0 || left - margin > x1 || bottom + margin < y0 || top - margin > y1) continue;
         result.push_back(edge);
     }
     return result;
@@ -60,8 +57,7 @@ double Outline::opacity(const Edge& edge, double x, double y, double depth) cons
     if (off_line > kHalfWidth * pixel_ + kSoftness) return 0;
     const double along = ((x - edge.from.x) * dx + (y - edge.from.y) * dy) / length;
     const double on_edge = std::clamp(along, 0.0, length);
-    const double aside = std::hypot(x - edge.from.x - on_edge / length * dx,
-                                    y - edge.from.y - on_edge / length * dy);
+    const double aside = std::hypot(x - edge.from.x - on_edge / length * dx, y - edge.from.y - on_edge / length * dy);
     const double cover = std::clamp((kHalfWidth * pixel_ - aside) / kSoftness + 0.5, 0.0, 1.0);
     if (cover == 0) return 0;
     // Perspective keeps 1 / depth straight.
@@ -72,8 +68,6 @@ double Outline::opacity(const Edge& edge, double x, double y, double depth) cons
     return dash ? kHidden * cover : 0;
 }
 
-Vec3 Outline::colour() {
-    return from_oklch(0.33, 0.03, 255);
-}
+Vec3 Outline::colour() { return from_oklch(0.33, 0.03, 255); }
 
 }  // namespace spectralpack

@@ -32,21 +32,16 @@ Vec3 unclipped(const Oklch& colour) {
     const double l_root = colour.lightness + 0.3963377774 * a + 0.2158037573 * b;
     const double m_root = colour.lightness - 0.1055613458 * a - 0.0638541728 * b;
     const double s_root = colour.lightness - 0.0894841775 * a - 1.2914855480 * b;
-    const double l = l_root * l_root * l_root, m = m_root * m_root * m_root,
-                 s = s_root * s_root * s_root;
+    const double l = l_root * l_root * l_root, m = m_root * m_root * m_root, s = s_root * s_root * s_root;
     return {+4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
             -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
             -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
-bool in_gamut(const Vec3& c) {
-    return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x <= 1 && c.y <= 1 && c.z <= 1;
-}
+bool in_gamut(const Vec3& c) { return c.x >= 0 && c.y >= 0 && c.z >= 0 && c.x <= 1 && c.y <= 1 && c.z <= 1; }
 
 /// The fractional part of start + i step; with the steps below consecutive ones are far apart.
-double spread(double start, int i, double step) {
-    return std::fmod(start + i * step, 1.0);
-}
+double spread(double start, int i, double step) { return std::fmod(start + i * step, 1.0); }
 
 }  // namespace
 

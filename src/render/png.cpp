@@ -16,8 +16,7 @@ std::string encode_png(const Image& image) {
     png.format = PNG_FORMAT_RGB;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
-    const bool done =
-        png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0;
+    const bool done = png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) != 0;
     if (!done) throw ResourceError(std::string("cannot make a PNG: ") + png.message);
     bytes.resize(size);
     return bytes;

@@ -31,8 +31,7 @@ struct RayMesh {
 /// What turns normals of a mesh into normals of a copy of it: the cofactors of its linear map,
 /// which are the inverse transposed but for a factor, without a division.
 Mat3 cofactors(const Mat3& m) {
-    return {
-        {cross(m.rows[1], m.rows[2]), cross(m.rows[2], m.rows[0]), cross(m.rows[0], m.rows[1])}};
+    return {{cross(m.rows[1], m.rows[2]), cross(m.rows[2], m.rows[0]), cross(m.rows[0], m.rows[1])}};
 }
 
 void put(float* at, const Vec3& v) {
@@ -78,12 +77,10 @@ struct RayScene::Held {
         result.to_mesh.linear = scale * Mat3{};
         result.to_mesh.translation = 0.5 * (box.min + box.max);
         const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    3 * sizeof(float), mesh.vertices.size()));
-        void* triangles =
-            rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    sizeof(Triangle), mesh.triangles.size());
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+        void* triangles = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                  sizeof(Triangle), mesh.triangles.size());
         expect_success();
         for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
             put(vertices + 3 * i, 1 / scale * (mesh.vertices[i] - result.to_mesh.translation));

@@ -10,8 +10,7 @@ namespace {
 constexpr int kMostSide = 32768, kMostSamples = 16;
 
 void check(const RenderOptions& options) {
-    if (options.width < 1 || options.height < 1 || options.width > kMostSide ||
-        options.height > kMostSide) {
+    if (options.width < 1 || options.height < 1 || options.width > kMostSide || options.height > kMostSide) {
         throw UsageError("a picture is 1 to 32768 pixels wide and high");
     }
     if (options.samples < 1 || options.samples > kMostSamples) {

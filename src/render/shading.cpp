@@ -13,12 +13,10 @@ constexpr double kKeyLight = 1.0, kSkyLight = 0.72, kGroundLight = 0.42;
 constexpr double kSheen = 0.05, kSheenPower = 22;
 constexpr double kKeyLeft = 62, kKeyUp = 52;  // degrees from the camera's heading, above the floor
 constexpr double kKeyRadius = 0.10;           // tangent of half the angle the key light fills
-constexpr double kSkyReach = 0.7;     // stage units: what is further off takes no sky light away
-constexpr double kOffSurface = 2e-4;  // stage units
+constexpr double kSkyReach = 0.7;             // stage units: what is further off takes no sky light away
+constexpr double kOffSurface = 2e-4;          // stage units
 
-Vec3 unit(const Vec3& v) {
-    return 1 / length(v) * v;
-}
+Vec3 unit(const Vec3& v) { return 1 / length(v) * v; }
 
 /// Two directions at right angles to a unit vector (Duff et al., "Building an orthonormal basis,
 /// revisited", 2017).
@@ -58,8 +56,7 @@ double toned(double c) {
 /// strategies for accurate indirect occlusion", 2016): crevices keep their colour instead of
 /// turning black.
 double handed_on(double open, double albedo) {
-    const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417,
-                 c = 2.7552 * albedo + 0.6903;
+    const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
     return std::max(open, ((open * a + b) * open + c) * open);
 }
 
@@ -67,10 +64,8 @@ double handed_on(double open, double albedo) {
 
 Shading::Shading(const Camera& camera) : camera_(camera) {
     const double left = kKeyLeft * std::numbers::pi / 180, up = kKeyUp * std::numbers::pi / 180;
-    const Vec3 back =
-        unit(cross(camera.right, Vec3{0, 0, 1}));  // level, from the scene towards the viewer
-    key_ = unit(std::cos(up) * (-std::sin(left) * camera.right + std::cos(left) * back) +
-                Vec3{0, 0, std::sin(up)});
+    const Vec3 back = unit(cross(camera.right, Vec3{0, 0, 1}));  // level, from the scene towards the viewer
+    key_ = unit(std::cos(up) * (-std::sin(left) * camera.right + std::cos(left) * back) + Vec3{0, 0, std::sin(up)});
     for (std::size_t i = 0; i < sky_rays_.size(); ++i) {
         const Vec3 p = disc_point(static_cast<int>(i));
         sky_rays_[i] = {p.x, p.y, std::sqrt(std::max(0.0, 1 - dot(p, p)))};
@@ -81,8 +76,8 @@ Shading::Shading(const Camera& camera) : camera_(camera) {
     }
 }
 
-Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& position,
-                           const Vec3& face, const Vec3& smooth) const {
+Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& position, const Vec3& face,
+                           const Vec3& smooth) const {
     const Vec3 origin = position + kOffSurface * face;
     const auto first = static_cast<std::size_t>(cell(x, y));
     const Frame frame(smooth);
@@ -91,8 +86,7 @@ Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& posi
         const Vec3 ray = frame * sky_rays_[i];
         // Rays that a smooth normal sends into the facet count as those that graze it.
         const double into = std::min(0.0, dot(ray, face));
-        if (!scene.blocked(origin, ray - (2 * into) * face, kSkyReach))
-            result.sky += 1.0 / kSkyRays;
+        if (!scene.blocked(origin, ray - (2 * into) * face, kSkyReach)) result.sky += 1.0 / kSkyRays;
     }
     if (dot(smooth, key_) <= 0) return result;
     for (std::size_t i = first * kKeyRays; i < (first + 1) * kKeyRays; ++i) {
@@ -103,12 +97,10 @@ Exposure Shading::exposure(const RayScene& scene, int x, int y, const Vec3& posi
     return result;
 }
 
-Vec3 Shading::surface(const Vec3& albedo, const Vec3& normal, const Vec3& view,
-                      const Exposure& exposure) const {
+Vec3 Shading::surface(const Vec3& albedo, const Vec3& normal, const Vec3& view, const Exposure& exposure) const {
     const double key = kKeyLight * exposure.key * std::max(0.0, dot(normal, key_));
     const double up = (1 + normal.z) / 2;
-    const Vec3 sky =
-        kSkyLight * up * Vec3{0.97, 1.0, 1.05} + kGroundLight * (1 - up) * Vec3{1.05, 1, 0.95};
+    const Vec3 sky = kSkyLight * up * Vec3{0.97, 1.0, 1.05} + kGroundLight * (1 - up) * Vec3{1.05, 1, 0.95};
     const double facing = std::max(0.0, dot(normal, unit(key_ + view)));
     const double sheen = kSheen * exposure.key * std::pow(facing, kSheenPower);
     Vec3 colour;
@@ -127,8 +119,7 @@ Vec3 Shading::background(double x, double y) const {
 Vec3 Shading::floor(const Vec3& background, const Exposure& exposure) const {
     const double light = 0.62 * handed_on(exposure.sky, 0.5) + 0.38 * exposure.key;
     const double shade = 1 - 0.6 * (1 - light);
-    return {background.x * shade, background.y * shade,
-            background.z * (shade + 0.03 * (1 - shade))};
+    return {background.x * shade, background.y * shade, background.z * (shade + 0.03 * (1 - shade))};
 }
 
 }  // namespace spectralpack

@@ -28,8 +28,7 @@ class Shading {
 
     /// Colour of a surface as shown (linear sRGB, in [0, 1]). `view`: unit vector towards the
     /// camera.
-    Vec3 surface(const Vec3& albedo, const Vec3& normal, const Vec3& view,
-                 const Exposure& exposure) const;
+    Vec3 surface(const Vec3& albedo, const Vec3& normal, const Vec3& view, const Exposure& exposure) const;
 
     /// What lies behind everything.
     Vec3 background(double x, double y) const;

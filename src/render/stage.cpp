@@ -22,8 +22,7 @@ constexpr double kMuted = 0.75;  // of a copy's colour that is grey where anothe
 std::array<Vec3, 8> corners(const Box& box) {
     std::array<Vec3, 8> result;
     for (std::size_t i = 0; i < 8; ++i) {
-        result[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                     i & 4 ? box.max.z : box.min.z};
+        result[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
     }
     return result;
 }
@@ -68,8 +67,8 @@ class StageBuilder {
         if (options_.tray < -1 || options_.tray >= count) {
             // A packing without trays is still a container to show.
             if (options_.tray != 0 || count != 0) {
-                throw UsageError("there is no tray " + std::to_string(options_.tray) +
-                                 ": the packing has " + std::to_string(count) + ", counted from 0");
+                throw UsageError("there is no tray " + std::to_string(options_.tray) + ": the packing has " +
+                                 std::to_string(count) + ", counted from 0");
             }
         }
         if (count == 0) {
@@ -86,8 +85,7 @@ class StageBuilder {
     /// Where each tray's copies are drawn.
     void take_apart() {
         if (options_.step && trays_.size() > 1) {
-            throw UsageError("a step is one tray's: choose the tray, the packing has " +
-                             std::to_string(trays_.size()));
+            throw UsageError("a step is one tray's: choose the tray, the packing has " + std::to_string(trays_.size()));
         }
         for (const TrayPacking* tray : trays_) {
             shown_copies_.emplace_back(tray ? tray->placements.size() : 0);
@@ -127,11 +125,9 @@ class StageBuilder {
 
     Vec3 colour_of(std::size_t tray, std::size_t i) const {
         const Placement& placement = trays_[tray]->placements[i];
-        const Vec3 colour =
-            copy_colour(placement.part, placement.copy, static_cast<int>(packing_.parts.size()));
+        const Vec3 colour = copy_colour(placement.part, placement.copy, static_cast<int>(packing_.parts.size()));
         if (!options_.step || *options_.step == 0) return colour;
-        return shown_copies_[tray][i].leaving ? from_oklch(0.68, 0.2, 40)
-                                              : kMuted * kGrey + (1 - kMuted) * colour;
+        return shown_copies_[tray][i].leaving ? from_oklch(0.68, 0.2, 40) : kMuted * kGrey + (1 - kMuted) * colour;
     }
 
     const std::shared_ptr<const Mesh>& mesh_of(const Placement& placement) const {
@@ -174,9 +170,7 @@ class StageBuilder {
         const double angle = options_.azimuth * std::numbers::pi / 180;
         const Vec3 size = shown_.size(), right{std::cos(angle), std::sin(angle), 0};
         const Vec3 back{-right.y, right.x, 0};
-        const auto extent = [&](const Vec3& axis) {
-            return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y;
-        };
+        const auto extent = [&](const Vec3& axis) { return std::abs(axis.x) * size.x + std::abs(axis.y) * size.y; };
         to_right_ = (1 + kAside) * extent(right) * right;
         to_back_ = (extent(back) + kBehind * size.z) * back;
 
@@ -201,8 +195,7 @@ class StageBuilder {
     }
 
     Camera fit(const std::vector<Vec3>& points) const {
-        return fit_camera(points, options_.azimuth, options_.elevation, options_.width,
-                          options_.height);
+        return fit_camera(points, options_.azimuth, options_.elevation, options_.width, options_.height);
     }
 
     Vec3 tray_origin(std::size_t tray) const {
@@ -240,8 +233,7 @@ class StageBuilder {
             for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
                 if (!is_drawn(tray, i)) continue;
                 const auto& mesh = mesh_of(trays_[tray]->placements[i]);
-                const auto [index, fresh] =
-                    known.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
+                const auto [index, fresh] = known.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
                 if (fresh) stage_.meshes.push_back(mesh);
                 stage_.copies.push_back({index->second, place * pose_of(tray, i), colour_of(tray, i)});
             }
@@ -269,7 +261,7 @@ class StageBuilder {
     const Packing& packing_;
     const std::vector<std::shared_ptr<const Mesh>>& meshes_;
     const RenderOptions& options_;
-    std::vector<const TrayPacking*> trays_;  ///< null: a packing without trays
+    std::vector<const TrayPacking*> trays_;             ///< null: a packing without trays
     std::vector<std::vector<ShownCopy>> shown_copies_;  ///< by tray and placement
     Box shown_;
     Vec3 to_right_, to_back_;  ///< from a tray to the next of its row, and to the next row

@@ -24,10 +24,10 @@ struct StagedCopy {
 struct Stage {
     std::vector<std::shared_ptr<const Mesh>> meshes;  ///< distinct ones
     std::vector<StagedCopy> copies;                   ///< tray by tray, in packing order
-    std::vector<Box> containers;               ///< the trays' boxes
-    std::vector<Box> outlined;                 ///< to be drawn as lines: containers and keep-outs that are boxes
-    std::vector<std::pair<Vec3, Vec3>> edges;  ///< likewise: those of meshes
-    double floor = 0;  ///< z
+    std::vector<Box> containers;                      ///< the trays' boxes
+    std::vector<Box> outlined;                        ///< to be drawn as lines: containers and keep-outs that are boxes
+    std::vector<std::pair<Vec3, Vec3>> edges;         ///< likewise: those of meshes
+    double floor = 0;                                 ///< z
     Camera camera;
 };
 

@@ -14,8 +14,8 @@ struct ShownCopy {
     bool leaving = false;  ///< it is what the picture is about
 };
 
-/// Each copy goes along its way out, the farther the farther it stands in the direction of that: copies that leave alike
-/// spread as if the tray were 1 + factor times as long that way, in their order. What has no step, and the last
+/// Each copy goes along its way out, the farther the farther it stands in the direction of that: copies that leave
+/// alike spread as if the tray were 1 + factor times as long that way, in their order. What has no step, and the last
 /// one, which needs no way, stays. `boxes`: by placement. Precondition: the tray has a plan.
 std::vector<ShownCopy> show_exploded(const TrayPacking& tray, const std::vector<Box>& boxes, double factor);
 

@@ -37,9 +37,9 @@ class TilePainter {
             for (int x = kRim; x < right; ++x) {
                 colour_pixel(x, y);
                 const Vec3 colour = resolve_pixel(x, y);
-                std::uint8_t* out = &image.rgb[3 * (static_cast<std::size_t>(top_ + y) *
-                                                        static_cast<std::size_t>(image.width) +
-                                                    static_cast<std::size_t>(left_ + x))];
+                std::uint8_t* out =
+                    &image.rgb[3 * (static_cast<std::size_t>(top_ + y) * static_cast<std::size_t>(image.width) +
+                                    static_cast<std::size_t>(left_ + x))];
                 out[0] = to_srgb(colour.x);
                 out[1] = to_srgb(colour.y);
                 out[2] = to_srgb(colour.z);
@@ -50,10 +50,8 @@ class TilePainter {
   private:
     void expose_pixel(int x, int y) {
         for (Fragment& f : seen_.fragments(x, y)) {
-            if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor))
-                continue;
-            f.exposure =
-                in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
+            if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor)) continue;
+            f.exposure = in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
         }
     }
 
@@ -65,8 +63,7 @@ class TilePainter {
         for (int dy = -kRim; dy <= kRim; ++dy) {
             for (int dx = -kRim; dx <= kRim; ++dx) {
                 // Half the weight at the ends: each cell of the pattern then counts the same.
-                const double weight =
-                    (std::abs(dx) == kRim ? 0.5 : 1) * (std::abs(dy) == kRim ? 0.5 : 1);
+                const double weight = (std::abs(dx) == kRim ? 0.5 : 1) * (std::abs(dy) == kRim ? 0.5 : 1);
                 for (const Fragment& other : seen_.fragments(x + dx, y + dy)) {
                     if (!f.same_surface(other.copy, other.smooth) ||
                         std::abs(dot(other.position - f.position, f.face)) > flatness) {
@@ -90,9 +87,8 @@ class TilePainter {
                 f.colour = in_.shading.floor(background, averaged(x, y, f));
             } else {
                 const Vec3 to_eye = in_.stage.camera.eye - f.position;
-                f.colour =
-                    in_.shading.surface(in_.stage.copies[static_cast<std::size_t>(f.copy)].colour,
-                                        f.smooth, 1 / length(to_eye) * to_eye, averaged(x, y, f));
+                f.colour = in_.shading.surface(in_.stage.copies[static_cast<std::size_t>(f.copy)].colour, f.smooth,
+                                               1 / length(to_eye) * to_eye, averaged(x, y, f));
             }
         }
     }
@@ -125,8 +121,7 @@ class TilePainter {
         if (edges_.empty()) return strongest;
         const auto [x, y] = seen_.place(sx, sy);
         for (const Outline::Edge& edge : edges_) {
-            strongest =
-                std::max(strongest, in_.outline.opacity(edge, x, y, seen_.sample(sx, sy).depth));
+            strongest = std::max(strongest, in_.outline.opacity(edge, x, y, seen_.sample(sx, sy).depth));
         }
         return strongest;
     }

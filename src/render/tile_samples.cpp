@@ -7,8 +7,7 @@
 
 namespace spectralpack {
 
-TileSamples::TileSamples(const Stage& stage, const RayScene& rays, int left, int top, int side,
-                         int n)
+TileSamples::TileSamples(const Stage& stage, const RayScene& rays, int left, int top, int side, int n)
     : stage_(stage),
       rays_(rays),
       left_(left),
@@ -91,13 +90,11 @@ void TileSamples::trace_pixel(int x, int y) {
         for (int sx = x * n_; sx < (x + 1) * n_; ++sx) {
             const Seen seen = all_alike ? first_look_[2 * pixel(x, y)] : look(sx, sy);
             std::size_t i = first;
-            while (i < fragments_.size() &&
-                   !fragments_[i].same_surface(seen.hit.copy, seen.hit.smooth)) {
+            while (i < fragments_.size() && !fragments_[i].same_surface(seen.hit.copy, seen.hit.smooth)) {
                 ++i;
             }
             if (i == fragments_.size()) {
-                fragments_.push_back(
-                    {seen.hit.copy, seen.position, seen.hit.face, seen.hit.smooth, {}, {}});
+                fragments_.push_back({seen.hit.copy, seen.position, seen.hit.face, seen.hit.smooth, {}, {}});
             }
             Sample& sample = samples_[index(sx, sy)];
             sample.fragment = static_cast<int>(i);

@@ -63,9 +63,7 @@ class TileSamples {
     bool uniform(int x, int y) const;
     void trace_pixel(int x, int y);
 
-    std::size_t index(int sx, int sy) const {
-        return static_cast<std::size_t>(sy * side_ * n_ + sx);
-    }
+    std::size_t index(int sx, int sy) const { return static_cast<std::size_t>(sy * side_ * n_ + sx); }
     std::size_t pixel(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
 
     const Stage& stage_;

@@ -50,8 +50,7 @@ struct Cost {
 
 /// Cost of an object of `layers` layers whose lower corner is in layer z with proximity rho.
 /// Inline: engines ask for millions, and the compiler keeps H[z] for a whole layer.
-inline Cost cost_of(const CostModel& model, int z, int layers, int reference_layers,
-                    std::int64_t rho) {
+inline Cost cost_of(const CostModel& model, int z, int layers, int reference_layers, std::int64_t rho) {
     if (model.height_at == HeightAt::top) return {static_cast<double>(z + layers), rho};
     return {static_cast<double>(rho) + height_penalty_at(model, z, reference_layers), 0};
 }

@@ -26,8 +26,8 @@ bool same(const OrientedVoxels& a, const OrientedVoxels& b) {
 std::vector<std::size_t> distinct_orientations(const std::vector<OrientedVoxels>& voxels) {
     std::vector<std::size_t> distinct;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
-        const bool seen = std::ranges::any_of(
-            distinct, [&](std::size_t earlier) { return same(voxels[earlier], voxels[i]); });
+        const bool seen =
+            std::ranges::any_of(distinct, [&](std::size_t earlier) { return same(voxels[earlier], voxels[i]); });
         if (!seen) distinct.push_back(i);
     }
     return distinct;
@@ -39,18 +39,17 @@ Widened for_each_gap(double own_gap, const std::vector<double>& gap_classes, con
     Widened widened;
     for (std::size_t c = 0; c < gap_classes.size(); ++c) {
         const bool as_before = c > 0 && gap_classes[c] <= own_gap;  // both ask for the own gap
-        widened.push_back(as_before ? widened.back()
-                                    : std::make_shared<const WidenedVoxels>(
-                                          make(c, std::max(own_gap, gap_classes[c]))));
+        widened.push_back(as_before
+                              ? widened.back()
+                              : std::make_shared<const WidenedVoxels>(make(c, std::max(own_gap, gap_classes[c]))));
     }
     return widened;
 }
 
 }  // namespace
 
-Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
-                 double voxel_size, int detail, double gap, const std::vector<double>& gap_classes,
-                 const Workers& workers) {
+Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
+                 double gap, const std::vector<double>& gap_classes, const Workers& workers) {
     const auto own_class = std::ranges::find(gap_classes, gap);
     if (own_class == gap_classes.end() || !std::ranges::is_sorted(gap_classes)) {
         throw InternalError("a part's gap is not among the job's gap classes");
@@ -60,8 +59,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     shape.id = id;
     shape.gap_class = static_cast<int>(own_class - gap_classes.begin());
 
-    std::vector<OrientedVoxels> voxels =
-        voxelize_orientations(mesh, rotations, fine_size, workers);
+    std::vector<OrientedVoxels> voxels = voxelize_orientations(mesh, rotations, fine_size, workers);
     struct Source {
         std::size_t root;  ///< in shape.orientations: the first that differs in its axes only
         AxisOrder axes;
@@ -72,8 +70,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         std::optional<Source> source;
         for (std::size_t k = 0; k < roots.size() && !source; ++k) {
             const int root = shape.orientations[roots[k]].orientation;
-            const auto axes =
-                exchanged_axes(rotations[i], rotations[static_cast<std::size_t>(root)]);
+            const auto axes = exchanged_axes(rotations[i], rotations[static_cast<std::size_t>(root)]);
             if (axes) source = Source{roots[k], *axes};
         }
         if (!source) roots.push_back(sources.size());
@@ -87,8 +84,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     }
     workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
         OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
-        made.solid = detail == 1 ? made.fine
-                                 : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
+        made.solid =
+            detail == 1 ? made.fine : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
     });
 
     // Widening costs more than all else here, so each root is widened and the others get its grids
@@ -98,8 +95,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         const Mat3& rotation = rotations[static_cast<std::size_t>(root.orientation)];
         const Mesh turned = transformed(mesh, {rotation, {}});
         root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
-            return wanted > 0 ? widen(*root.fine, turned, fine_size, wanted, workers)
-                              : WidenedVoxels{*root.fine, {}};
+            return wanted > 0 ? widen(*root.fine, turned, fine_size, wanted, workers) : WidenedVoxels{*root.fine, {}};
         });
     });
     workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t k) {

@@ -27,9 +27,8 @@ class WholeGrid final : public FreeTileReader {
 
 }  // namespace
 
-std::unique_ptr<FreeTileReader> PlacementSearch::free_tiles(const Tray& tray,
-                                                          std::shared_ptr<const BitGrid> solid,
-                                                          const FreeQuery& query) {
+std::unique_ptr<FreeTileReader> PlacementSearch::free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                                            const FreeQuery& query) {
     Shape shape;
     shape.orientations.resize(1);
     shape.orientations.front().solid = std::move(solid);

@@ -55,8 +55,8 @@ struct FreeQuery {
     int padding = 1;
 };
 
-/// Free positions by tiles of 64 along x (bits of a word) and 8 along y, for who needs few of them: what free_positions()
-/// would give. For one thread.
+/// Free positions by tiles of 64 along x (bits of a word) and 8 along y, for who needs few of them: what
+/// free_positions() would give. For one thread.
 class FreeTileReader {
   public:
     static constexpr int kRows = 8;
@@ -79,21 +79,19 @@ class PlacementSearch {
     virtual ~PlacementSearch() = default;
 
     /// The best placement of `shape` in the tray. Polls `stop` at least once per orientation.
-    virtual SearchResult best_placement(const Tray& tray, const Shape& shape,
-                                        const CostModel& model, const StopToken& stop) = 0;
+    virtual SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                        const StopToken& stop) = 0;
 
     /// Positions q at which the unwidened voxels A of orientation `index` meet nothing of
-    /// Omega_move (what overhangs the grid meets nothing), in voxels of dx also where the tray has finer ones: copies that
-    /// share voxels of dx are in each other's way here. Per axis, with a = A's extent and
-    /// n = the grid's: origin is -(a - 1) - padding, extent n + a - 1 + 2 padding.
-    virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                         const FreeQuery& query) = 0;
+    /// Omega_move (what overhangs the grid meets nothing), in voxels of dx also where the tray has finer ones: copies
+    /// that share voxels of dx are in each other's way here. Per axis, with a = A's extent and n = the grid's: origin
+    /// is -(a - 1) - padding, extent n + a - 1 + 2 padding.
+    virtual FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) = 0;
 
     /// Likewise for any voxels, in tiles. The reader may be used until the tray changes. Computed whole by
     /// free_positions() unless an engine knows better.
-    virtual std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray,
-                                                     std::shared_ptr<const BitGrid> solid,
-                                                     const FreeQuery& query);
+    virtual std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                                       const FreeQuery& query);
 
     virtual const char* name() const = 0;
 

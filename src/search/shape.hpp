@@ -25,15 +25,15 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
-    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged (voxel/permute.hpp); -1:
-    /// of none that comes before.
+    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged (voxel/permute.hpp);
+    /// -1: of none that comes before.
     int turned_from = -1;
     AxisOrder axes{0, 1, 2};
 };
 
-/// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked from
-/// several threads, and only of what would be the best so far. While objects are only added to the tray, a candidate
-/// that was turned down once stays so: engines may take it for colliding from then on.
+/// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked
+/// from several threads, and only of what would be the best so far. While objects are only added to the tray, a
+/// candidate that was turned down once stays so: engines may take it for colliding from then on.
 using Admits = std::function<bool(int index, const VoxelIndex& position)>;
 
 struct Shape {
@@ -48,8 +48,7 @@ struct Shape {
 /// every gap class, and merges orientations with equal voxels (and equal sizes to 1e-6 mm) into the
 /// least index.
 /// `gap_classes`: the job's distinct gaps, ascending; `gap` is one of them.
-Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations,
-                 double voxel_size, int detail, double gap, const std::vector<double>& gap_classes,
-                 const Workers& workers);
+Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
+                 double gap, const std::vector<double>& gap_classes, const Workers& workers);
 
 }  // namespace spectralpack

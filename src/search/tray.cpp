@@ -27,11 +27,16 @@ bool overlap(const TrayObject& a, const TrayObject& b) {
 
 }  // namespace
 
-TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail, int gap_class) {
+TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail,
+                       int gap_class) {
     if (detail == 1) return {fine, fine_position, gap_class, false, fine, fine_position};
     CoarseVoxels reached = reached_voxels(*fine, fine_position, detail);
-    return {std::make_shared<const BitGrid>(std::move(reached.voxels)), reached.offset, gap_class, false,
-            std::move(fine), fine_position};
+    return {std::make_shared<const BitGrid>(std::move(reached.voxels)),
+            reached.offset,
+            gap_class,
+            false,
+            std::move(fine),
+            fine_position};
 }
 
 TraySetup finest_setup(TraySetup setup) {
@@ -57,16 +62,14 @@ TrayIdentity::TrayIdentity() {
 
 Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     const double dx = setup_.voxel_size;
-    if (!(dx > 0) || !std::isfinite(dx))
-        throw UsageError("the voxel size must be a positive length");
+    if (!(dx > 0) || !std::isfinite(dx)) throw UsageError("the voxel size must be a positive length");
     if (setup_.detail < 1) throw InternalError("a tray's detail must be 1 or more");
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = setup_.size[axis] / dx;
         if (!std::isfinite(voxels) || voxels < 1 - kWholeVoxel) {
             throw UsageError("the container, less the wall gap, is smaller than one voxel");
         }
-        if (voxels > 1e9)
-            throw ResourceError("the container has over a billion voxels along one axis");
+        if (voxels > 1e9) throw ResourceError("the container has over a billion voxels along one axis");
         extent_[axis] = std::max(1, static_cast<int>(std::ceil(voxels - kWholeVoxel)));
     }
     if (extent_.count() > kMaxVoxels) throw ResourceError("the tray has more than 2^40 voxels");
@@ -80,7 +83,8 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     reference_layers_ = setup_.reference_layers > 0 ? setup_.reference_layers : extent_.z;
     occupied_.assign(setup_.gap_classes.size(), BitGrid(extent_));
     if (setup_.detail > 1) {
-        parts_.assign(setup_.gap_classes.size() * static_cast<std::size_t>(part_count(setup_.detail)), BitGrid(extent_));
+        parts_.assign(setup_.gap_classes.size() * static_cast<std::size_t>(part_count(setup_.detail)),
+                      BitGrid(extent_));
     }
 }
 
@@ -159,8 +163,7 @@ void Tray::remove(ObjectId id) {
         }
     }
     for (const Entry& entry : objects_) {
-        if (entry.present && entry.object.gap_class == gone.object.gap_class &&
-            overlap(entry.object, gone.object)) {
+        if (entry.present && entry.object.gap_class == gone.object.gap_class && overlap(entry.object, gone.object)) {
             unite(occupied, *entry.object.solid, entry.object.position);
             unite_parts(entry.object);
         }

@@ -45,7 +45,8 @@ struct TrayObject {
     VoxelIndex position;  ///< of the solid's voxel (0,0,0)
     int gap_class = 0;
     bool fixed = false;
-    /// With s > 1 the object in voxels of dx / s; `solid` is then the voxels of dx that it reaches into (fine_object()).
+    /// With s > 1 the object in voxels of dx / s; `solid` is then the voxels of dx that it reaches into
+    /// (fine_object()).
     std::shared_ptr<const BitGrid> fine{};
     VoxelIndex fine_position{};  ///< of the fine grid's voxel (0,0,0), in voxels of dx / s
 
@@ -59,8 +60,8 @@ struct TrayObject {
 /// The object whose voxels of dx / detail are `fine` at `fine_position`.
 TrayObject fine_object(std::shared_ptr<const BitGrid> fine, const VoxelIndex& fine_position, int detail, int gap_class);
 
-/// The same tray in the voxels that collisions are decided on, dx / s. Containers and keep-outs are virtual, in nobody's
-/// way: nothing is blocked in it.
+/// The same tray in the voxels that collisions are decided on, dx / s. Containers and keep-outs are virtual, in
+/// nobody's way: nothing is blocked in it.
 TraySetup finest_setup(TraySetup setup);
 /// An object of such a tray.
 TrayObject on_finest(TrayObject object);
@@ -106,9 +107,7 @@ class Tray {
     Extent candidates(const Vec3& size) const;
 
     /// Voxels of dx that objects of one gap class reach into, without walls and keep-out.
-    const BitGrid& occupied(int gap_class) const {
-        return occupied_[static_cast<std::size_t>(gap_class)];
-    }
+    const BitGrid& occupied(int gap_class) const { return occupied_[static_cast<std::size_t>(gap_class)]; }
     /// Part `part` of the fine voxels of one gap class's objects (voxel/split.hpp). With s = 1: occupied().
     const BitGrid& occupied_part(int gap_class, int part) const {
         return setup_.detail == 1 ? occupied(gap_class)
@@ -135,9 +134,7 @@ class Tray {
     /// Present and past objects: ids are 0 .. object_count() - 1.
     ObjectId object_count() const { return static_cast<ObjectId>(objects_.size()); }
     /// The object as it was added, also when it has been removed since.
-    const TrayObject& object(ObjectId id) const {
-        return objects_[static_cast<std::size_t>(id)].object;
-    }
+    const TrayObject& object(ObjectId id) const { return objects_[static_cast<std::size_t>(id)].object; }
 
     /// Distinct for every tray of the process, copies included.
     std::uint64_t instance() const { return identity_.value(); }

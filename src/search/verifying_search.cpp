@@ -32,8 +32,8 @@ std::string orientation_text(const Shape& shape, int index) {
 std::string describe(const Shape& shape, const std::optional<BestPlacement>& best) {
     if (!best) return "none";
     std::ostringstream text = exact_text();
-    text << "orientation " << orientation_text(shape, best->index) << " at " << best->position
-         << ", proximity " << best->proximity << ", cost " << best->cost << ", neighbours";
+    text << "orientation " << orientation_text(shape, best->index) << " at " << best->position << ", proximity "
+         << best->proximity << ", cost " << best->cost << ", neighbours";
     for (const Cost& cost : best->neighbours) {
         text << ' ' << cost;
     }
@@ -43,8 +43,8 @@ std::string describe(const Shape& shape, const std::optional<BestPlacement>& bes
 std::string describe(const FreePositions& free) {
     std::ostringstream text = exact_text();
     const Extent& e = free.free.extent();
-    text << free.free.count() << " free positions of " << e.x << " x " << e.y << " x " << e.z
-         << " from " << free.origin;
+    text << free.free.count() << " free positions of " << e.x << " x " << e.y << " x " << e.z << " from "
+         << free.origin;
     return text.str();
 }
 
@@ -65,23 +65,20 @@ std::string first_difference(const FreePositions& a, const FreePositions& b) {
     return "";
 }
 
-[[noreturn]] void fail(const PlacementSearch& engine, const PlacementSearch& oracle,
-                       const std::string& question, const Tray& tray, const Shape& shape,
-                       const std::string& answer, const std::string& expected) {
+[[noreturn]] void fail(const PlacementSearch& engine, const PlacementSearch& oracle, const std::string& question,
+                       const Tray& tray, const Shape& shape, const std::string& answer, const std::string& expected) {
     std::ostringstream text;
-    text << "engines differ in the " << question << " of shape " << shape.id << " in tray "
-         << tray.instance() << ", version " << tray.version() << ": " << engine.name() << " says "
-         << answer << "; " << oracle.name() << " says " << expected;
+    text << "engines differ in the " << question << " of shape " << shape.id << " in tray " << tray.instance()
+         << ", version " << tray.version() << ": " << engine.name() << " says " << answer << "; " << oracle.name()
+         << " says " << expected;
     throw InternalError(text.str());
 }
 
 }  // namespace
 
-VerifyingSearch::VerifyingSearch(std::unique_ptr<PlacementSearch> engine,
-                                 std::unique_ptr<PlacementSearch> oracle,
+VerifyingSearch::VerifyingSearch(std::unique_ptr<PlacementSearch> engine, std::unique_ptr<PlacementSearch> oracle,
                                  const VerifyingOptions& options)
-    : engine_(std::move(engine)), oracle_(std::move(oracle)), options_(options) {
-}
+    : engine_(std::move(engine)), oracle_(std::move(oracle)), options_(options) {}
 
 bool VerifyingSearch::in_sample(std::uint64_t call, std::uint64_t kind) const {
     if (options_.sample <= 0 || options_.sample >= options_.expected_calls) return true;
@@ -92,8 +89,8 @@ bool VerifyingSearch::in_sample(std::uint64_t call, std::uint64_t kind) const {
            static_cast<std::uint64_t>(options_.sample);
 }
 
-SearchResult VerifyingSearch::best_placement(const Tray& tray, const Shape& shape,
-                                             const CostModel& model, const StopToken& stop) {
+SearchResult VerifyingSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                             const StopToken& stop) {
     const bool verify = in_sample(placements_++, 0);
     SearchResult answer = engine_->best_placement(tray, shape, model, stop);
     if (!verify || answer.stopped) return answer;
@@ -107,8 +104,7 @@ SearchResult VerifyingSearch::best_placement(const Tray& tray, const Shape& shap
     return answer;
 }
 
-FreePositions VerifyingSearch::free_positions(const Tray& tray, const Shape& shape, int index,
-                                              const FreeQuery& query) {
+FreePositions VerifyingSearch::free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) {
     const bool verify = in_sample(free_queries_++, 1);
     FreePositions answer = engine_->free_positions(tray, shape, index, query);
     if (!verify) return answer;
@@ -125,9 +121,8 @@ FreePositions VerifyingSearch::free_positions(const Tray& tray, const Shape& sha
     return answer;
 }
 
-std::unique_ptr<FreeTileReader> VerifyingSearch::free_tiles(const Tray& tray,
-                                                          std::shared_ptr<const BitGrid> solid,
-                                                          const FreeQuery& query) {
+std::unique_ptr<FreeTileReader> VerifyingSearch::free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                                            const FreeQuery& query) {
     // All rows at once, by free_positions() above, where they are to be compared.
     if (in_sample(free_queries_, 1)) return PlacementSearch::free_tiles(tray, solid, query);
     ++free_queries_;

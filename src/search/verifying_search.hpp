@@ -10,9 +10,8 @@ namespace spectralpack {
 /// Which calls the oracle answers too. Decided by seed and call number alone, so a repeated run
 /// verifies the same calls.
 struct VerifyingOptions {
-    std::int64_t sample = 0;  ///< about so many of the expected calls; 0: every call
-    std::int64_t expected_calls =
-        1;  ///< of best_placement; free positions are sampled at the same rate
+    std::int64_t sample = 0;          ///< about so many of the expected calls; 0: every call
+    std::int64_t expected_calls = 1;  ///< of best_placement; free positions are sampled at the same rate
     std::uint64_t seed = 0;
 };
 
@@ -22,21 +21,18 @@ struct VerifyingOptions {
 /// bit by bit. Answers ended by the stop token are not compared.
 class VerifyingSearch final : public PlacementSearch {
   public:
-    VerifyingSearch(std::unique_ptr<PlacementSearch> engine,
-                    std::unique_ptr<PlacementSearch> oracle, const VerifyingOptions& options);
+    VerifyingSearch(std::unique_ptr<PlacementSearch> engine, std::unique_ptr<PlacementSearch> oracle,
+                    const VerifyingOptions& options);
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override;
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override;
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
-                                             const FreeQuery& query) override;
+                                               const FreeQuery& query) override;
     const char* name() const override { return engine_->name(); }
     std::int64_t memory() const override { return engine_->memory() + oracle_->memory(); }
 
-    std::int64_t verified() const {
-        return verified_;
-    }  ///< answers compared so far, all of them equal
+    std::int64_t verified() const { return verified_; }  ///< answers compared so far, all of them equal
 
   private:
     bool in_sample(std::uint64_t call, std::uint64_t kind) const;

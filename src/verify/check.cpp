@@ -88,25 +88,28 @@ class TrayPairs {
         const std::string deep = "at least " + short_number(relation.depth) + " mm deep";
         switch (relation.kind) {
             case Kind::overlap:
-                return report(FindingKind::overlap, pair, relation.depth,
-                              a + " and " + b + " overlap, " + deep);
+                return report(FindingKind::overlap, pair, relation.depth, a + " and " + b + " overlap, " + deep);
             case Kind::a_within_b:
                 return report(FindingKind::nested, pair, relation.depth,
                               a + " lies inside the material of " + b + ", " + deep);
             case Kind::b_within_a:
                 return report(FindingKind::nested, pair, relation.depth,
                               b + " lies inside the material of " + a + ", " + deep);
-            case Kind::apart: break;
+            case Kind::apart:
+                break;
         }
         const double gap = gap_of(pair);
         if (distance >= gap - kCheckTolerance) return;
         report(FindingKind::gap, pair, gap - distance,
-               a + " and " + b + " are " + short_number(distance) + " mm apart, " +
-                   short_number(gap - distance) + " mm less than their gap of " + short_number(gap) + " mm");
+               a + " and " + b + " are " + short_number(distance) + " mm apart, " + short_number(gap - distance) +
+                   " mm less than their gap of " + short_number(gap) + " mm");
     }
 
     void report(FindingKind kind, const BoxPair& pair, double amount, const std::string& message) {
-        findings_.push_back({kind, tray_, {copy(pair.a).placement, copy(pair.b).placement}, amount,
+        findings_.push_back({kind,
+                             tray_,
+                             {copy(pair.a).placement, copy(pair.b).placement},
+                             amount,
                              tray_prefix(packing_, tray_) + message});
     }
 
@@ -139,11 +142,11 @@ constexpr double kComparing = 0.5;
 }  // namespace
 
 bool CheckReport::plans_complete() const {
-    return std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan && plan->complete && plan->ok(); });
+    return std::all_of(plans.begin(), plans.end(),
+                       [](const auto& plan) { return plan && plan->complete && plan->ok(); });
 }
 
-CheckReport check_packing(const Packing& packing,
-                          const std::vector<std::shared_ptr<const Mesh>>& meshes,
+CheckReport check_packing(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
                           const Workers& workers, Listener& listener, const StopToken& stop) {
     CheckReport report;
     append(report.findings, count_findings(packing));
@@ -168,21 +171,19 @@ CheckReport check_packing(const Packing& packing,
         const double comparing = has_plan ? kComparing : 1;
         const auto tell = [&](std::size_t done, std::size_t total, double from, double share) {
             const double part = from + share * static_cast<double>(done) / static_cast<double>(total);
-            listener.on_progress({Phase::check, static_cast<std::int64_t>(done),
-                                  static_cast<std::int64_t>(total), 0,
+            listener.on_progress({Phase::check, static_cast<std::int64_t>(done), static_cast<std::int64_t>(total), 0,
                                   kPreparing + (1 - kPreparing) * (tray + part) / trays});
         };
         TrayPairs pairs(packing, tray, here, workers);
-        report.stopped = !pairs.run(
-            stop, [&](std::size_t done, std::size_t total) { tell(done, total, 0, comparing); });
+        report.stopped =
+            !pairs.run(stop, [&](std::size_t done, std::size_t total) { tell(done, total, 0, comparing); });
         append(report.findings, pairs.findings());
         append(report.findings, walls->judge(tray, here, workers, stop));
         report.plans.emplace_back();
         if (has_plan && !report.stopped) {
             const Replay replay =
-                replay_plan(packing, tray, here, walls->physical(), workers, stop, [&](std::size_t done, std::size_t total) {
-                    tell(done, total, comparing, 1 - comparing);
-                });
+                replay_plan(packing, tray, here, walls->physical(), workers, stop,
+                            [&](std::size_t done, std::size_t total) { tell(done, total, comparing, 1 - comparing); });
             report.stopped = replay.stopped;
             report.plans.back() = replay.report;
             append(report.findings, replay.findings);

@@ -41,7 +41,7 @@ struct Finding {
 
 /// What the replay of a tray's disassembly plan gave. What fails is a finding, too.
 struct PlanReport {
-    bool complete = false;          ///< it says so, and every copy that is not fixed has a step of its own
+    bool complete = false;  ///< it says so, and every copy that is not fixed has a step of its own
     std::int64_t steps = 0;
     std::int64_t sweeps = 0;        ///< moves of one copy past another that were followed on the meshes
     std::vector<int> failed_steps;  ///< ascending
@@ -52,12 +52,12 @@ struct PlanReport {
 };
 
 struct CheckReport {
-    std::vector<Finding> findings;   ///< in tray order, then by placement; those of plans last, by step
-    std::optional<double> min_gap;   ///< least distance between two copies of one tray, mm; none with < 2 copies
-    std::vector<double> density;     ///< measured, per tray
+    std::vector<Finding> findings;  ///< in tray order, then by placement; those of plans last, by step
+    std::optional<double> min_gap;  ///< least distance between two copies of one tray, mm; none with < 2 copies
+    std::vector<double> density;    ///< measured, per tray
     std::vector<std::optional<PlanReport>> plans;  ///< per tray; none: it has no plan, interlocking was not checked
-    std::int64_t pairs_tested = 0;   ///< pairs whose meshes were compared
-    bool stopped = false;            ///< ended early: the report is incomplete
+    std::int64_t pairs_tested = 0;                 ///< pairs whose meshes were compared
+    bool stopped = false;                          ///< ended early: the report is incomplete
     bool ok() const { return findings.empty() && !stopped; }
     /// Every tray has a plan that takes out all that is not fixed.
     bool plans_complete() const;
@@ -66,10 +66,9 @@ struct CheckReport {
 /// `meshes`: by part, in the mesh file's own coordinates. Nested means inside *material*: a copy in another's
 /// closed hollow or in a cavity is fine; a copy in solid matter is not, even if no triangles meet. A mesh that is
 /// not closed has a surface but no inside; the listener is warned. How overlap is decided: overlap.hpp.
-/// Meshes of parts without placements may be null. Does not depend on the number of threads. Throws InternalError where a
-/// placed part has no mesh.
-CheckReport check_packing(const Packing& packing,
-                          const std::vector<std::shared_ptr<const Mesh>>& meshes,
+/// Meshes of parts without placements may be null. Does not depend on the number of threads. Throws InternalError where
+/// a placed part has no mesh.
+CheckReport check_packing(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
                           const Workers& workers, Listener& listener, const StopToken& stop);
 
 }  // namespace spectralpack

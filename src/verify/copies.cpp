@@ -19,14 +19,13 @@ constexpr double kRigid = 1e-9;
 struct Order {
     std::shared_ptr<const Mesh> mesh;
     Mat3 linear;
-    std::string name;  ///< of the first part that wants it
+    std::string name;   ///< of the first part that wants it
     double volume = 0;  ///< signed, in the mesh's own unit
 };
 
 class Preparation {
   public:
-    Preparation(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                const Workers& workers)
+    Preparation(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes, const Workers& workers)
         : packing_(packing), meshes_(meshes), workers_(workers) {
         result_.by_tray.resize(packing.trays.size());
         orders_of_.resize(packing.trays.size());
@@ -43,8 +42,8 @@ class Preparation {
         const double scale = part.to_mm();
         const PoseVerdict verdict = judge_pose(placement.transform, scale);
         if (!verdict.fault.empty()) {
-            result_.findings.push_back({FindingKind::transform, tray, {index}, verdict.deviation,
-                                        named(tray, index) + " " + verdict.fault});
+            result_.findings.push_back(
+                {FindingKind::transform, tray, {index}, verdict.deviation, named(tray, index) + " " + verdict.fault});
         }
         if (verdict.deviation == Box::kInfinity) return;
 
@@ -76,19 +75,18 @@ class Preparation {
             workers_.for_each(static_cast<std::int64_t>(size), [&](std::int64_t k) {
                 const std::size_t i = begin + static_cast<std::size_t>(k);
                 orders_[i].volume = signed_volume(*orders_[i].mesh);
-                result_.solids[i] = std::make_unique<const Solid>(
-                    *orders_[i].mesh, Transform{orders_[i].linear, {}}, deep_enough(kCheckTolerance));
+                result_.solids[i] = std::make_unique<const Solid>(*orders_[i].mesh, Transform{orders_[i].linear, {}},
+                                                                  deep_enough(kCheckTolerance));
             });
             if (stop.stopped()) return false;
-            listener.on_progress({Phase::check, 0, 0, 0,
-                                  kPreparing * static_cast<double>(begin + size) /
-                                      static_cast<double>(orders_.size())});
+            listener.on_progress(
+                {Phase::check, 0, 0, 0,
+                 kPreparing * static_cast<double>(begin + size) / static_cast<double>(orders_.size())});
         }
         std::set<const Mesh*> told;
         for (std::size_t i = 0; i < orders_.size(); ++i) {
             if (result_.solids[i]->closed() || !told.insert(orders_[i].mesh.get()).second) continue;
-            listener.on_warning(orders_[i].name +
-                                ": its mesh is not closed: only its surface is compared");
+            listener.on_warning(orders_[i].name + ": its mesh is not closed: only its surface is compared");
         }
         return true;
     }
@@ -139,11 +137,12 @@ class Preparation {
             }
         }
         if (sides.empty()) return;
-        const std::string room =
-            wall_gap > 0 ? " less its wall gap of " + short_number(wall_gap) + " mm: " : ": ";
-        result_.findings.push_back({FindingKind::outside, tray, {copy.placement}, worst,
-                                    named(tray, copy.placement) + " sticks out of the container" +
-                                        room + sides});
+        const std::string room = wall_gap > 0 ? " less its wall gap of " + short_number(wall_gap) + " mm: " : ": ";
+        result_.findings.push_back({FindingKind::outside,
+                                    tray,
+                                    {copy.placement},
+                                    worst,
+                                    named(tray, copy.placement) + " sticks out of the container" + room + sides});
     }
 
     const Packing& packing_;
@@ -157,10 +156,8 @@ class Preparation {
 
 }  // namespace
 
-std::optional<Copies> prepare_copies(const Packing& packing,
-                                     const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                                     const Workers& workers, Listener& listener,
-                                     const StopToken& stop) {
+std::optional<Copies> prepare_copies(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                                     const Workers& workers, Listener& listener, const StopToken& stop) {
     Preparation preparation(packing, meshes, workers);
     const int trays = static_cast<int>(packing.trays.size());
     for (int tray = 0; tray < trays; ++tray) {

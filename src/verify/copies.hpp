@@ -29,9 +29,7 @@ inline constexpr double kPreparing = 0.2;
 /// One solid for each mesh and scale; one of its own for a copy whose transform is no rotation times scale. Skips
 /// placements of parts that are not there and transforms that are not finite. None when stopped. Throws
 /// InternalError where a placed part has no mesh.
-std::optional<Copies> prepare_copies(const Packing& packing,
-                                     const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                                     const Workers& workers, Listener& listener,
-                                     const StopToken& stop);
+std::optional<Copies> prepare_copies(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
+                                     const Workers& workers, Listener& listener, const StopToken& stop);
 
 }  // namespace spectralpack

@@ -49,22 +49,20 @@ std::vector<Finding> count_findings(const Packing& packing) {
             const Placement& placement = placements[i];
             const Place here{static_cast<int>(t), static_cast<int>(i)};
             const auto report = [&](std::vector<int> which, const std::string& message) {
-                findings.push_back({FindingKind::count, here.tray, std::move(which), 0,
-                                    tray_prefix(packing, here.tray) + message});
+                findings.push_back(
+                    {FindingKind::count, here.tray, std::move(which), 0, tray_prefix(packing, here.tray) + message});
             };
             if (!exists(packing, placement.part, placement.copy)) {
                 report({here.placement}, beyond_count(packing, placement));
                 continue;
             }
-            const auto [first, fresh] =
-                placed.try_emplace({placement.part, placement.copy}, here);
+            const auto [first, fresh] = placed.try_emplace({placement.part, placement.copy}, here);
             if (fresh) continue;
             const std::string name = copy_name(packing, placement);
             if (first->second.tray == here.tray) {
                 report({first->second.placement, here.placement}, name + " is placed twice");
             } else {
-                report({here.placement},
-                       name + " is placed in tray " + std::to_string(first->second.tray) + " too");
+                report({here.placement}, name + " is placed in tray " + std::to_string(first->second.tray) + " too");
             }
         }
     }

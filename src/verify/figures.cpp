@@ -26,8 +26,7 @@ double difference(const Box& a, const Box& b) {
     if (a.empty() || b.empty()) return a.empty() == b.empty() ? 0 : Box::kInfinity;
     double worst = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        worst = std::max({worst, std::abs(a.min[axis] - b.min[axis]),
-                          std::abs(a.max[axis] - b.max[axis])});
+        worst = std::max({worst, std::abs(a.min[axis] - b.min[axis]), std::abs(a.max[axis] - b.max[axis])});
     }
     return worst;
 }
@@ -50,14 +49,16 @@ double measured_density(const Packing& packing, const TrayMeasure& tray) {
 std::vector<Finding> figure_findings(const Packing& packing, const std::vector<TrayMeasure>& trays,
                                      std::optional<double> min_gap) {
     std::vector<Finding> findings;
-    const auto compare = [&](int tray, const std::string& what, double stated, double measured,
-                             double tolerance, const std::string& unit) {
+    const auto compare = [&](int tray, const std::string& what, double stated, double measured, double tolerance,
+                             const std::string& unit) {
         if (!differs(stated, measured, tolerance)) return;
-        const std::string whose = tray == kWholePacking ? "the packing"
-                                                        : "tray " + std::to_string(tray);
-        findings.push_back({FindingKind::density, tray, {}, std::abs(stated - measured),
-                            whose + " states a " + what + " of " + short_number(stated) + unit +
-                                "; measured " + short_number(measured) + unit});
+        const std::string whose = tray == kWholePacking ? "the packing" : "tray " + std::to_string(tray);
+        findings.push_back({FindingKind::density,
+                            tray,
+                            {},
+                            std::abs(stated - measured),
+                            whose + " states a " + what + " of " + short_number(stated) + unit + "; measured " +
+                                short_number(measured) + unit});
     };
     const auto compare_density = [&](int tray, const std::string& what, double stated, double measured) {
         compare(tray, what, stated, measured, kDensityTolerance * std::abs(measured) + 1e-12, "");
@@ -74,7 +75,10 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
                         box.volume() > 0 ? trays[t].volume / box.volume() : 0);
         const double off = difference(stated.bounding_box, box);
         if (differs(off, 0, kCheckTolerance)) {
-            findings.push_back({FindingKind::density, tray, {}, off,
+            findings.push_back({FindingKind::density,
+                                tray,
+                                {},
+                                off,
                                 "tray " + std::to_string(tray) + " states a bounding box of " +
                                     range_text(stated.bounding_box) + "; measured " + range_text(box)});
         }
@@ -86,8 +90,8 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
     }
     compare_density(kWholePacking, "density", packing.metrics.density, all > 0 ? volume / all : 0);
     if (packing.metrics.min_gap && min_gap) {
-        compare(kWholePacking, "least distance of two copies", *packing.metrics.min_gap, *min_gap,
-                kCheckTolerance, " mm");
+        compare(kWholePacking, "least distance of two copies", *packing.metrics.min_gap, *min_gap, kCheckTolerance,
+                " mm");
     }
     return findings;
 }

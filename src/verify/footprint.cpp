@@ -31,9 +31,8 @@ bool boxes_meet(const Polygon& a, const Polygon& b) {
 
 /// Andrew's monotone chain.
 Polygon convex_hull(std::vector<Point2> points) {
-    std::sort(points.begin(), points.end(), [](const Point2& a, const Point2& b) {
-        return a.x != b.x ? a.x < b.x : a.y < b.y;
-    });
+    std::sort(points.begin(), points.end(),
+              [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     std::vector<Point2> hull;
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t start = hull.size();
@@ -137,9 +136,7 @@ Point2 PlaneFrame::to_plane(const Vec3& point) const {
     return {dot(point - origin_, x_axis_), dot(point - origin_, y_axis_)};
 }
 
-Vec3 PlaneFrame::to_space(const Point2& point) const {
-    return origin_ + point.x * x_axis_ + point.y * y_axis_;
-}
+Vec3 PlaneFrame::to_space(const Point2& point) const { return origin_ + point.x * x_axis_ + point.y * y_axis_; }
 
 double PlaneFrame::height(const Vec3& point) const { return dot(point - origin_, normal_); }
 

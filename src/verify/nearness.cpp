@@ -17,8 +17,7 @@ constexpr double kMeeting = 1e-9;  ///< mm
 
 class Search : public fcl::detail::MeshDistanceTraversalNodeRSS<double> {
   public:
-    Search(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound,
-           double tolerance)
+    Search(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound, double tolerance)
         : a_(a), b_(b), b_to_a_(b_to_a), reach_(reach), tolerance_(tolerance) {
         model1 = a.hierarchy();
         model2 = b.hierarchy();
@@ -38,8 +37,7 @@ class Search : public fcl::detail::MeshDistanceTraversalNodeRSS<double> {
 
   private:
     bool canStop(double lower_bound) const override {
-        return found_.crossing > tolerance_ ||
-               lower_bound - kRoom > std::max(found_.distance, reach_);
+        return found_.crossing > tolerance_ || lower_bound - kRoom > std::max(found_.distance, reach_);
     }
 
     void leafTesting(int node_a, int node_b) const override {
@@ -50,8 +48,7 @@ class Search : public fcl::detail::MeshDistanceTraversalNodeRSS<double> {
         for (Vec3& corner : on_b) {
             corner = b_to_a_ * corner;
         }
-        const double distance =
-            triangle_distance(on_a, on_b, std::max(found_.distance, reach_));
+        const double distance = triangle_distance(on_a, on_b, std::max(found_.distance, reach_));
         found_.distance = std::min(found_.distance, distance);
         if (distance > reach_) return;
         found_.contacts.push_back(contact);
@@ -69,8 +66,8 @@ class Search : public fcl::detail::MeshDistanceTraversalNodeRSS<double> {
 
 }  // namespace
 
-Nearness find_nearness(const Solid& a, const Solid& b, const Transform& b_to_a, double reach,
-                       double bound, double tolerance) {
+Nearness find_nearness(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound,
+                       double tolerance) {
     if (!a.hierarchy() || !b.hierarchy()) return {bound, 0, {}};
     return Search(a, b, b_to_a, reach, bound, tolerance).run();
 }

@@ -22,7 +22,7 @@ struct Nearness {
 /// FCL's traversal of two hierarchies, with our own distance of triangles (triangle_pair.hpp) at the leaves.
 /// `b_to_a`: a rotation and a translation. Looks for contacts within `reach` and for distances below `bound`, and
 /// ends at the first pair of triangles that cross deeper than `tolerance`.
-Nearness find_nearness(const Solid& a, const Solid& b, const Transform& b_to_a, double reach,
-                       double bound, double tolerance);
+Nearness find_nearness(const Solid& a, const Solid& b, const Transform& b_to_a, double reach, double bound,
+                       double tolerance);
 
 }  // namespace spectralpack

@@ -28,7 +28,10 @@ Corners moved(const Corners& corners, const Transform& transform) {
 class SurfaceInside {
   public:
     SurfaceInside(const Solid& inner, const Solid& outer, const Transform& to_outer, double tolerance)
-        : inner_(inner), outer_(outer), to_outer_(to_outer), tolerance_(tolerance),
+        : inner_(inner),
+          outer_(outer),
+          to_outer_(to_outer),
+          tolerance_(tolerance),
           clear_(inner.mesh().vertices.size(), false) {}
 
     bool point_inside(const Vec3& of_inner) const {
@@ -36,9 +39,8 @@ class SurfaceInside {
     }
 
     bool any_deep_point() const {
-        return std::any_of(inner_.shells().begin(), inner_.shells().end(), [&](const auto& shell) {
-            return shell.deep_point && point_inside(*shell.deep_point);
-        });
+        return std::any_of(inner_.shells().begin(), inner_.shells().end(),
+                           [&](const auto& shell) { return shell.deep_point && point_inside(*shell.deep_point); });
     }
 
     /// How many of the shells of which no triangle is in contact lie inside.
@@ -64,9 +66,8 @@ class SurfaceInside {
         std::vector<Point2> outside;
         const auto sees_outside = [&](const Point2& point) {
             return footprints.size() <= kManyFootprints &&
-                   std::any_of(outside.begin(), outside.end(), [&](const Point2& known) {
-                       return clear_path(point, known, footprints);
-                   });
+                   std::any_of(outside.begin(), outside.end(),
+                               [&](const Point2& known) { return clear_path(point, known, footprints); });
         };
         const Triangle& vertices = inner_.mesh().triangles[triangle];
         for (int i = 0; i < 3; ++i) {
@@ -137,8 +138,8 @@ class SurfaceInside {
 
 /// `contacts` sorted by `self`: calls visit(triangle, its near ones) until that returns true.
 template <class Visit>
-bool any_in_contact(std::vector<Contact> contacts, std::size_t Contact::*self,
-                    std::size_t Contact::*other, Visit visit) {
+bool any_in_contact(std::vector<Contact> contacts, std::size_t Contact::*self, std::size_t Contact::*other,
+                    Visit visit) {
     std::sort(contacts.begin(), contacts.end(), [&](const Contact& x, const Contact& y) {
         return x.*self != y.*self ? x.*self < y.*self : x.*other < y.*other;
     });
@@ -178,10 +179,8 @@ Relation compare(const PosedSolid& posed_a, const PosedSolid& posed_b, double to
     };
     if (near.crossing > tolerance) return shared(Kind::overlap);
 
-    const std::size_t a_shells =
-        a_in_b.shells_inside(shells_in_contact(a, near.contacts, &Contact::a));
-    const std::size_t b_shells =
-        b_in_a.shells_inside(shells_in_contact(b, near.contacts, &Contact::b));
+    const std::size_t a_shells = a_in_b.shells_inside(shells_in_contact(a, near.contacts, &Contact::a));
+    const std::size_t b_shells = b_in_a.shells_inside(shells_in_contact(b, near.contacts, &Contact::b));
     if (near.contacts.empty()) {
         if (a_shells == a.shells().size()) return shared(Kind::a_within_b);
         if (b_shells == b.shells().size()) return shared(Kind::b_within_a);
@@ -190,15 +189,14 @@ Relation compare(const PosedSolid& posed_a, const PosedSolid& posed_b, double to
     if (near.contacts.empty()) return {Kind::apart, near.distance, 0};
 
     if (a_in_b.any_deep_point() || b_in_a.any_deep_point()) return shared(Kind::overlap);
-    const bool inside =
-        any_in_contact(near.contacts, &Contact::a, &Contact::b,
-                       [&](std::size_t triangle, const std::vector<std::size_t>& others) {
-                           return a_in_b.any_piece_inside(triangle, others);
-                       }) ||
-        any_in_contact(near.contacts, &Contact::b, &Contact::a,
-                       [&](std::size_t triangle, const std::vector<std::size_t>& others) {
-                           return b_in_a.any_piece_inside(triangle, others);
-                       });
+    const bool inside = any_in_contact(near.contacts, &Contact::a, &Contact::b,
+                                       [&](std::size_t triangle, const std::vector<std::size_t>& others) {
+                                           return a_in_b.any_piece_inside(triangle, others);
+                                       }) ||
+                        any_in_contact(near.contacts, &Contact::b, &Contact::a,
+                                       [&](std::size_t triangle, const std::vector<std::size_t>& others) {
+                                           return b_in_a.any_piece_inside(triangle, others);
+                                       });
     if (inside) return shared(Kind::overlap);
     return {Kind::apart, near.distance, 0};
 }

@@ -32,8 +32,7 @@ double difference_from_identity(const Mat3& m) {
 
 PoseVerdict judge_pose(const Transform& transform, double scale) {
     if (!is_finite(transform)) {
-        return {"has a transform with numbers that are not finite",
-                std::numeric_limits<double>::infinity()};
+        return {"has a transform with numbers that are not finite", std::numeric_limits<double>::infinity()};
     }
     const Mat3 rotation = 1 / scale * transform.linear;
     const Mat3 gram = transposed(rotation) * rotation;
@@ -43,9 +42,9 @@ PoseVerdict judge_pose(const Transform& transform, double scale) {
         verdict.fault = determinant(rotation) < 0 ? "is mirrored" : "is flattened by its transform";
     } else if (verdict.deviation > kRotationTolerance) {
         const bool even = difference_from_identity(1 / square * gram) <= kRotationTolerance;
-        verdict.fault = even ? "is scaled by " + short_number(std::sqrt(square) * scale) + ", not by " +
-                                   short_number(scale)
-                             : "is sheared or scaled unevenly";
+        verdict.fault =
+            even ? "is scaled by " + short_number(std::sqrt(square) * scale) + ", not by " + short_number(scale)
+                 : "is sheared or scaled unevenly";
     }
     return verdict;
 }

@@ -11,8 +11,9 @@ namespace spectralpack {
 inline constexpr double kRotationTolerance = 1e-6;
 
 struct PoseVerdict {
-    std::string fault;     ///< what is wrong, in words ("is mirrored"); empty if nothing is
-    double deviation = 0;  ///< greatest entry of |R^T R - 1|, R = linear / scale; infinite for numbers that are not finite
+    std::string fault;  ///< what is wrong, in words ("is mirrored"); empty if nothing is
+    double deviation =
+        0;  ///< greatest entry of |R^T R - 1|, R = linear / scale; infinite for numbers that are not finite
 };
 
 /// `scale`: millimetres per unit of the mesh as loaded, > 0.

@@ -61,9 +61,14 @@ struct Verdict {
 class PlanReplay {
   public:
     PlanReplay(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls)
-        : packing_(packing), tray_(tray), walls_(walls), placements_(packing.trays[static_cast<std::size_t>(tray)].placements),
-          plan_(*packing.trays[static_cast<std::size_t>(tray)].disassembly), copy_of_(placements_.size()),
-          company_(placements_.size(), kInTray), own_step_(placements_.size()) {
+        : packing_(packing),
+          tray_(tray),
+          walls_(walls),
+          placements_(packing.trays[static_cast<std::size_t>(tray)].placements),
+          plan_(*packing.trays[static_cast<std::size_t>(tray)].disassembly),
+          copy_of_(placements_.size()),
+          company_(placements_.size(), kInTray),
+          own_step_(placements_.size()) {
         for (const Copy& copy : copies) {
             copy_of_[static_cast<std::size_t>(copy.placement)] = &copy;
         }
@@ -191,8 +196,9 @@ class PlanReplay {
         }
         if (verdict.inside) {
             find(stage.step, {verdict.inside->placement}, verdict.sticking,
-                 name(verdict.inside) + " ends inside the bounding box of what is left" + (walls_.empty() ? ", " : " and of the container, ") +
-                     short_number(verdict.sticking) + " mm from outside");
+                 name(verdict.inside) + " ends inside the bounding box of what is left" +
+                     (walls_.empty() ? ", " : " and of the container, ") + short_number(verdict.sticking) +
+                     " mm from outside");
         }
     }
 
@@ -204,7 +210,8 @@ class PlanReplay {
         report.complete = plan_.complete && report.without_step.empty();
         if (plan_.complete && !report.complete) {
             replay_.findings.push_back({FindingKind::plan, tray_, report.without_step, 0,
-                                        tray_prefix(packing_, tray_) + "the plan says it is complete, but has no step for " +
+                                        tray_prefix(packing_, tray_) +
+                                            "the plan says it is complete, but has no step for " +
                                             names(report.without_step)});
         }
     }
@@ -255,9 +262,9 @@ class PlanReplay {
     const std::vector<Copy>& walls_;
     const std::vector<Placement>& placements_;
     const Disassembly& plan_;
-    std::vector<const Copy*> copy_of_;                 ///< by placement; null: not there
-    std::vector<int> company_;                         ///< by placement: kInTray, else 1 + the step it left in
-    std::vector<std::optional<std::size_t>> own_step_; ///< by placement: the step that took it out by itself
+    std::vector<const Copy*> copy_of_;                  ///< by placement; null: not there
+    std::vector<int> company_;                          ///< by placement: kInTray, else 1 + the step it left in
+    std::vector<std::optional<std::size_t>> own_step_;  ///< by placement: the step that took it out by itself
     Replay replay_;
 };
 

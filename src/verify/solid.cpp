@@ -29,12 +29,9 @@ using Volume = fcl::RSS<double>;
 /// The box of a rectangle swept by a sphere: in the volume's axes, about the rectangle's middle.
 struct LocalBox {
     explicit LocalBox(const Volume& swept)
-        : volume(swept), middle(swept.l[0] / 2, swept.l[1] / 2, 0),
-          half(middle + Vector::Constant(swept.r)) {}
+        : volume(swept), middle(swept.l[0] / 2, swept.l[1] / 2, 0), half(middle + Vector::Constant(swept.r)) {}
 
-    Vector to_local(const Vector& point) const {
-        return volume.axis.transpose() * (point - volume.To) - middle;
-    }
+    Vector to_local(const Vector& point) const { return volume.axis.transpose() * (point - volume.To) - middle; }
 
     const Volume& volume;
     Vector middle, half;
@@ -93,9 +90,9 @@ class RayFrame {
     }
 
     struct Crossing {
-        int sign = 0;           ///< 1: out of the surface's back, -1: into its front, 0: missed
-        bool grazing = false;   ///< too near an edge, or starts on the surface: not to be relied on
-        double distance = 0;    ///< along the ray
+        int sign = 0;          ///< 1: out of the surface's back, -1: into its front, 0: missed
+        bool grazing = false;  ///< too near an edge, or starts on the surface: not to be relied on
+        double distance = 0;   ///< along the ray
     };
 
     Crossing cross_triangle(const Corners& corners) const {
@@ -122,8 +119,8 @@ class RayFrame {
         const bool left = turns[0] > 0 && turns[1] > 0 && turns[2] > 0;
         const bool right = turns[0] < 0 && turns[1] < 0 && turns[2] < 0;
         if (!left && !right) return crossing;
-        crossing.distance = (turns[1] * p[0].z + turns[2] * p[1].z + turns[0] * p[2].z) /
-                            (turns[0] + turns[1] + turns[2]);
+        crossing.distance =
+            (turns[1] * p[0].z + turns[2] * p[1].z + turns[0] * p[2].z) / (turns[0] + turns[1] + turns[2]);
         crossing.grazing = std::abs(crossing.distance) < kGrazing;
         if (crossing.distance > 0) crossing.sign = left ? 1 : -1;
         return crossing;
@@ -137,19 +134,16 @@ class RayFrame {
 int winding_by_solid_angle(const Mesh& mesh, const Vec3& point) {
     double sum = 0;
     for (const Triangle& t : mesh.triangles) {
-        const Vec3 a = mesh.vertices[t[0]] - point, b = mesh.vertices[t[1]] - point,
-                   c = mesh.vertices[t[2]] - point;
+        const Vec3 a = mesh.vertices[t[0]] - point, b = mesh.vertices[t[1]] - point, c = mesh.vertices[t[2]] - point;
         const double la = length(a), lb = length(b), lc = length(c);
-        sum += std::atan2(dot(a, cross(b, c)),
-                          la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        sum += std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
     return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
 }  // namespace
 
-Solid::Solid(const Mesh& mesh, const Transform& transform, double depth)
-    : mesh_(transformed(mesh, transform)) {
+Solid::Solid(const Mesh& mesh, const Transform& transform, double depth) : mesh_(transformed(mesh, transform)) {
     weld_equal_vertices(mesh_);
     box_ = bounding_box(mesh_);
     closed_ = is_closed(mesh_);
@@ -216,8 +210,7 @@ double Solid::surface_distance(const Vec3& point) const {
         if (lower >= best) continue;
         const auto& node = hierarchy_->getBV(index);
         if (node.isLeaf()) {
-            best = std::min(best,
-                            point_triangle_distance(point, corners(triangle(node.primitiveId()))));
+            best = std::min(best, point_triangle_distance(point, corners(triangle(node.primitiveId()))));
             continue;
         }
         std::pair near(box_distance(node.leftChild()), node.leftChild());
@@ -263,8 +256,7 @@ void Solid::find_deep_points(double depth) {
         area[i] = length(cross(c[1] - c[0], c[2] - c[0]));
     }
     std::vector<std::size_t> order = kept_;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
     std::vector<int> tried(shells_.size(), 0);
     std::vector<double> deepest(shells_.size(), depth);
     for (const std::size_t i : order) {

@@ -78,8 +78,7 @@ class Sweep {
     Sweep(const PosedSolid& posed_a, const PosedSolid& posed_b, const Vec3& move, double tolerance)
         : a_(*posed_a.solid), b_(*posed_b.solid), tolerance_(tolerance) {
         const Mat3 back = transposed(posed_a.pose.linear);
-        b_to_a_ = {back * posed_b.pose.linear,
-                   back * (posed_b.pose.translation - posed_a.pose.translation)};
+        b_to_a_ = {back * posed_b.pose.linear, back * (posed_b.pose.translation - posed_a.pose.translation)};
         move_ = back * move;
         oriented_ = a_.closed() && b_.closed();
     }

@@ -1,16 +1,16 @@
 #pragma once
 /// A solid moves in a straight line past another that stands: do they come to share material on the way?
 ///
-/// Touching and sliding along a contact is allowed; what counts is how deep, as in overlap.hpp. If the two share nothing
-/// deeper than e at the start, then
+/// Touching and sliding along a contact is allowed; what counts is how deep, as in overlap.hpp. If the two share
+/// nothing deeper than e at the start, then
 ///  - what is reported are crossings of triangles deeper than e, or an overlap that compare() finds at some time, and
 ///  - all that comes to share points deeper than 6 e is found, but for the limits below, however thin and however fast:
 ///    no time is sampled.
 ///
-/// Why. Let a point of A be deep in B at some time that was not at the start. Forward of it, along the move, A ends in a
-/// triangle S (facing forward), which has then been as deep in B: so S has gone through a triangle T of B (facing
-/// back), and around that point all of S has. Seen along the move, the outlines of such S and T overlap in polygons that
-/// cover the surroundings of the point.
+/// Why. Let a point of A be deep in B at some time that was not at the start. Forward of it, along the move, A ends in
+/// a triangle S (facing forward), which has then been as deep in B: so S has gone through a triangle T of B (facing
+/// back), and around that point all of S has. Seen along the move, the outlines of such S and T overlap in polygons
+/// that cover the surroundings of the point.
 ///  1. Unless S and T are parallel they cross on the way, the deeper the larger their common polygon. Crossings are
 ///     found exactly (triangle_sweep.hpp).
 ///  2. If they are all but parallel they go through one another flatly and never cross deep. But then the solids behind

@@ -58,8 +58,7 @@ class Passage {
         if (flat.entered + flat.speed <= tolerance_) return passage;  // it does not get through
         passage.flat = true;
         passage.starts_flat = flat.entered > -kFlatReach * tolerance_;
-        passage.look_at =
-            std::clamp((flat.width() + kFlatReach * tolerance_ - flat.entered) / flat.speed, 0.0, 1.0);
+        passage.look_at = std::clamp((flat.width() + kFlatReach * tolerance_ - flat.entered) / flat.speed, 0.0, 1.0);
         return passage;
     }
 

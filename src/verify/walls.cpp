@@ -10,8 +10,8 @@ namespace {
 void add_box(Mesh& mesh, const Box& box) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back({i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-                                 i & 4 ? box.max.z : box.min.z});
+        mesh.vertices.push_back(
+            {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z});
     }
     constexpr std::uint32_t kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                             {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
@@ -45,8 +45,8 @@ Mesh outside_of(const Mesh& container, Box all) {
 Walls::Walls(const Packing& packing, const Box& all) : packing_(packing) {
     const Container& container = packing.container;
     const auto add = [&](std::string name, const Mesh& mesh) {
-        walls_.push_back({std::move(name), std::make_unique<const Solid>(mesh, Transform{},
-                                                                         deep_enough(kCheckTolerance))});
+        walls_.push_back(
+            {std::move(name), std::make_unique<const Solid>(mesh, Transform{}, deep_enough(kCheckTolerance))});
     };
     if (container.mesh) add("the outside of the container", outside_of(surface_of(*container.mesh), all));
     for (std::size_t i = 0; i < container.keep_out.size(); ++i) {
@@ -89,11 +89,17 @@ std::vector<Finding> Walls::judge(int tray, const std::vector<Copy>& copies, con
                                      copy_name(packing_, placements[static_cast<std::size_t>(copies[i].placement)]);
             const double missing = wall_gap - relation.distance;
             if (relation.kind != Relation::Kind::apart) {
-                findings.push_back({FindingKind::outside, tray, {copies[i].placement}, relation.depth,
-                                    name + " reaches into " + wall.name + ", at least " +
-                                        short_number(relation.depth) + " mm deep"});
+                findings.push_back(
+                    {FindingKind::outside,
+                     tray,
+                     {copies[i].placement},
+                     relation.depth,
+                     name + " reaches into " + wall.name + ", at least " + short_number(relation.depth) + " mm deep"});
             } else if (missing > kCheckTolerance) {
-                findings.push_back({FindingKind::outside, tray, {copies[i].placement}, missing,
+                findings.push_back({FindingKind::outside,
+                                    tray,
+                                    {copies[i].placement},
+                                    missing,
                                     name + " is " + short_number(relation.distance) + " mm from " + wall.name + ", " +
                                         short_number(missing) + " mm less than the wall gap of " +
                                         short_number(wall_gap) + " mm"});

@@ -13,12 +13,11 @@ constexpr int kWordBits = BitGrid::kWordBits;
 /// meet, until it returns false. Shifting is exact for negative positions: bits that leave the row
 /// are dropped.
 template <class TargetWord, class Visit>
-bool for_shifted_words(TargetWord* target, int target_words, const Word* source, int source_words,
-                       int shift, const Visit& visit) {
+bool for_shifted_words(TargetWord* target, int target_words, const Word* source, int source_words, int shift,
+                       const Visit& visit) {
     const int word_shift = shift >= 0 ? shift / kWordBits : -((-shift + kWordBits - 1) / kWordBits);
     const int bit_shift = shift - word_shift * kWordBits;
-    for (int i = std::max(0, word_shift); i < std::min(target_words, word_shift + source_words + 1);
-         ++i) {
+    for (int i = std::max(0, word_shift); i < std::min(target_words, word_shift + source_words + 1); ++i) {
         const int j = i - word_shift;
         Word bits = j < source_words ? source[j] << bit_shift : 0;
         if (bit_shift > 0 && j > 0) bits |= source[j - 1] >> (kWordBits - bit_shift);
@@ -33,8 +32,8 @@ bool for_overlap(Target& target, const BitGrid& source, const VoxelIndex& at, co
     const Extent& s = source.extent();
     for (int z = std::max(0, -at.z); z < std::min(s.z, t.z - at.z); ++z) {
         for (int y = std::max(0, -at.y); y < std::min(s.y, t.y - at.y); ++y) {
-            if (!for_shifted_words(target.row(y + at.y, z + at.z), target.words_per_row(),
-                                   source.row(y, z), source.words_per_row(), at.x, visit)) {
+            if (!for_shifted_words(target.row(y + at.y, z + at.z), target.words_per_row(), source.row(y, z),
+                                   source.words_per_row(), at.x, visit)) {
                 return false;
             }
         }
@@ -53,8 +52,7 @@ Word last_word_mask(const Extent& extent) {
 BitGrid::BitGrid(const Extent& extent)
     : extent_(extent),
       words_per_row_((extent.x + kWordBits - 1) / kWordBits),
-      words_(static_cast<std::size_t>(checked_product({words_per_row_, extent.y, extent.z})), 0) {
-}
+      words_(static_cast<std::size_t>(checked_product({words_per_row_, extent.y, extent.z})), 0) {}
 
 void BitGrid::fill(bool value) {
     std::fill(words_.begin(), words_.end(), value ? ~Word{0} : Word{0});
@@ -103,8 +101,7 @@ void subtract(BitGrid& target, const BitGrid& source, const VoxelIndex& at) {
 }
 
 bool intersects(const BitGrid& target, const BitGrid& source, const VoxelIndex& at) {
-    return !for_overlap(target, source, at,
-                        [](const Word& word, Word bits) { return (word & bits) == 0; });
+    return !for_overlap(target, source, at, [](const Word& word, Word bits) { return (word & bits) == 0; });
 }
 
 }  // namespace spectralpack

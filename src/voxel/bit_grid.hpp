@@ -21,9 +21,7 @@ class BitGrid {
     int words_per_row() const { return words_per_row_; }
     std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
 
-    bool get(int x, int y, int z) const {
-        return (row(y, z)[x / kWordBits] >> (x % kWordBits)) & 1;
-    }
+    bool get(int x, int y, int z) const { return (row(y, z)[x / kWordBits] >> (x % kWordBits)) & 1; }
     void set(int x, int y, int z, bool value = true) {
         const Word mask = Word{1} << (x % kWordBits);
         Word& word = row(y, z)[x / kWordBits];
@@ -43,8 +41,7 @@ class BitGrid {
 
   private:
     std::size_t row_offset(int y, int z) const {
-        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) +
-                static_cast<std::size_t>(y)) *
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(words_per_row_);
     }
 

@@ -21,9 +21,8 @@ void for_run_words(Word* row, int first, int last, Visit visit) {
         return;
     }
     for (int word = first_word; word <= last_word; ++word) {
-        visit(row[word],
-              bits_between(word == first_word ? first % BitGrid::kWordBits : 0,
-                           word == last_word ? last % BitGrid::kWordBits : BitGrid::kWordBits - 1));
+        visit(row[word], bits_between(word == first_word ? first % BitGrid::kWordBits : 0,
+                                      word == last_word ? last % BitGrid::kWordBits : BitGrid::kWordBits - 1));
     }
 }
 

@@ -16,9 +16,7 @@ Vec3 outside_part(const Vec3& p) {
             p.z - std::clamp(p.z, -kHalf, kHalf)};
 }
 
-double squared(const Vec3& v) {
-    return dot(v, v);
-}
+double squared(const Vec3& v) { return dot(v, v); }
 
 /// The square of the distance from the cube to a + t d is convex in t and quadratic between the t
 /// at which the segment passes a plane of the cube; its slope tells on which side of each of these
@@ -46,8 +44,8 @@ double squared_segment_distance(const Vec3& a, const Vec3& d) {
         curvature += d[axis] * d[axis];
     }
     const double t = curvature > 0 ? std::clamp(-slope / curvature, low, high) : low;
-    return std::min({squared(outside_part(a + t * d)), squared(outside_part(a + low * d)),
-                     squared(outside_part(a + high * d))});
+    return std::min(
+        {squared(outside_part(a + t * d)), squared(outside_part(a + low * d)), squared(outside_part(a + high * d))});
 }
 
 /// True when the point's foot on the triangle's plane is in the triangle.
@@ -67,8 +65,7 @@ std::optional<double> squared_inner_distance(const GridTriangle& v) {
     const double square = squared(normal);
     if (square == 0) return std::nullopt;
     // Of the cube's corners, `far` is the one farthest along the normal and -far the least far.
-    const Vec3 far{std::copysign(kHalf, normal.x), std::copysign(kHalf, normal.y),
-                   std::copysign(kHalf, normal.z)};
+    const Vec3 far{std::copysign(kHalf, normal.x), std::copysign(kHalf, normal.y), std::copysign(kHalf, normal.z)};
     const double plane = dot(normal, v[0]), reach = dot(normal, far);
     const double side = plane > 0 ? 1 : -1;
     if (std::abs(plane) > reach) {
@@ -125,8 +122,7 @@ bool nearer_than(const GridTriangle& triangle, double distance) {
     // of both.
     const Vec3 nearest = nearest_to_origin(triangle);
     if (squared(outside_part(nearest)) < distance * distance) return true;
-    const double ahead =
-        std::min({dot(nearest, triangle[0]), dot(nearest, triangle[1]), dot(nearest, triangle[2])});
+    const double ahead = std::min({dot(nearest, triangle[0]), dot(nearest, triangle[1]), dot(nearest, triangle[2])});
     const double cube = kHalf * (std::abs(nearest.x) + std::abs(nearest.y) + std::abs(nearest.z));
     if (ahead - cube >= distance * length(nearest)) return false;
     return squared_box_distance(triangle) < distance * distance;

@@ -47,8 +47,7 @@ class Flood {
 
   private:
     std::size_t rows() const {
-        return static_cast<std::size_t>(solid_.extent().y) *
-               static_cast<std::size_t>(solid_.extent().z);
+        return static_cast<std::size_t>(solid_.extent().y) * static_cast<std::size_t>(solid_.extent().z);
     }
     Word* solid(std::size_t row) { return solid_.words().data() + row * words_; }
     Word* outside(std::size_t row) { return outside_.words().data() + row * words_; }

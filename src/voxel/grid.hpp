@@ -18,12 +18,8 @@ struct VoxelIndex {
     bool operator==(const VoxelIndex&) const = default;
 };
 
-inline VoxelIndex operator+(const VoxelIndex& a, const VoxelIndex& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline VoxelIndex operator-(const VoxelIndex& a, const VoxelIndex& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
+inline VoxelIndex operator+(const VoxelIndex& a, const VoxelIndex& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline VoxelIndex operator-(const VoxelIndex& a, const VoxelIndex& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// Number of voxels along each axis, never negative.
 struct Extent {
@@ -51,9 +47,7 @@ class Grid {
         return (static_cast<std::int64_t>(z) * extent_.y + y) * extent_.x + x;
     }
     T& at(int x, int y, int z) { return values_[static_cast<std::size_t>(offset(x, y, z))]; }
-    const T& at(int x, int y, int z) const {
-        return values_[static_cast<std::size_t>(offset(x, y, z))];
-    }
+    const T& at(int x, int y, int z) const { return values_[static_cast<std::size_t>(offset(x, y, z))]; }
     T* data() { return values_.data(); }
     const T* data() const { return values_.data(); }
     std::vector<T>& values() { return values_; }

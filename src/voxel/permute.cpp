@@ -35,8 +35,7 @@ BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
     if (order[0] == 0) {
         for (int z = 0; z < m.z; ++z) {
             for (int y = 0; y < m.y; ++y) {
-                std::copy_n(source_row(grid, order[1], y, z), grid.words_per_row(),
-                            result.row(y, z));
+                std::copy_n(source_row(grid, order[1], y, z), grid.words_per_row(), result.row(y, z));
             }
         }
         return result;

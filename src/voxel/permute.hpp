@@ -9,8 +9,7 @@
 
 namespace spectralpack {
 
-using AxisOrder =
-    std::array<int, 3>;  ///< a permutation of 0, 1, 2: axis i is taken from axis order[i]
+using AxisOrder = std::array<int, 3>;  ///< a permutation of 0, 1, 2: axis i is taken from axis order[i]
 
 /// The grid whose axis i is axis order[i] of `grid`.
 BitGrid permuted(const BitGrid& grid, const AxisOrder& order);

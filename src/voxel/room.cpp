@@ -28,9 +28,7 @@ void set_surface(BitGrid& grid, const GridMesh& mesh, double reach, const Worker
     });
 }
 
-double reach_of(double gap, double voxel_size) {
-    return std::max(0.0, gap - kGapTolerance) / voxel_size;
-}
+double reach_of(double gap, double voxel_size) { return std::max(0.0, gap - kGapTolerance) / voxel_size; }
 
 }  // namespace
 
@@ -56,8 +54,7 @@ void set_outside(BitGrid& grid, const GridPlace& place, const Mesh& mesh, double
 }
 
 void set_taken(BitGrid& grid, const GridPlace& place, const Mesh& mesh, double gap, const Workers& workers) {
-    const StandingVoxels standing =
-        voxelize_at(mesh, bounding_box(mesh).min - place.origin, place.voxel_size, workers);
+    const StandingVoxels standing = voxelize_at(mesh, bounding_box(mesh).min - place.origin, place.voxel_size, workers);
     unite(grid, standing.solid, standing.position);
     set_surface(grid, GridMesh(mesh, place.origin, place.voxel_size), reach_of(gap, place.voxel_size), workers);
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Which voxels of a grid are not wholly free: what lies outside a closed mesh, and what a mesh or a box takes up.
-/// Grids here stand anywhere: `origin` is the lower corner of voxel (0,0,0), in the mesh's coordinates, mm. Voxels nearer
-/// than `gap` mm (Euclidean, less kGapTolerance) count as taken, too; with gap 0 what only touches does not.
+/// Grids here stand anywhere: `origin` is the lower corner of voxel (0,0,0), in the mesh's coordinates, mm. Voxels
+/// nearer than `gap` mm (Euclidean, less kGapTolerance) count as taken, too; with gap 0 what only touches does not.
 
 #include "core/parallel.hpp"
 #include "geometry/mesh.hpp"

@@ -82,7 +82,7 @@ SplitVoxels split(const BitGrid& fine, const VoxelIndex& at, int detail) {
                 for (Word bits = row[w]; bits != 0; bits &= bits - 1) {
                     const int fx = kWordBits * w + std::countr_zero(bits) + layout.rest.x;
                     result.parts[static_cast<std::size_t>(first + fx % detail)].set(fx / detail, fy / detail,
-                                                                                   fz / detail);
+                                                                                    fz / detail);
                 }
             }
         }

@@ -1,7 +1,7 @@
 #pragma once
-/// Fine voxels of dx / s seen from coarse ones of dx, s being the detail of a tray. Positions are whole multiples of dx, so
-/// the fine voxel f = s x + p (0 <= p < s per axis) that is moved by a position stays in its *part* p: two fine grids
-/// meet exactly if two of their equal parts do, each a grid of coarse size.
+/// Fine voxels of dx / s seen from coarse ones of dx, s being the detail of a tray. Positions are whole multiples of
+/// dx, so the fine voxel f = s x + p (0 <= p < s per axis) that is moved by a position stays in its *part* p: two fine
+/// grids meet exactly if two of their equal parts do, each a grid of coarse size.
 
 #include <vector>
 
@@ -10,19 +10,13 @@
 namespace spectralpack {
 
 /// Number of parts: s to the third.
-inline int part_count(int detail) {
-    return detail * detail * detail;
-}
+inline int part_count(int detail) { return detail * detail * detail; }
 
 /// a / b rounded down; b > 0.
-inline int floor_div(int a, int b) {
-    return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
+inline int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
 /// a / b rounded up; b > 0.
-inline int ceil_div(int a, int b) {
-    return -floor_div(-a, b);
-}
+inline int ceil_div(int a, int b) { return -floor_div(-a, b); }
 
 struct SplitVoxels {
     std::vector<BitGrid> parts;  ///< part (px, py, pz) has index (pz s + py) s + px; all of one extent

@@ -12,14 +12,11 @@ int round_down(double value) {
 }
 
 /// 1 / a; where a is nothing, so much that the bound is either passed by far or missed by far.
-double inverse(double a) {
-    return std::abs(a) < 1e-200 ? 1e200 : 1 / a;
-}
+double inverse(double a) { return std::abs(a) < 1e-200 ? 1e200 : 1 / a; }
 
 }  // namespace
 
-VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape,
-                         const VoxelRange& bounds) {
+VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape, const VoxelRange& bounds) {
     const Vec3 least = min(min(triangle[0], triangle[1]), triangle[2]);
     const Vec3 most = max(max(triangle[0], triangle[1]), triangle[2]);
     const double inset = shape.shrink - shape.reach;
@@ -32,8 +29,7 @@ VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape,
     return range;
 }
 
-TriangleRows::TriangleRows(const GridTriangle& triangle, const VoxelShape& shape,
-                           const VoxelRange& range)
+TriangleRows::TriangleRows(const GridTriangle& triangle, const VoxelShape& shape, const VoxelRange& range)
     : range_(range) {
     // Counted from the centre of the range's first voxel: the numbers stay small, and voxel i's
     // centre is i.
@@ -74,8 +70,7 @@ TriangleRows::TriangleRows(const GridTriangle& triangle, const VoxelShape& shape
         const double inverse_y = inverse(e.y), inverse_z = inverse(e.z);
         // The product of the edge with z is e.y x - e.x y: two projections, of the edge and of the
         // other corner.
-        const auto bound = [&](double first, double second, double across, double along,
-                               double by) {
+        const auto bound = [&](double first, double second, double across, double along, double by) {
             const double half = std::abs(first - second) / 2 + extent(across, along, 0) + 4 * error;
             return Bound{(first + second) / 2 * by, along * by, half * std::abs(by)};
         };

@@ -32,8 +32,7 @@ struct VoxelRange {
 };
 
 /// Voxels whose shape's box meets the triangle's box in more than a face, cut to `bounds`.
-VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape,
-                         const VoxelRange& bounds);
+VoxelRange voxels_in_box(const GridTriangle& triangle, const VoxelShape& shape, const VoxelRange& bounds);
 
 /// The separating-axis test of one triangle against the voxels of a range. The axes are the
 /// triangle's normal and the nine products of its edges with the coordinate axes; the coordinate
@@ -73,8 +72,7 @@ class TriangleRows {
                     if (x.empty()) continue;
                     const int first = round_up(x.low), last = static_cast<int>(x.high);
                     if (first > last) continue;
-                    visit(range_.low.x + first, range_.low.x + last, range_.low.y + j,
-                          range_.low.z + k);
+                    visit(range_.low.x + first, range_.low.x + last, range_.low.y + j, range_.low.z + k);
                 }
             }
         }

@@ -14,9 +14,7 @@ struct VoxelBox {
     bool operator==(const VoxelBox&) const = default;
 };
 
-inline VoxelBox whole(const Extent& extent) {
-    return {{0, 0, 0}, {extent.x, extent.y, extent.z}};
-}
+inline VoxelBox whole(const Extent& extent) { return {{0, 0, 0}, {extent.x, extent.y, extent.z}}; }
 
 inline VoxelBox intersection(const VoxelBox& a, const VoxelBox& b) {
     VoxelBox box;

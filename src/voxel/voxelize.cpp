@@ -26,15 +26,13 @@ Extent grid_extent(const Vec3& size, double voxel_size) {
     const Extent extent{voxels_along(size.x, voxel_size), voxels_along(size.y, voxel_size),
                         voxels_along(size.z, voxel_size)};
     if (extent.count() > kMaxVoxels) {
-        throw ResourceError("a part of " + std::to_string(extent.x) + " x " +
-                            std::to_string(extent.y) + " x " + std::to_string(extent.z) +
-                            " voxels is too large");
+        throw ResourceError("a part of " + std::to_string(extent.x) + " x " + std::to_string(extent.y) + " x " +
+                            std::to_string(extent.z) + " voxels is too large");
     }
     return extent;
 }
 
-BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed,
-                     const Workers& workers) {
+BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, const Workers& workers) {
     BitGrid grid(extent);
     Crossings crossings(extent);
     std::mutex appending;
@@ -59,27 +57,22 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed,
     return grid;
 }
 
-bool encloses_solid(const Mesh& mesh) {
-    return count_edges(MeshEdges(mesh)).closed;
-}
+bool encloses_solid(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
 
-BitGrid voxels_of(const Mesh& mesh, const Box& box, bool closed, double voxel_size,
-                  const Workers& workers) {
+BitGrid voxels_of(const Mesh& mesh, const Box& box, bool closed, double voxel_size, const Workers& workers) {
     const Extent extent = grid_extent(box.size(), voxel_size);
     return solid_voxels(GridMesh(mesh, box.min, voxel_size), extent, closed, workers);
 }
 
-Vec3 permuted(const Vec3& v, const AxisOrder& order) {
-    return {v[order[0]], v[order[1]], v[order[2]]};
-}
+Vec3 permuted(const Vec3& v, const AxisOrder& order) { return {v[order[0]], v[order[1]], v[order[2]]}; }
 
 }  // namespace
 
 int voxels_along(double size, double voxel_size) {
     const double voxels = std::ceil(size / voxel_size - kSurfaceShrink);
     if (!(voxels <= kMaxAlong)) {
-        throw ResourceError("a part of " + std::to_string(size) +
-                            " mm is too large for voxels of " + std::to_string(voxel_size) + " mm");
+        throw ResourceError("a part of " + std::to_string(size) + " mm is too large for voxels of " +
+                            std::to_string(voxel_size) + " mm");
     }
     return std::max(1, static_cast<int>(voxels));
 }
@@ -88,8 +81,7 @@ BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
     return voxels_of(mesh, bounding_box(mesh), encloses_solid(mesh), voxel_size, workers);
 }
 
-StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size,
-                           const Workers& workers) {
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, const Workers& workers) {
     const Box box = bounding_box(mesh);
     VoxelIndex position;
     Vec3 shift;
@@ -103,13 +95,10 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
         shift[axis] = voxels - whole;
     }
     const Extent extent = grid_extent(box.size() + voxel_size * shift, voxel_size);
-    return {solid_voxels(GridMesh(mesh, box.min, voxel_size, shift), extent, encloses_solid(mesh),
-                         workers),
-            position};
+    return {solid_voxels(GridMesh(mesh, box.min, voxel_size, shift), extent, encloses_solid(mesh), workers), position};
 }
 
-std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
-                                                  const std::vector<Mat3>& rotations,
+std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers) {
     const bool closed = encloses_solid(mesh);
     // Of rotations that differ in the order of their axes the first, the root, is voxelised.
@@ -142,8 +131,7 @@ std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
         if (sources[i].root == i) return;
         const OrientedVoxels& root = result[sources[i].root];
         const AxisOrder& order = sources[i].order;
-        result[i] = {permuted(root.solid, order), permuted(root.size, order),
-                     permuted(root.min, order)};
+        result[i] = {permuted(root.solid, order), permuted(root.size, order), permuted(root.min, order)};
     });
     return result;
 }

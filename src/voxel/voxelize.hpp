@@ -40,8 +40,7 @@ struct StandingVoxels {
 /// voxelize() of a mesh whose box minimum stands at `corner`, mm from the grid's lower corner; the
 /// mesh's own coordinates only say its shape. A corner within kSurfaceShrink of a voxel's end
 /// belongs to the next voxel; where it is a voxel corner, the result is that of voxelize().
-StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size,
-                           const Workers& workers);
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, const Workers& workers);
 
 /// A mesh in one orientation: what voxelize() and the box give for the mesh turned by `rotation`.
 struct OrientedVoxels {
@@ -53,8 +52,7 @@ struct OrientedVoxels {
 /// voxelize() for every rotation, in their order. Of rotations that differ in the order of their
 /// axes only, one is voxelised and its voxels' axes are exchanged, which is what voxelising each
 /// would give: 8 of the cube's 24 rotations, 112 of the 208 in steps of 45 degrees.
-std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh,
-                                                  const std::vector<Mat3>& rotations,
+std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers);
 
 }  // namespace spectralpack

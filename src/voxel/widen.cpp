@@ -16,8 +16,7 @@ constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 }  // namespace
 
-WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
-                    const Workers& workers) {
+WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap, const Workers& workers) {
     const double reach = (gap - kGapTolerance) / voxel_size;
     if (!(reach > 0)) return {solid, {}};
     if (!(reach <= kMaxReach)) {

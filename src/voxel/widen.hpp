@@ -19,7 +19,6 @@ inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly 
 /// `solid` must be voxelize(mesh, voxel_size). gap > 0, finite. The result contains `solid`.
 /// Exact: decided by the distance between the closed voxel and the mesh's triangles.
 /// Throws ResourceError where the result would be beyond all memory.
-WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
-                    const Workers& workers);
+WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap, const Workers& workers);
 
 }  // namespace spectralpack

@@ -10,9 +10,7 @@ namespace spectralpack {
 namespace {
 
 /// Least i >= 0 with i + 0.5 >= value.
-int first_centre(double value) {
-    return value <= 0.5 ? 0 : static_cast<int>(std::ceil(value - 0.5));
-}
+int first_centre(double value) { return value <= 0.5 ? 0 : static_cast<int>(std::ceil(value - 0.5)); }
 
 /// The value a share of the way along; never beyond the ends, whatever the rounding.
 double between(double from, double to, double share) {
@@ -24,8 +22,7 @@ double between(double from, double to, double share) {
 /// An edge, lower end first, and where it passes a height low.z <= z < high.z.
 class Crossings::Edge {
   public:
-    Edge(const Vec3& low, const Vec3& high)
-        : low_(low), high_(high), per_z_(1 / (high.z - low.z)) {}
+    Edge(const Vec3& low, const Vec3& high) : low_(low), high_(high), per_z_(1 / (high.z - low.z)) {}
 
     double x_at(double z) const { return between(low_.x, high_.x, (z - low_.z) * per_z_); }
     double y_at(double z) const { return between(low_.y, high_.y, (z - low_.z) * per_z_); }
@@ -71,8 +68,7 @@ void Crossings::add_chord(const Edge& up, const Edge& down, int z) {
     const double low_y = positive ? down_y : up_y, high_y = positive ? up_y : down_y;
     int y = first_centre(low_y);
     if (y >= extent_.y || y + 0.5 >= high_y) return;
-    const double low_x = (positive ? down : up).x_at(height),
-                 high_x = (positive ? up : down).x_at(height);
+    const double low_x = (positive ? down : up).x_at(height), high_x = (positive ? up : down).x_at(height);
     const double per_y = 1 / (high_y - low_y);
     for (; y < extent_.y && y + 0.5 < high_y; ++y) {
         const int x = first_centre(between(low_x, high_x, (y + 0.5 - low_y) * per_y));
@@ -108,8 +104,7 @@ void Crossings::set_wound(BitGrid& grid) const {
         const auto first = sorted.begin() + static_cast<std::ptrdiff_t>(begin[row]);
         const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(begin[row + 1]);
         std::sort(first, last);
-        BitGrid::Word* words =
-            grid.words().data() + row * static_cast<std::size_t>(grid.words_per_row());
+        BitGrid::Word* words = grid.words().data() + row * static_cast<std::size_t>(grid.words_per_row());
         int winding = 0;
         for (auto crossing = first; crossing != last; ++crossing) {
             winding += crossing->second;

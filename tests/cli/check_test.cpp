@@ -176,8 +176,8 @@ TEST_F(Check, APlanForCopiesThatAreNotThereExitsWithThree) {
 TEST_F(Check, RenderDrawsHowItComesApart) {
     check();
     const auto render = [&](std::vector<std::string> options, const std::string& name) {
-        options.insert(options.begin(), {"render", (folder_ / "b.json").string(), "-o", (folder_ / name).string(),
-                                         "--size", "120x90"});
+        options.insert(options.begin(),
+                       {"render", (folder_ / "b.json").string(), "-o", (folder_ / name).string(), "--size", "120x90"});
         return spectralpack(options);
     };
     const Ran without = render({"--explode", "1"}, "none.png");
@@ -203,7 +203,8 @@ TEST_F(Check, RenderDrawsHowItComesApart) {
 TEST_F(Check, RenderDrawsThePacking) {
     check();
     const auto picture = folder_ / "b.png";
-    const Ran ran = spectralpack({"render", (folder_ / "b.json").string(), "-o", picture.string(), "--size", "320x240"});
+    const Ran ran =
+        spectralpack({"render", (folder_ / "b.json").string(), "-o", picture.string(), "--size", "320x240"});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_GT(std::filesystem::file_size(picture), 1000u);
 }

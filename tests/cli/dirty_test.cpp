@@ -74,8 +74,7 @@ struct Outcome {
 Outcome outcome_of(const Ran& ran, const std::string& shown_name, const fs::path& build) {
     Outcome outcome;
     outcome.told = contains(ran.err, shown_name);
-    outcome.rejected = ran.status == 3 && !fs::exists(build) &&
-                       contains(ran.err, shown_name + ": ");
+    outcome.rejected = ran.status == 3 && !fs::exists(build) && contains(ran.err, shown_name + ": ");
     if (ran.status != 0 || !fs::exists(build)) return outcome;
     const json packing = read_json(build);
     for (const json& part : packing["parts"]) {
@@ -83,9 +82,8 @@ Outcome outcome_of(const Ran& ran, const std::string& shown_name, const fs::path
     }
     const json& unplaced = packing["unplaced"];
     outcome.placed = unplaced.empty() && packing["metrics"]["placed"] > 0;
-    outcome.unplaced = !unplaced.empty() && std::all_of(unplaced.begin(), unplaced.end(), [](const json& copy) {
-        return copy["reason"] == "too_large";
-    });
+    outcome.unplaced = !unplaced.empty() && std::all_of(unplaced.begin(), unplaced.end(),
+                                                        [](const json& copy) { return copy["reason"] == "too_large"; });
     return outcome;
 }
 
@@ -121,7 +119,8 @@ TEST_F(Dirty, EveryRowBehavesAsTheTableSays) {
 TEST_F(Dirty, EveryRowCanBeInspected) {
     for (const Row& row : rows_) {
         SCOPED_TRACE(row.file);
-        const Ran ran = spectralpack({"inspect", "--json", "--threads", "2", (files_ / row.file).string()}, "", kLimits);
+        const Ran ran =
+            spectralpack({"inspect", "--json", "--threads", "2", (files_ / row.file).string()}, "", kLimits);
         const json report = json::parse(ran.out, nullptr, false);
         ASSERT_TRUE(report.is_object()) << ran.out << ran.err;
         EXPECT_EQ(ran.status, report["unusable"] > 0 ? 3 : 0) << ran.err;

@@ -145,7 +145,8 @@ TEST_F(Inspect, AHostileNameStaysInItsLineAndInItsString) {
 TEST_F(Inspect, DrawsWhatCanBeUsed) {
     const std::string cube = stl("cube.stl", cube_mesh(20)), torus = stl("torus.stl", torus_mesh(30, 10));
     const fs::path picture = folder_ / "p.png";
-    const Ran ran = spectralpack({"inspect", cube, broken("bad.stl"), torus, "-o", picture.string(), "--size", "160x120"});
+    const Ran ran =
+        spectralpack({"inspect", cube, broken("bad.stl"), torus, "-o", picture.string(), "--size", "160x120"});
     EXPECT_EQ(ran.status, 3) << ran.err;
     EXPECT_GT(fs::file_size(picture), 500u);
     EXPECT_EQ(spectralpack({"inspect", cube, "-o", (folder_ / "p.jpg").string()}).status, 2);

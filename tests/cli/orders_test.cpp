@@ -96,8 +96,8 @@ TEST_F(Orders, SeveralTraysAndFixedCopiesGoWithThem) {
                                     "--max-density", "0.1", "-o", at("first.json")});
     ASSERT_EQ(first.status, 0) << first.err;
     for (const char* option : {"--restarts", "--beam"}) {
-        std::vector<std::string> call{"pack", kSamples, "--onto", at("first.json"), "--voxel", "4", option, "3", "--interlock", "off", "-o",
-                                      at("topped.json")};
+        std::vector<std::string> call{"pack",        kSamples, "--onto", at("first.json"), "--voxel", "4", option, "3",
+                                      "--interlock", "off",    "-o",     at("topped.json")};
         const Ran ran = spectralpack(call);
         EXPECT_EQ(ran.status, 0) << ran.err;
         EXPECT_EQ(spectralpack({"check", at("topped.json")}).status, 0);
@@ -109,7 +109,8 @@ TEST_F(Orders, ATimeLimitLeavesTheBestSoFarAndTimeToFinishIt) {
     EXPECT_GT(packing["metrics"]["orders"], 1);
     EXPECT_LT(packing["metrics"]["orders"], 1000000);
     EXPECT_EQ(packing["trays"][0]["disassembly"]["complete"], true) << "half of the time is for the last packing";
-    EXPECT_EQ(spectralpack({"pack", kSamples, "--restarts", "9", "--time-limit", "0", "-o", at("none.json")}).status, 0);
+    EXPECT_EQ(spectralpack({"pack", kSamples, "--restarts", "9", "--time-limit", "0", "-o", at("none.json")}).status,
+              0);
 }
 
 TEST_F(Orders, AnInterruptLeavesTheBestSoFar) {
@@ -123,11 +124,12 @@ TEST_F(Orders, AnInterruptLeavesTheBestSoFar) {
 }
 
 TEST_F(Orders, JobFilesTakeThem) {
-    std::ofstream(folder_ / "job.json") << json{{"format", "spectralpack/job"},
-                                                {"version", 1},
-                                                {"container", {{"size", {60, 50, 40}}}},
-                                                {"parts", {{{"mesh", (samples() / "bracket.stl").string()}, {"count", 3}}}},
-                                                {"options", {{"order", "mixed"}, {"restarts", 2}, {"beam", 2}}}};
+    std::ofstream(folder_ / "job.json") << json{
+        {"format", "spectralpack/job"},
+        {"version", 1},
+        {"container", {{"size", {60, 50, 40}}}},
+        {"parts", {{{"mesh", (samples() / "bracket.stl").string()}, {"count", 3}}}},
+        {"options", {{"order", "mixed"}, {"restarts", 2}, {"beam", 2}}}};
     const Ran ran = spectralpack({"pack", at("job.json"), "--voxel", "4", "-o", at("job-build.json")});
     ASSERT_EQ(ran.status, 0) << ran.err;
     const json options = read_json(folder_ / "job-build.json")["options"];

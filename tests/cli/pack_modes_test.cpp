@@ -133,8 +133,8 @@ TEST_F(PackModes, OpenHeightIsTheSameForEveryEngine) {
 #ifndef SPECTRALPACK_HAS_REFERENCE
     GTEST_SKIP() << "this build has no reference engine";
 #else
-    const json packing = packed({kSamples, "--tray", "100x90", "--open-height", "--voxel", "4", "--verify-with",
-                                 "reference", "--refine"});
+    const json packing = packed(
+        {kSamples, "--tray", "100x90", "--open-height", "--voxel", "4", "--verify-with", "reference", "--refine"});
     EXPECT_GE(packing["metrics"]["verified"], packing["metrics"]["copies"]) << "copies put back are searched for again";
 #endif
 }
@@ -188,20 +188,20 @@ TEST_F(PackModes, CapsAreKeptAndSaid) {
 }
 
 TEST_F(PackModes, WhatDoesNotGoTogetherIsWrongUsage) {
-    const std::vector<std::vector<std::string>> wrong{{"--tray", "100x90"},
-                                                      {"--fill", "--open-height"},
-                                                      {"--fill", "--trays", "2"},
-                                                      {"--open-height", "--trays", "all"},
-                                                      {"--open-height", "--keep-out", "0,0,0,5,5,5"},
-                                                      {"--max-density", "0.3", "--open-height"},
-                                                      {"--max-density", "30"},
-                                                      {"--max-layer-fill", "0"},
-                                                      {"--minimise", "height"},
-                                                      {"--rotations", "50"},
-                                                      {"--rotations", "icosahedron:9"},
-                                                      {"--rotations", "+box"},
-                                                      {"--open-height", "--height-at", "bottom", "--height-penalty",
-                                                       "0"}};
+    const std::vector<std::vector<std::string>> wrong{
+        {"--tray", "100x90"},
+        {"--fill", "--open-height"},
+        {"--fill", "--trays", "2"},
+        {"--open-height", "--trays", "all"},
+        {"--open-height", "--keep-out", "0,0,0,5,5,5"},
+        {"--max-density", "0.3", "--open-height"},
+        {"--max-density", "30"},
+        {"--max-layer-fill", "0"},
+        {"--minimise", "height"},
+        {"--rotations", "50"},
+        {"--rotations", "icosahedron:9"},
+        {"--rotations", "+box"},
+        {"--open-height", "--height-at", "bottom", "--height-penalty", "0"}};
     expect_refused(wrong, kSamples);
 }
 

@@ -74,7 +74,8 @@ TEST(Pack, PlacementsDoNotDependOnThreadsMemoryOrEngine) {
     json first;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const fs::path file = folder / (std::to_string(i) + ".json");
-        const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "-o", file.string()} + kSmall + ways[i]);
+        const Ran ran =
+            spectralpack(std::vector<std::string>{"pack", kSamples, "-o", file.string()} + kSmall + ways[i]);
         ASSERT_EQ(ran.status, 0) << ran.err;
         if (i == 0) {
             first = placements(file);
@@ -101,9 +102,9 @@ TEST(Pack, SeedDecidesTheRandomOrder) {
 #ifdef SPECTRALPACK_HAS_REFERENCE
 TEST(Pack, VerifyWithReferenceFindsNoDifference) {
     const TemporaryFolder folder;
-    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--verify-with", "reference", "-o",
-                                                          (folder / "b.json").string()} +
-                                 kSmall);
+    const Ran ran = spectralpack(
+        std::vector<std::string>{"pack", kSamples, "--verify-with", "reference", "-o", (folder / "b.json").string()} +
+        kSmall);
     ASSERT_EQ(ran.status, 0) << ran.err;
     const json metrics = read_json(folder / "b.json")["metrics"];
     EXPECT_EQ(metrics["verified"], metrics["searches"]);
@@ -134,8 +135,10 @@ TEST(Pack, UnusableInputIsNamedAndTheRestIsPacked) {
     const TemporaryFolder folder;
     std::ofstream(folder / "broken.stl") << "not a mesh";
     const std::string json_file = (folder / "b.json").string();
-    const std::vector<std::string> call = std::vector<std::string>{
-        "pack", kSamples, (folder / "broken.stl").string(), (folder / "missing.stl").string(), "-o", json_file} + kSmall;
+    const std::vector<std::string> call =
+        std::vector<std::string>{"pack", kSamples, (folder / "broken.stl").string(), (folder / "missing.stl").string(),
+                                 "-o",   json_file} +
+        kSmall;
     const Ran ran = spectralpack(call);
     EXPECT_EQ(ran.status, 3) << ran.err;
     EXPECT_TRUE(contains(ran.err, "broken.stl")) << ran.err;
@@ -196,17 +199,16 @@ TEST(Pack, DryRunTellsAndWritesNothing) {
 }
 
 TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
-    const Ran ran = spectralpack({"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
-                                  "--dry-run"});
+    const Ran ran = spectralpack(
+        {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45", "--dry-run"});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "more than"))
-        << ran.out;
+    EXPECT_TRUE(contains(ran.out, "of the copies were tried to see") || contains(ran.out, "more than")) << ran.out;
 }
 
 /// A job that runs for many seconds.
 std::vector<std::string> long_job(const fs::path& output) {
-    return {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45",
-            "--progress", "json", "-o", output.string()};
+    return {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel",      "1", "--rotations",
+            "45",   "--progress",     "json",   "-o",          output.string()};
 }
 
 TEST(Pack, CtrlCWritesTheBestSoFarAndExitsWith130) {

@@ -11,7 +11,7 @@
 namespace spectralpack::test {
 
 inline Ran spectralpack(std::vector<std::string> arguments, const std::string& interrupt_when = "",
-                       const Limits& limits = {}) {
+                        const Limits& limits = {}) {
     arguments.insert(arguments.begin(), SPECTRALPACK_PROGRAM);
     return run(arguments, interrupt_when, limits);
 }
@@ -26,12 +26,8 @@ inline void expect_refused(const std::vector<std::vector<std::string>>& wrong, c
     }
 }
 
-inline nlohmann::json read_json(const std::filesystem::path& path) {
-    return nlohmann::json::parse(read_text(path));
-}
+inline nlohmann::json read_json(const std::filesystem::path& path) { return nlohmann::json::parse(read_text(path)); }
 
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace spectralpack::test

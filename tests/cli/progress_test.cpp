@@ -66,8 +66,8 @@ TEST(Progress, TheSearchOfSeveralTraysIsOne) {
 }
 
 TEST(Progress, NoneSaysNothing) {
-    const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--tray", "160x120x100", "--voxel",
-                                  "4", "--progress", "none"});
+    const Ran ran = spectralpack(
+        {"pack", (samples() / "samples.csv").string(), "--tray", "160x120x100", "--voxel", "4", "--progress", "none"});
     EXPECT_EQ(ran.status, 0);
     EXPECT_TRUE(ran.err.empty()) << ran.err;
 }

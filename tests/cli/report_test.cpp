@@ -29,8 +29,8 @@ TEST(Report, IsAPageWithThePictureAndMasses) {
 
 TEST(Report, IsATableThatAgreesWithThePacking) {
     const TemporaryFolder folder;
-    const Ran ran = spectralpack(
-        small_run({"--report", (folder / "r.csv").string(), "-o", (folder / "b.json").string()}));
+    const Ran ran =
+        spectralpack(small_run({"--report", (folder / "r.csv").string(), "-o", (folder / "b.json").string()}));
     ASSERT_EQ(ran.status, 0) << ran.err;
     const nlohmann::json packing = read_json(folder / "b.json");
     const auto rows = parse_csv("r.csv", read_text(folder / "r.csv"));

@@ -51,7 +51,7 @@ class Sets : public testing::Test {
         write_stl(turned_inside_out(cube_mesh(20)), folder_ / "dirty" / "turned.stl");
         std::ofstream(folder_ / "dirty" / "broken.stl") << "no mesh at all";
         std::ofstream(folder_ / "dirty" / "tetrahedron.off") << "OFF\n4 4 6\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n"
-                                                               "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+                                                                "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
     }
 
     TemporaryFolder folder_;
@@ -75,8 +75,8 @@ TEST_F(Sets, GeneratedSetsAreTheSameForASeedAndPackWithoutComplaint) {
         }
         EXPECT_EQ(copies, 20);
     }
-    const Ran packed = spectralpack({"pack", in("locks/locks.csv"), "--voxel", "4", "--rotations", "none",
-                                     "-o", in("locks.json")});
+    const Ran packed =
+        spectralpack({"pack", in("locks/locks.csv"), "--voxel", "4", "--rotations", "none", "-o", in("locks.json")});
     EXPECT_EQ(packed.status, 0) << packed.err;
     EXPECT_EQ(spectralpack({"check", in("locks.json")}).status, 0);
 }
@@ -101,10 +101,10 @@ TEST_F(Sets, PrepareKeepsWhatEnclosesASolidAndTellsOfTheRest) {
     const Ran ran = spectralpack({"prepare", in("dirty"), "-o", in("out"), "--triangles", "1000"});
     ASSERT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(contains(ran.out, "7 of 7 files")) << ran.out;
-    const std::map<std::string, std::string> expected{
-        {"broken.stl", "unusable"},          {"deep/dense.stl", "kept"}, {"good.stl", "kept"},
-        {"large, \"quoted\".stl", "kept"}, {"open.stl", "open"},       {"tetrahedron.off", "kept"},
-        {"turned.stl", "kept"}};
+    const std::map<std::string, std::string> expected{{"broken.stl", "unusable"}, {"deep/dense.stl", "kept"},
+                                                      {"good.stl", "kept"},       {"large, \"quoted\".stl", "kept"},
+                                                      {"open.stl", "open"},       {"tetrahedron.off", "kept"},
+                                                      {"turned.stl", "kept"}};
     EXPECT_EQ(outcomes(folder_ / "out" / "report.csv"), expected);
     const auto set = read_set(folder_ / "out" / "set.csv");
     ASSERT_EQ(set.size(), 5u);

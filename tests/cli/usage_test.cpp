@@ -36,10 +36,9 @@ const std::string kPart = (samples() / "samples.csv").string();
 INSTANTIATE_TEST_SUITE_P(
     Calls, Refuses,
     testing::Values(
-        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "--output"}, BadCall{{"bench"}, "--table"},
-        BadCall{{"pack"}, "PART"}, BadCall{{"pack", "-rf.stl"}, "-rf.stl"},
-        BadCall{{"pack", kPart, "--tray", "480x245"}, "--tray"},
-        BadCall{{"pack", kPart, "--tray", "0x1x1"}, "--tray"},
+        BadCall{{}, "subcommand"}, BadCall{{"pakc"}, "pakc"}, BadCall{{"prepare", "x"}, "--output"},
+        BadCall{{"bench"}, "--table"}, BadCall{{"pack"}, "PART"}, BadCall{{"pack", "-rf.stl"}, "-rf.stl"},
+        BadCall{{"pack", kPart, "--tray", "480x245"}, "--tray"}, BadCall{{"pack", kPart, "--tray", "0x1x1"}, "--tray"},
         BadCall{{"pack", kPart, "--tray", "nanx1x1"}, "--tray"},
         BadCall{{"pack", kPart, "--tray", "1x1x1", "--voxel", "2"}, "smaller than one voxel"},
         BadCall{{"pack", kPart, "--voxel", "-1"}, "--voxel"}, BadCall{{"pack", kPart, "--voxel", "nan"}, "--voxel"},
@@ -56,9 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--interlock", "never"}, "--interlock"},
         BadCall{{"pack", kPart, "--trays", "few"}, "--trays"},
         BadCall{{"pack", kPart, "--printer", "typewriter"}, "--printer list"},
-        BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"},
-        BadCall{{"pack", kPart + ":0"}, "count"}, BadCall{{"pack", kPart + ":2@-1"}, "scale"},
-        BadCall{{"pack", kPart, "-o", "build.xyz"}, "ending"},
+        BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"}, BadCall{{"pack", kPart + ":0"}, "count"},
+        BadCall{{"pack", kPart + ":2@-1"}, "scale"}, BadCall{{"pack", kPart, "-o", "build.xyz"}, "ending"},
         BadCall{{"pack", kPart, "-o", "no/such/folder/build.json"}, "no folder"},
         BadCall{{"render", "x.json"}, "output"},
         BadCall{{"render", "x.json", "-o", "x.png", "--size", "5"}, "--size"}));

@@ -97,16 +97,15 @@ TEST_F(WholeJob, LeavesOverWhatTheTraysDoNotHold) {
 }
 
 TEST_F(WholeJob, PriorityAndDueDateDecideWhoGoesFirst) {
-    std::ofstream(at("job.json")) << json{
-        {"format", "spectralpack/job"},
-        {"version", 1},
-        {"container", {{"size", {40, 40, 10}}}},
-        {"trays", "all"},
-        {"gap", 0},
-        {"parts",
-         {{{"name", "late"}, {"mesh", "slab.stl"}},
-          {{"name", "soon"}, {"mesh", "slab.stl"}, {"due", "2026-11-30"}},
-          {{"name", "small"}, {"mesh", "cube.stl"}, {"priority", 1}}}}};
+    std::ofstream(at("job.json")) << json{{"format", "spectralpack/job"},
+                                          {"version", 1},
+                                          {"container", {{"size", {40, 40, 10}}}},
+                                          {"trays", "all"},
+                                          {"gap", 0},
+                                          {"parts",
+                                           {{{"name", "late"}, {"mesh", "slab.stl"}},
+                                            {{"name", "soon"}, {"mesh", "slab.stl"}, {"due", "2026-11-30"}},
+                                            {{"name", "small"}, {"mesh", "cube.stl"}, {"priority", 1}}}}};
     ASSERT_EQ(spectralpack({"pack", at("job.json"), "-o", at("build.json")}).status, 0);
     const json packing = build();
     ASSERT_EQ(packing["trays"].size(), 3u);
@@ -249,8 +248,8 @@ TEST_F(WholeJob, WhatIsTooWideForTheNeckStaysOut) {
 
 TEST_F(WholeJob, ACrateIsLeftUpwardsAndRoundItsKeepOuts) {
     for (const char* gap : {"0", "1.5"}) {
-        const Ran ran = pack({at("cube.stl") + ":12", "--tray", "44x44x44", "--physical", "--keep-out", "14,0,22,44,44,26",
-                              "--wall-gap", gap});
+        const Ran ran = pack({at("cube.stl") + ":12", "--tray", "44x44x44", "--physical", "--keep-out",
+                              "14,0,22,44,44,26", "--wall-gap", gap});
         ASSERT_EQ(ran.status, 0) << ran.err;
         const json packing = build();
         EXPECT_EQ(packing["metrics"]["placed"], 12);
@@ -277,7 +276,9 @@ TEST_F(WholeJob, CapsInAMeshAreOfItsVolumeAndSections) {
     EXPECT_EQ(build()["metrics"]["placed"], 11);
     EXPECT_LE(build()["metrics"]["density"], 0.5);
     expect_sound();
-    ASSERT_EQ(pack({at("cube.stl") + ":30", "--container", at("bottle.stl"), "--max-layer-fill", "0.5", "--no-refine"}).status, 0);
+    ASSERT_EQ(pack({at("cube.stl") + ":30", "--container", at("bottle.stl"), "--max-layer-fill", "0.5", "--no-refine"})
+                  .status,
+              0);
     EXPECT_EQ(build()["metrics"]["placed"], 4 + 4 + 1 + 1) << "half of each layer";
     EXPECT_TRUE(contains(build()["unplaced"][0]["detail"], "cap of 50 %")) << build()["unplaced"][0];
     expect_sound();
@@ -289,7 +290,8 @@ TEST_F(WholeJob, CapsCountFixedCopies) {
     ASSERT_EQ(pack({at("cube.stl") + ":30", "--onto", at("old.json"), "--max-density", "0.35"}).status, 0);
     EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 6u);
     EXPECT_NEAR(build()["metrics"]["density"], 0.25 + 6 / 64.0, 1e-9);
-    ASSERT_EQ(pack({at("cube.stl") + ":60", "--onto", at("old.json"), "--max-layer-fill", "0.5", "--no-refine"}).status, 0);
+    ASSERT_EQ(pack({at("cube.stl") + ":60", "--onto", at("old.json"), "--max-layer-fill", "0.5", "--no-refine"}).status,
+              0);
     EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 3 * 8u) << "the layers of the slab are full";
     expect_sound();
 }
@@ -347,8 +349,8 @@ TEST_F(WholeJob, AContainerThatIsNoneIsNamedWithItsFault) {
 
 TEST_F(WholeJob, KeepOutsStayEmpty) {
     stl("pin.stl", box_mesh({10, 10, 0}, {20, 20, 20}));
-    const Ran ran = pack({at("cube.stl") + ":99", "--tray", "40x40x20", "--keep-out", "30,0,0,40,40,10", "--keep-out",
-                          at("pin.stl")});
+    const Ran ran = pack(
+        {at("cube.stl") + ":99", "--tray", "40x40x20", "--keep-out", "30,0,0,40,40,10", "--keep-out", at("pin.stl")});
     ASSERT_EQ(ran.status, 0) << ran.err;
     EXPECT_EQ(build()["metrics"]["placed"], 32 - 4 - 2);
     ASSERT_EQ(build()["container"]["keep_out"].size(), 2u);
@@ -393,14 +395,14 @@ TEST_F(WholeJob, TopsUpABuildWithoutTouchingIt) {
 }
 
 TEST_F(WholeJob, FixedCopiesAreObstacles) {
-    json job{{"format", "spectralpack/job"},
-             {"version", 1},
-             {"container", {{"size", {40, 40, 10}}}},
-             {"gap", 0},
-             {"fixed",
-              {{{"mesh", "cube.stl"}, {"transform", {{0, -1, 0, 25}, {1, 0, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}}},
-             {"parts", {{{"mesh", "cube.stl"}, {"count", 16}}}},
-             {"options", {{"output", "build.json"}, {"refine", true}}}};
+    json job{
+        {"format", "spectralpack/job"},
+        {"version", 1},
+        {"container", {{"size", {40, 40, 10}}}},
+        {"gap", 0},
+        {"fixed", {{{"mesh", "cube.stl"}, {"transform", {{0, -1, 0, 25}, {1, 0, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}}},
+        {"parts", {{{"mesh", "cube.stl"}, {"count", 16}}}},
+        {"options", {{"output", "build.json"}, {"refine", true}}}};
     std::ofstream(at("job.json")) << job;
     const Ran ran = spectralpack({"pack", at("job.json")});
     ASSERT_EQ(ran.status, 0) << ran.err;
@@ -410,7 +412,8 @@ TEST_F(WholeJob, FixedCopiesAreObstacles) {
     EXPECT_EQ(packing["trays"][0]["placements"].size(), 13u);  // 5 mm off the grid of cubes
     expect_sound();
 
-    job["fixed"].push_back({{"mesh", "cube.stl"}, {"transform", {{1, 0, 0, 20}, {0, 1, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}});
+    job["fixed"].push_back(
+        {{"mesh", "cube.stl"}, {"transform", {{1, 0, 0, 20}, {0, 1, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}});
     std::ofstream(at("job.json")) << job;
     const Ran overlap = spectralpack({"pack", at("job.json")});
     EXPECT_EQ(overlap.status, 3);
@@ -434,9 +437,10 @@ TEST_F(WholeJob, PrintersAreListedAndUsed) {
     EXPECT_EQ(list.status, 0);
     EXPECT_TRUE(contains(list.out, "hp-mjf-5200")) << list.out;
     EXPECT_TRUE(contains(list.out, "UNVERIFIED")) << list.out;
-    ASSERT_EQ(spectralpack({"pack", at("cube.stl"), "--printer", "formlabs-fuse1", "--gap", "1", "-o", at("build.json")})
-                  .status,
-              0);
+    ASSERT_EQ(
+        spectralpack({"pack", at("cube.stl"), "--printer", "formlabs-fuse1", "--gap", "1", "-o", at("build.json")})
+            .status,
+        0);
     EXPECT_EQ(build()["container"]["size"], json({165, 165, 300}));
     EXPECT_EQ(build()["options"]["printer"], "formlabs-fuse1");
     EXPECT_EQ(build()["options"]["gap"], 1);

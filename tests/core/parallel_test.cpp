@@ -29,7 +29,8 @@ TEST_P(ParallelLoops, VisitEachIndexOnce) {
 TEST_P(ParallelLoops, MayBeNested) {
     const Workers workers(GetParam());
     std::atomic<int> sum = 0;
-    workers.for_each(10, [&](std::int64_t) { workers.for_each(10, [&](std::int64_t j) { sum += static_cast<int>(j); }); });
+    workers.for_each(10,
+                     [&](std::int64_t) { workers.for_each(10, [&](std::int64_t j) { sum += static_cast<int>(j); }); });
     EXPECT_EQ(sum, 450);
 }
 

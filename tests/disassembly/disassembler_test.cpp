@@ -65,9 +65,7 @@ Mesh helix_mesh(double inner, double outer, double thickness, double pitch, doub
     return mesh;
 }
 
-Mesh bolt_mesh() {
-    return test::merged(box_mesh({-3, -3, -2}, {3, 3, 26}), helix_mesh(2, 7, 2, 8, 3));
-}
+Mesh bolt_mesh() { return test::merged(box_mesh({-3, -3, -2}, {3, 3, 26}), helix_mesh(2, 7, 2, 8, 3)); }
 /// Its thread lies half a turn of the pitch off the bolt's, and reaches in deeper than the bolt's reaches out.
 Mesh nut_mesh() {
     Mesh shell = test::frame_mesh(26, 3, 16);
@@ -187,7 +185,8 @@ AssemblyScene chain(int count, bool closed) {
         for (int row = 0; row < 3; ++row) {
             turn.rows[static_cast<std::size_t>(row)] = {tangent[row], across[row], normal[row]};
         }
-        const Mesh ring = transformed(test::torus_mesh(10, 1.5, 24, 8), {Mat3{{Vec3{1.9, 0, 0}, Vec3{0, 0.8, 0}, Vec3{0, 0, 1}}}, {}});
+        const Mesh ring = transformed(test::torus_mesh(10, 1.5, 24, 8),
+                                      {Mat3{{Vec3{1.9, 0, 0}, Vec3{0, 0.8, 0}, Vec3{0, 0, 1}}}, {}});
         scene.add(transformed(ring, {turn, radius * outwards + Vec3{80, 80, 30}}));
     }
     return scene;
@@ -349,10 +348,17 @@ TEST(Disassembler, PlansOfRandomHeapsHoldOnTheMeshes) {
         for (int attempt = 0; attempt < 60; ++attempt) {
             Mesh mesh;
             switch (random.below(4)) {
-                case 0: mesh = test::frame_mesh(8 + 2.0 * static_cast<double>(random.below(4)), 2, 2); break;
-                case 1: mesh = placed(hook_mesh(), {}); break;
-                case 2: mesh = test::chest_mesh(10, 2, true); break;
-                default: mesh = test::cube_mesh(3 + static_cast<double>(random.below(3)));
+                case 0:
+                    mesh = test::frame_mesh(8 + 2.0 * static_cast<double>(random.below(4)), 2, 2);
+                    break;
+                case 1:
+                    mesh = placed(hook_mesh(), {});
+                    break;
+                case 2:
+                    mesh = test::chest_mesh(10, 2, true);
+                    break;
+                default:
+                    mesh = test::cube_mesh(3 + static_cast<double>(random.below(3)));
             }
             mesh = lying(mesh, static_cast<int>(random.below(3)));
             const Box box = bounding_box(mesh);

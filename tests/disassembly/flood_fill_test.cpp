@@ -36,7 +36,8 @@ int plain_steps(const FreePositions& free, const VoxelIndex& start, const Extent
         for (int move = 0; move < 6; ++move) {
             VoxelIndex next = at;
             next[move / 2] += move % 2 == 0 ? 1 : -1;
-            if (!e.contains(next) || !free.free.get(next.x, next.y, next.z) || steps.at(next.x, next.y, next.z) >= 0) continue;
+            if (!e.contains(next) || !free.free.get(next.x, next.y, next.z) || steps.at(next.x, next.y, next.z) >= 0)
+                continue;
             steps.at(next.x, next.y, next.z) = steps.at(at.x, at.y, at.z) + 1;
             open.push_back(next);
         }

@@ -88,8 +88,8 @@ TEST(GrowingPlan, LetsBackWhatIsInNobodysWay) {
 
 TEST(GrowingPlan, KeepsOutWhatHoldsOthersUnlessLighterOnesGoInstead) {
     Planned planned({60, 60, 60});
-    planned.add(placed(ring(20), {10, 10, 20}));                 // linked with
-    planned.add(placed(lying(ring(20), 0), {19, 19, 11}));       // the other
+    planned.add(placed(ring(20), {10, 10, 20}));            // linked with
+    planned.add(placed(lying(ring(20), 0), {19, 19, 11}));  // the other
     planned.add(placed(test::cube_mesh(6), {50, 50, 0}));
     GrowingPlan plan = planned.disassemble(first_of);
     ASSERT_TRUE(plan.out(0));

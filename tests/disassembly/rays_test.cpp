@@ -56,8 +56,8 @@ TEST(Rays, FindNothingThatExactSweepsDoNot) {
                 const AxisDirection direction = BlockingGraph::direction(d);
                 int exact = 0;
                 for (std::size_t j = 0; j < scene.parts().size(); ++j) {
-                    exact += i != j && !slides_past(*scene.parts()[i].surface, {}, *scene.parts()[j].surface,
-                                                    direction, 1e-4, 100);
+                    exact += i != j && !slides_past(*scene.parts()[i].surface, {}, *scene.parts()[j].surface, direction,
+                                                    1e-4, 100);
                 }
                 EXPECT_LE(graph.blockers(i, direction), exact);
                 EXPECT_GE(graph.blockers(i, direction), exact - 1) << "rays miss little of a ball";

@@ -58,8 +58,9 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
             const bool found = expected.get(at.x, at.y, at.z);
             ASSERT_EQ(region.contains(free.origin + at), found);
             ASSERT_TRUE(region.visited(free.origin + at));
-            ASSERT_EQ(intersection(region.visited_box(), {free.origin + at, free.origin + at + VoxelIndex{1, 1, 1}}).empty(),
-                      false);
+            ASSERT_EQ(
+                intersection(region.visited_box(), {free.origin + at, free.origin + at + VoxelIndex{1, 1, 1}}).empty(),
+                false);
             if (!is_outside(free.origin + at, a, whole(n))) ++(found ? inside : closed);
         }
     }

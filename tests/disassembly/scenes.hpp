@@ -57,7 +57,8 @@ class AssemblyScene {
     int add(Mesh mesh, bool fixed = false) {
         const Box box = bounding_box(mesh);
         StandingVoxels voxels = voxelize_at(mesh, box.min, setup_.grid.voxel_size, setup_.workers);
-        parts_.push_back({std::make_shared<const Bvh>(mesh), {},
+        parts_.push_back({std::make_shared<const Bvh>(mesh),
+                          {},
                           {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0, fixed}});
         meshes_.push_back(std::move(mesh));
         return static_cast<int>(parts_.size()) - 1;
@@ -80,8 +81,8 @@ class AssemblyScene {
         return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
     }
 
-    /// Replays the steps: exactly where meshes are made of boxes, else in moves of at most `step` mm. Fails where a copy
-    /// comes to overlap another, where a path does not end outside, or where a copy has not one step of its own.
+    /// Replays the steps: exactly where meshes are made of boxes, else in moves of at most `step` mm. Fails where a
+    /// copy comes to overlap another, where a path does not end outside, or where a copy has not one step of its own.
     void replay(const Answer& answer, double step = 0.1) const {
         std::vector<int> company(parts_.size(), 0), single(parts_.size(), 0);
         int companies = 1;
@@ -91,7 +92,8 @@ class AssemblyScene {
             std::vector<std::size_t> others;
             Box rest;
             for (std::size_t i = 0; i < parts_.size(); ++i) {
-                const bool moves = std::ranges::find(removal.placements, static_cast<int>(i)) != removal.placements.end();
+                const bool moves =
+                    std::ranges::find(removal.placements, static_cast<int>(i)) != removal.placements.end();
                 if (moves) {
                     ASSERT_EQ(company[i], own);
                 }
@@ -142,9 +144,7 @@ class AssemblyScene {
     static constexpr double kTouching = 1e-3;
 
     /// Made by box_mesh() and merged(): every eight vertices are a box.
-    bool of_boxes(std::size_t i) const {
-        return 12 * meshes_[i].vertices.size() == 8 * meshes_[i].triangles.size();
-    }
+    bool of_boxes(std::size_t i) const { return 12 * meshes_[i].vertices.size() == 8 * meshes_[i].triangles.size(); }
     std::vector<Box> boxes(std::size_t i, const Vec3& offset) const {
         std::vector<Box> result;
         const std::vector<Vec3>& vertices = meshes_[i].vertices;

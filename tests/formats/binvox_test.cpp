@@ -9,14 +9,13 @@ namespace {
 
 /// dim as in the file: x, z, y.
 std::string binvox(int x, int z, int y, const std::string& runs, const std::string& more = "") {
-    return "#binvox 1\ndim " + std::to_string(x) + " " + std::to_string(z) + " " +
-           std::to_string(y) + "\n" + more + "data\n" + runs;
+    return "#binvox 1\ndim " + std::to_string(x) + " " + std::to_string(z) + " " + std::to_string(y) + "\n" + more +
+           "data\n" + runs;
 }
 
 TEST(Binvox, ABlockOfVoxelsIsAClosedBox) {
     const std::string runs = {0, 1, 1, 2, 0, 3, 1, 2, 0, 4, 1, 12};  // x = 0: some; x = 1: all
-    const auto loaded =
-        test::read_as("a.binvox", binvox(2, 3, 4, runs, "translate 10 20 30\nscale 8\n"));
+    const auto loaded = test::read_as("a.binvox", binvox(2, 3, 4, runs, "translate 10 20 30\nscale 8\n"));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_EQ(bounding_box(loaded[0].mesh), (Box{{10, 20, 30}, {14, 28, 36}}));
     EXPECT_DOUBLE_EQ(signed_volume(loaded[0].mesh), 16 * 8);
@@ -27,8 +26,7 @@ TEST(Binvox, ABlockOfVoxelsIsAClosedBox) {
 TEST(Binvox, VolumeAndAreaAreThoseOfTheVoxels) {
     EXPECT_TRUE(rc::check([](std::uint64_t seed) {
         RandomStream random(seed);
-        const int nx = 1 + static_cast<int>(random.below(5)),
-                  ny = 1 + static_cast<int>(random.below(5)),
+        const int nx = 1 + static_cast<int>(random.below(5)), ny = 1 + static_cast<int>(random.below(5)),
                   nz = 1 + static_cast<int>(random.below(5));
         std::vector<int> voxels(static_cast<std::size_t>(nx * ny * nz));
         std::string runs;
@@ -46,8 +44,8 @@ TEST(Binvox, VolumeAndAreaAreThoseOfTheVoxels) {
             for (int y = 0; y < ny; ++y) {
                 for (int z = 0; z < nz; ++z) {
                     if (!at(x, y, z)) continue;
-                    faces += 6 - at(x - 1, y, z) - at(x + 1, y, z) - at(x, y - 1, z) -
-                             at(x, y + 1, z) - at(x, y, z - 1) - at(x, y, z + 1);
+                    faces += 6 - at(x - 1, y, z) - at(x + 1, y, z) - at(x, y - 1, z) - at(x, y + 1, z) -
+                             at(x, y, z - 1) - at(x, y, z + 1);
                 }
             }
         }
@@ -64,9 +62,8 @@ TEST(Binvox, WhatIsWrongIsRefused) {
     const std::string good = {1, 8};
     EXPECT_EQ(test::read_as("a.binvox", binvox(2, 2, 2, good)).size(), 1u);
     for (const std::string& bytes :
-         {std::string("#binvox 2\ndim 2 2 2\ndata\n") + good,
-          std::string("#binvox 1\ndata\n") + good, std::string("#binvox 1\ndim 2 2 2\n"),
-          binvox(2, 2, 3, good), binvox(0, 2, 2, good), binvox(-2, -2, 2, good),
+         {std::string("#binvox 2\ndim 2 2 2\ndata\n") + good, std::string("#binvox 1\ndata\n") + good,
+          std::string("#binvox 1\ndim 2 2 2\n"), binvox(2, 2, 3, good), binvox(0, 2, 2, good), binvox(-2, -2, 2, good),
           binvox(2, 2, 2, good + '\1'), binvox(2, 2, 2, ""), binvox(2, 2, 2, good, "scale 0\n"),
           binvox(2, 2, 2, good, "scale nan\n"), binvox(2, 2, 2, good, "colour 7\n"),
           binvox(2, 2, 2, std::string({0, 8})), binvox(65536, 65536, 65536, good)}) {

@@ -29,10 +29,8 @@ Outcome read(const fs::path& file) {
         for (const LoadedMesh& loaded : read_meshes(file)) {
             const double unit = loaded.unit.value_or(1);
             outcome.volume += loaded.instances * signed_volume(loaded.mesh) * unit * unit * unit;
-            outcome.repairs.insert(outcome.repairs.end(), loaded.repairs.begin(),
-                                   loaded.repairs.end());
-            outcome.warnings.insert(outcome.warnings.end(), loaded.warnings.begin(),
-                                    loaded.warnings.end());
+            outcome.repairs.insert(outcome.repairs.end(), loaded.repairs.begin(), loaded.repairs.end());
+            outcome.warnings.insert(outcome.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
         }
     } catch (const InputError& error) {
         outcome.refused = true;
@@ -47,8 +45,7 @@ Outcome read(const fs::path& file) {
 std::optional<bool> as_expected(const std::string& expect, const Outcome& outcome) {
     if (expect == "accept") return !outcome.refused && outcome.repairs.empty();
     if (expect == "accept-with-warning") return !outcome.refused && !outcome.warnings.empty();
-    if (expect == "repair-or-reject" || expect == "reject-or-warn")
-        return outcome.refused || outcome.told();
+    if (expect == "repair-or-reject" || expect == "reject-or-warn") return outcome.refused || outcome.told();
     if (expect == "reject") return outcome.refused;
     if (expect == "unplaced") return !outcome.refused;
     if (expect == "reject-or-unplaced" || expect == "accept-or-reject") return true;
@@ -67,14 +64,12 @@ TEST(DirtyFiles, EveryRowBehavesAsTheTableSays) {
         const std::vector<std::string>& row = rows[i].fields;
         ASSERT_EQ(row.size(), 5u);
         SCOPED_TRACE(row[0] + " (" + row[2] + ")");
-        const bool is_loop = row[0] == "loop-a.stl",
-                   has_line_feed = row[0].find('\n') != std::string::npos;
+        const bool is_loop = row[0] == "loop-a.stl", has_line_feed = row[0].find('\n') != std::string::npos;
         if (has_line_feed) fs::copy_file(stored / "-rf.stl", made / row[0]);
         const Outcome outcome = read(is_loop || has_line_feed ? made / row[0] : stored / row[0]);
         const auto verdict = as_expected(row[1], outcome);
         ASSERT_TRUE(verdict.has_value()) << row[1];
-        EXPECT_TRUE(*verdict) << row[1]
-                              << (outcome.refused ? ", refused: " + outcome.cause : ", read");
+        EXPECT_TRUE(*verdict) << row[1] << (outcome.refused ? ", refused: " + outcome.cause : ", read");
         if (!row[4].empty() && !outcome.refused) {
             const double volume = std::stod(row[4]);
             EXPECT_NEAR(outcome.volume, volume, 1e-5 * volume);

@@ -14,8 +14,7 @@
 
 namespace spectralpack::test {
 
-inline std::filesystem::path write_bytes(const std::filesystem::path& path,
-                                         const std::string& bytes) {
+inline std::filesystem::path write_bytes(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
 }
@@ -64,9 +63,7 @@ inline InputError refusal_of(const std::string& name, const std::string& bytes) 
     return refusal([&] { read_as(name, bytes); });
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 inline bool any_contains(const std::vector<std::string>& texts, const std::string& part) {
     for (const std::string& text : texts) {

@@ -12,9 +12,7 @@ namespace {
 using nlohmann::json;
 
 /// The smallest job.
-json job() {
-    return {{"format", "spectralpack/job"}, {"version", 1}, {"parts", {{{"mesh", "a.stl"}}}}};
-}
+json job() { return {{"format", "spectralpack/job"}, {"version", 1}, {"parts", {{{"mesh", "a.stl"}}}}}; }
 
 JobFile parsed(const json& document) { return parse_job("/jobs/week/job.json", document.dump()); }
 
@@ -77,15 +75,34 @@ TEST(JobFile, ReadsEveryKey) {
                                  {"priority", 2.5},
                                  {"due", "2026-12-01"},
                                  {"orientations", {{"axes", {"+z", "-x"}}, {"yaw", 45}}}});
-    document["options"] = {{"voxel", 1},          {"detail", 3},         {"rotations", 45},      {"refine", false},
-                           {"interlock", "off"},  {"take-out", "smallest"}, {"order", "random"},    {"height-penalty", 4},
-                           {"height-at", "top"},  {"seed", 7},            {"engine", "reference"},
-                           {"threads", 3},        {"memory", 1000000000}, {"verify-with", "reference:5"},
-                           {"try-per-tray", 30},  {"onto", "old.json"},
-                           {"time-limit", 2.5},   {"output", {"b.json"}}, {"report", "/r/r.html"},
-                           {"progress", "none"},  {"dry-run", true},      {"skip-unusable", true},
-                           {"require-all", true}, {"json", false},        {"material-density", 1.01},
-                           {"minimise", "box"},   {"fill", true},         {"max-density", 0.25},
+    document["options"] = {{"voxel", 1},
+                           {"detail", 3},
+                           {"rotations", 45},
+                           {"refine", false},
+                           {"interlock", "off"},
+                           {"take-out", "smallest"},
+                           {"order", "random"},
+                           {"height-penalty", 4},
+                           {"height-at", "top"},
+                           {"seed", 7},
+                           {"engine", "reference"},
+                           {"threads", 3},
+                           {"memory", 1000000000},
+                           {"verify-with", "reference:5"},
+                           {"try-per-tray", 30},
+                           {"onto", "old.json"},
+                           {"time-limit", 2.5},
+                           {"output", {"b.json"}},
+                           {"report", "/r/r.html"},
+                           {"progress", "none"},
+                           {"dry-run", true},
+                           {"skip-unusable", true},
+                           {"require-all", true},
+                           {"json", false},
+                           {"material-density", 1.01},
+                           {"minimise", "box"},
+                           {"fill", true},
+                           {"max-density", 0.25},
                            {"max-layer-fill", 0.5}};
     const JobFile file = parsed(document);
     const JobSettings& s = file.settings;
@@ -249,8 +266,8 @@ TEST(JobFile, WhatIsSaidTwiceIsRefused) {
 
 /// docs/job.schema.json and the reader know the same keys, and the reader takes the schema's examples.
 TEST(JobFile, TheSchemaKnowsTheSameKeys) {
-    const json schema = json::parse(
-        read_text(std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "docs" / "job.schema.json"));
+    const json schema =
+        json::parse(read_text(std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "docs" / "job.schema.json"));
     const std::tuple<json::json_pointer, json::json_pointer> places[] = {
         {json::json_pointer("/properties"), json::json_pointer("")},
         {json::json_pointer("/properties/container/properties"), json::json_pointer("/container")},

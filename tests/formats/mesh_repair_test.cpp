@@ -20,9 +20,8 @@ using test::merged;
 using test::turned_inside_out;
 
 bool says(const std::vector<std::string>& texts, const std::string& part) {
-    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
-        return text.find(part) != std::string::npos;
-    });
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
 /// Every facet its own three vertices.
@@ -66,11 +65,9 @@ TEST(MeshRepair, WeldingIsWhatComparingAllPairsGives) {
         RandomStream random(seed);
         Mesh mesh;
         const auto vertices = 1 + random.below(300);
-        for (std::uint64_t i = 0; i < vertices;
-             ++i) {  // few distinct values, so that many coincide
+        for (std::uint64_t i = 0; i < vertices; ++i) {  // few distinct values, so that many coincide
             const auto coordinate = [&] { return static_cast<double>(random.below(5)) - 2; };
-            mesh.vertices.push_back(
-                {coordinate() * 0.5, coordinate() * 0.0, coordinate() * 1e-300});
+            mesh.vertices.push_back({coordinate() * 0.5, coordinate() * 0.0, coordinate() * 1e-300});
         }
         for (int i = 0; i < 200; ++i) {
             mesh.triangles.push_back({static_cast<std::uint32_t>(random.below(vertices)),
@@ -81,9 +78,9 @@ TEST(MeshRepair, WeldingIsWhatComparingAllPairsGives) {
         weld_equal_vertices(mesh);
         std::vector<Vec3> distinct;  // used ones, in order
         for (std::uint32_t i = 0; i < vertices; ++i) {
-            const bool used = std::any_of(
-                before.triangles.begin(), before.triangles.end(),
-                [&](const Triangle& t) { return std::find(t.begin(), t.end(), i) != t.end(); });
+            const bool used = std::any_of(before.triangles.begin(), before.triangles.end(), [&](const Triangle& t) {
+                return std::find(t.begin(), t.end(), i) != t.end();
+            });
             const Vec3& point = before.vertices[i];
             if (used && std::find(distinct.begin(), distinct.end(), point) == distinct.end()) {
                 distinct.push_back(point);
@@ -92,8 +89,7 @@ TEST(MeshRepair, WeldingIsWhatComparingAllPairsGives) {
         RC_ASSERT(mesh.vertices == distinct);
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                RC_ASSERT(mesh.vertices[mesh.triangles[i][k]] ==
-                          before.vertices[before.triangles[i][k]]);
+                RC_ASSERT(mesh.vertices[mesh.triangles[i][k]] == before.vertices[before.triangles[i][k]]);
             }
         }
     }));
@@ -105,10 +101,9 @@ TEST(MeshRepair, EdgesAreCountedAsBruteForceCountsThem) {
         Mesh mesh;
         mesh.vertices.resize(40);
         for (std::uint64_t i = 0; i < 1 + seed % 120; ++i) {  // vertex 0 is of high degree
-            mesh.triangles.push_back(
-                {static_cast<std::uint32_t>(random.below(2) * random.below(40)),
-                 static_cast<std::uint32_t>(random.below(40)),
-                 static_cast<std::uint32_t>(random.below(40))});
+            mesh.triangles.push_back({static_cast<std::uint32_t>(random.below(2) * random.below(40)),
+                                      static_cast<std::uint32_t>(random.below(40)),
+                                      static_cast<std::uint32_t>(random.below(40))});
         }
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> uses;
         for (const Triangle& t : mesh.triangles) {
@@ -234,9 +229,7 @@ TEST(MeshRepair, WeldingWithinAToleranceKeepsWhatIsFurtherApart) {
         Mesh mesh;
         std::vector<std::uint32_t> all;
         for (std::uint32_t i = 0; i < 120; ++i) {
-            const auto coordinate = [&] {
-                return static_cast<double>(random.below(4)) + 1e-3 * random.unit() - 1.5;
-            };
+            const auto coordinate = [&] { return static_cast<double>(random.below(4)) + 1e-3 * random.unit() - 1.5; };
             mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});
             all.push_back(i);
         }
@@ -244,8 +237,7 @@ TEST(MeshRepair, WeldingWithinAToleranceKeepsWhatIsFurtherApart) {
             mesh.triangles.push_back({i, i + 1, i + 2});
         }
         const Mesh before = mesh;
-        const double tolerance =
-            2e-3;  // above a cluster's diameter, far below the clusters' distance
+        const double tolerance = 2e-3;  // above a cluster's diameter, far below the clusters' distance
         weld_near_vertices(mesh, all, tolerance);
         std::vector<std::uint32_t> target(120);
         for (std::size_t i = 0; i < 120; ++i) {
@@ -264,13 +256,10 @@ TEST(MeshRepair, WhatEnclosesNothingIsUnusable) {
     const auto why = [](Mesh mesh) { return repair_mesh(mesh).unusable.value_or(""); };
     EXPECT_NE(why({}).find("no triangles"), std::string::npos);
     EXPECT_NE(why({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}), "");
-    EXPECT_NE(why({{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 1, 2}}}).find("flat"),
+    EXPECT_NE(why({{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 1, 2}}}).find("flat"), std::string::npos);
+    EXPECT_NE(why({{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}, {1, 1, 3}}, {{0, 1, 2}, {1, 3, 2}}}).find("plane"),
               std::string::npos);
-    EXPECT_NE(
-        why({{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}, {1, 1, 3}}, {{0, 1, 2}, {1, 3, 2}}}).find("plane"),
-        std::string::npos);
-    Mesh back_to_back{{{0, 0, 0}, {9, 0, 1}, {0, 9, 2}, {5, 5, 9}},
-                      {{0, 1, 2}, {0, 2, 1}, {1, 3, 2}, {1, 2, 3}}};
+    Mesh back_to_back{{{0, 0, 0}, {9, 0, 1}, {0, 9, 2}, {5, 5, 9}}, {{0, 1, 2}, {0, 2, 1}, {1, 3, 2}, {1, 2, 3}}};
     EXPECT_NE(why(back_to_back).find("volume is zero"), std::string::npos);
     EXPECT_NE(why(box_mesh({0, 0, 0}, {1e31, 1, 1})).find("beyond"), std::string::npos);
     EXPECT_NE(why(box_mesh({1e12, 0, 0}, {1e12, 20, 20})).find("precision"), std::string::npos);
@@ -282,8 +271,7 @@ TEST(MeshRepair, OverlappingShellsAreToldButNotCavitiesNorIslands) {
     const auto warned = [](Mesh mesh) { return says(repair_mesh(mesh).warnings, "overlap"); };
     EXPECT_TRUE(warned(merged(cube_mesh(20), box_mesh({10, 10, 10}, {30, 30, 30}))));
     EXPECT_TRUE(warned(merged(cube_mesh(20), box_mesh({5, 5, 5}, {10, 10, 10}))));
-    const Mesh hollow =
-        merged(cube_mesh(40), turned_inside_out(box_mesh({10, 10, 10}, {30, 30, 30})));
+    const Mesh hollow = merged(cube_mesh(40), turned_inside_out(box_mesh({10, 10, 10}, {30, 30, 30})));
     EXPECT_FALSE(warned(hollow));
     EXPECT_FALSE(warned(merged(hollow, box_mesh({15, 15, 15}, {25, 25, 25}))));
     EXPECT_FALSE(warned(merged(cube_mesh(20), box_mesh({20, 0, 0}, {40, 20, 20}))));  // they touch

@@ -22,13 +22,11 @@ TEST(Obj, QuadsBecomeTriangles) {
 }
 
 TEST(Obj, CommentsContinuationsColoursAndUnknownStatementsAreFine) {
-    std::string text = "# cube\r\nmtllib /dev/zero\r\nvp 0.1\r\n" + kCubeVertices +
-                       "vn 0 0 1\ns off\nusemtl red\n";
+    std::string text = "# cube\r\nmtllib /dev/zero\r\nvp 0.1\r\n" + kCubeVertices + "vn 0 0 1\ns off\nusemtl red\n";
     text.replace(text.find("v 20 0 0"), 8, "v 20 0 0 1.0 0.5 0.25 # red");
     EXPECT_DOUBLE_EQ(
-        signed_volume(read_as("a.obj", text + "f 1 3 \\\n 4 2 # front\n" +
-                                           kCubeFaces.substr(kCubeFaces.find('\n') + 1))[0]
-                          .mesh),
+        signed_volume(
+            read_as("a.obj", text + "f 1 3 \\\n 4 2 # front\n" + kCubeFaces.substr(kCubeFaces.find('\n') + 1))[0].mesh),
         8000);
 }
 
@@ -40,9 +38,8 @@ TEST(Obj, ErrorsNameTheLine) {
     const auto refused = [](const std::string& statement) {
         return refusal_of("a.obj", kCubeVertices + statement + "\n" + kCubeFaces).place();
     };
-    for (const char* statement :
-         {"f 1 2 9", "f 0 1 2", "f 1 2 -9", "f 1 2", "f 1 x 2", "f 1 2 3,4", "v 1 2", "v 1 2 inf",
-          "v 1 2,5 3", "f 1 2 99999999999999999999"}) {
+    for (const char* statement : {"f 1 2 9", "f 0 1 2", "f 1 2 -9", "f 1 2", "f 1 x 2", "f 1 2 3,4", "v 1 2",
+                                  "v 1 2 inf", "v 1 2,5 3", "f 1 2 99999999999999999999"}) {
         EXPECT_EQ(refused(statement), "line 9") << statement;
     }
     EXPECT_TRUE(test::contains(refusal_of("a.obj", kCubeVertices).cause(), "no triangles"));

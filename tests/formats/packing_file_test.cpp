@@ -24,8 +24,7 @@ Packing read_text_as_packing(const std::string& text) {
 }
 
 TEST(PackingFile, TheLayoutIsTheOneOnRecord) {
-    EXPECT_EQ(packing_to_json(test::small_packing(), "/elsewhere/out"),
-              test::read_text(golden("packing.json")));
+    EXPECT_EQ(packing_to_json(test::small_packing(), "/elsewhere/out"), test::read_text(golden("packing.json")));
 }
 
 TEST(PackingFile, EveryFieldComesBack) {
@@ -77,8 +76,7 @@ TEST(PackingFile, MeshPathsAreRelativeToTheFileAndUsableWhenRead) {
     for (const std::string out : {"out/deep/p.json", "link/p.json", "meshes/p.json"}) {
         write_packing(packing, folder / out);
         EXPECT_FALSE(contains(test::read_text(folder / out), "\"/")) << out;  // nothing absolute
-        EXPECT_TRUE(std::filesystem::equivalent(read_packing(folder / out).parts[0].mesh,
-                                                folder / "meshes/a b.stl"))
+        EXPECT_TRUE(std::filesystem::equivalent(read_packing(folder / out).parts[0].mesh, folder / "meshes/a b.stl"))
             << out;
     }
 }
@@ -89,8 +87,7 @@ TEST(PackingFile, NamesOfAnyKindSurvive) {
     packing.parts[0].name = name;
     EXPECT_EQ(read_text_as_packing(packing_to_json(packing, ".")).parts[0].name, name);
     packing.parts[0].name = "not utf-8: \xff";
-    EXPECT_EQ(read_text_as_packing(packing_to_json(packing, ".")).parts[0].name,
-              "not utf-8: \ufffd");
+    EXPECT_EQ(read_text_as_packing(packing_to_json(packing, ".")).parts[0].name, "not utf-8: \ufffd");
     packing.parts[0].mesh = "m\xff.stl";
     EXPECT_THROW(packing_to_json(packing, "."), UsageError);
 }
@@ -142,8 +139,7 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         {"\"interlock\":\"place\"", "\"interlock\":\"maybe\"", "options.interlock"},
         {"\"seed\":18446744073709551615", "\"seed\":-1", "options.seed"},
         {"\"threads\":3", "\"threads\":3000000000", "options.threads"},
-        {"\"verify-with\":\"reference:10\"", "\"verify-with\":\"reference:0\"",
-         "options.verify-with"},
+        {"\"verify-with\":\"reference:10\"", "\"verify-with\":\"reference:0\"", "options.verify-with"},
         {"\"id\":1", "\"id\":2", "parts[1].id"},
         {"\"scale\":0.5", "\"scale\":0", "parts[0].scale"},
         {"\"count\":3", "\"count\":-3", "parts[0].count"},
@@ -200,8 +196,8 @@ Packing with_steps(const std::vector<RemovalStep>& steps) {
 }
 
 TEST(PackingFile, PlansWithGroupsComeBack) {
-    const std::vector<RemovalStep> steps{
-        {{0, 1, 2}, {{0, 0, 1e3}}}, {{3}, {}}, {{1, 2}, {{5, 0, 0}, {0, -9, 0.1}}}, {{2}, {{1, 0, 0}}}, {{1}, {}}, {{0}, {}}};
+    const std::vector<RemovalStep> steps{{{0, 1, 2}, {{0, 0, 1e3}}}, {{3}, {}}, {{1, 2}, {{5, 0, 0}, {0, -9, 0.1}}},
+                                         {{2}, {{1, 0, 0}}},         {{1}, {}}, {{0}, {}}};
     const Packing read = read_text_as_packing(packing_to_json(with_steps(steps), "."));
     const Disassembly& plan = read.trays[0].disassembly.value();
     EXPECT_TRUE(plan.complete);
@@ -248,13 +244,11 @@ TEST(PackingFile, AllMayLeaveTogetherWhatPhysicalWallsStandRound) {
 TEST(PackingFile, WhatIsNoJsonIsRefused) {
     const std::string whole = test::read_text(golden("packing.json"));
     for (std::size_t length = 0; length + 2 < whole.size(); length += 97) {
-        EXPECT_TRUE(contains(
-            refusal([&] { read_text_as_packing(whole.substr(0, length)); }).cause(), "JSON"));
+        EXPECT_TRUE(contains(refusal([&] { read_text_as_packing(whole.substr(0, length)); }).cause(), "JSON"));
     }
     const std::string deep(1'000'000, '[');
-    for (const std::string& text :
-         {std::string("{\"version\": 1e999}"), std::string("\xff\xfe"), deep, std::string("null"),
-          std::string("[]"), std::string("{} {}")}) {
+    for (const std::string& text : {std::string("{\"version\": 1e999}"), std::string("\xff\xfe"), deep,
+                                    std::string("null"), std::string("[]"), std::string("{} {}")}) {
         EXPECT_FALSE(refusal([&] { read_text_as_packing(text); }).cause().empty());
     }
     EXPECT_THROW(read_packing("/no/such/file.json"), InputError);

@@ -68,8 +68,7 @@ inline Packing small_packing() {
 
     const Mat3 turned{{Vec3{0, -0.5, 0}, Vec3{0.5, 0, 0}, Vec3{0, 0, 0.5}}};
     TrayPacking first;
-    first.placements = {{0, 0, 0, false, {0.5 * Mat3{}, {1, 2, 3}}},
-                        {1, 0, 2, true, {25.4 * Mat3{}, {40, 0.1, 0}}}};
+    first.placements = {{0, 0, 0, false, {0.5 * Mat3{}, {1, 2, 3}}}, {1, 0, 2, true, {25.4 * Mat3{}, {40, 0.1, 0}}}};
     first.density = 0.1;
     first.density_bounding_box = 1.0 / 3;
     first.bounding_box = {{1, 0.1, 0}, {66, 27, 26}};

@@ -60,8 +60,7 @@ std::string binary_ply(const Mesh& mesh, bool big) {
 
 TEST(Ply, AllThreeEncodingsGiveTheSameMesh) {
     const Mesh box = test::box_mesh({-1, 2, 3}, {4, 6, 8.5});
-    for (const std::string& bytes :
-         {ascii_ply(box), binary_ply(box, false), binary_ply(box, true)}) {
+    for (const std::string& bytes : {ascii_ply(box), binary_ply(box, false), binary_ply(box, true)}) {
         const auto loaded = read_as("box.ply", bytes);
         ASSERT_EQ(loaded.size(), 1u);
         EXPECT_EQ(bounding_box(loaded[0].mesh), bounding_box(box));
@@ -75,12 +74,7 @@ TEST(Ply, EveryTruncationIsRefused) {
     for (const std::string& whole : {ascii_ply(cube), binary_ply(cube, true)}) {
         for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
             const std::string part = whole.substr(0, length);
-            EXPECT_FALSE(test::refusal([&] {
-                             parse_ply({"a.ply", "a", part});
-                         })
-                             .cause()
-                             .empty())
-                << length;
+            EXPECT_FALSE(test::refusal([&] { parse_ply({"a.ply", "a", part}); }).cause().empty()) << length;
         }
     }
 }
@@ -88,13 +82,11 @@ TEST(Ply, EveryTruncationIsRefused) {
 TEST(Ply, WhatAHeaderPromisesIsCheckedAgainstTheBytes) {
     for (const std::string format : {"ascii", "binary_little_endian"}) {
         const std::string body(200, '1');
-        const std::string vertices =
-            "ply\nformat " + format +
-            " 1.0\nelement vertex 4000000000\n"
-            "property float x\nproperty float y\nproperty float z\nend_header\n";
+        const std::string vertices = "ply\nformat " + format +
+                                     " 1.0\nelement vertex 4000000000\n"
+                                     "property float x\nproperty float y\nproperty float z\nend_header\n";
         EXPECT_TRUE(test::contains(refusal_of("a.ply", vertices + body).cause(), "promises"));
-        const std::string empty =
-            "ply\nformat " + format + " 1.0\nelement nothing 4000000000\nend_header\n";
+        const std::string empty = "ply\nformat " + format + " 1.0\nelement nothing 4000000000\nend_header\n";
         EXPECT_TRUE(test::contains(refusal_of("a.ply", empty + body).cause(), "promises"));
         const std::string list = "ply\nformat " + format +
                                  " 1.0\nelement face 1\n"
@@ -117,21 +109,17 @@ TEST(Ply, BadIndicesAndHeadersAreRefused) {
     EXPECT_FALSE(refusal_of("a.ply", with("255 0 0 0", "255 0,5 0 0")).cause().empty());
     EXPECT_EQ(refusal_of("a.ply", with("ascii", "utf-16")).place(), "line 2");
     EXPECT_EQ(refusal_of("a.ply", with("property double x", "property long x")).place(), "line 6");
-    EXPECT_EQ(refusal_of("a.ply", with("property double x", "propertx double x")).place(),
-              "line 6");
-    EXPECT_FALSE(
-        refusal_of("a.ply", with("property double x", "property double u")).cause().empty());
+    EXPECT_EQ(refusal_of("a.ply", with("property double x", "propertx double x")).place(), "line 6");
+    EXPECT_FALSE(refusal_of("a.ply", with("property double x", "property double u")).cause().empty());
 }
 
-const std::string kOffTetrahedron =
-    "4 4 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+const std::string kOffTetrahedron = "4 4 0\n0 0 0\n6 0 0\n0 6 0\n0 0 6\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
 TEST(Off, HeadersWithAndWithoutKeyWordColoursAndComments) {
     std::string coloured = kOffTetrahedron;
     coloured.replace(coloured.find("6 0 0\n"), 6, "6 0 0 0.5 0.5 0.5 1 # red\n");
-    for (const std::string& text :
-         {"OFF\n" + kOffTetrahedron, "OFF " + kOffTetrahedron, kOffTetrahedron,
-          "# a\n\nOFF # b\n#c\n" + kOffTetrahedron, "COFF\n" + coloured}) {
+    for (const std::string& text : {"OFF\n" + kOffTetrahedron, "OFF " + kOffTetrahedron, kOffTetrahedron,
+                                    "# a\n\nOFF # b\n#c\n" + kOffTetrahedron, "COFF\n" + coloured}) {
         EXPECT_DOUBLE_EQ(signed_volume(read_as("a.off", text)[0].mesh), 36) << text;
     }
 }

@@ -26,9 +26,7 @@ Filled fill(const std::vector<Vec3>& loop_points) {
     Filled filled;
     filled.count = triangles.size();
     for (const Triangle& t : triangles) {
-        const double area =
-            cross(loop_points[t[1]] - loop_points[t[0]], loop_points[t[2]] - loop_points[t[0]]).z /
-            2;
+        const double area = cross(loop_points[t[1]] - loop_points[t[0]], loop_points[t[2]] - loop_points[t[0]]).z / 2;
         filled.signed_area += area;
         filled.total_area += std::abs(area);
     }
@@ -52,12 +50,10 @@ void expect_exact_fill(const std::vector<Vec3>& loop) {
 }
 
 TEST(Triangulate, ConcavePolygonsAreFilledExactly) {
-    const std::vector<Vec3> ell{{0, 0, 0},   {30, 0, 0},  {30, 10, 0},
-                                {10, 10, 0}, {10, 30, 0}, {0, 30, 0}};
+    const std::vector<Vec3> ell{{0, 0, 0}, {30, 0, 0}, {30, 10, 0}, {10, 10, 0}, {10, 30, 0}, {0, 30, 0}};
     for (std::size_t start = 0; start < ell.size(); ++start) {
         std::vector<Vec3> turned(ell);
-        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start),
-                    turned.end());
+        std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
         expect_exact_fill(turned);
         std::reverse(turned.begin(), turned.end());
         expect_exact_fill(turned);
@@ -108,8 +104,7 @@ TEST(Triangulate, StarShapedPolygonsAreFilledExactly) {
         const auto corners = 4 + random.below(40);
         std::vector<Vec3> loop;
         for (std::uint64_t i = 0; i < corners; ++i) {
-            const double angle =
-                2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
             const double radius = 1 + 9 * random.unit();
             loop.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
         }

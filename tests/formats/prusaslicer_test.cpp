@@ -44,14 +44,13 @@ TEST(PrusaSlicer, FindsEveryCopyWhereItWasPlaced) {
                                    {0, 1, 0, false, {Mat3{}, {60, 30, 10}}},
                                    {1, 0, 0, false, {2.0 * turned, {45, 50, 20}}}};
     write_3mf(packing, meshes, folder / "p.3mf");
-    const test::Ran ran =
-        test::run({"/usr/bin/env", "HOME=" + folder.path().string(), "timeout", "60", kSlicer,
-                   "--datadir", folder.path().string(), "--info", (folder / "p.3mf").string()});
+    const test::Ran ran = test::run({"/usr/bin/env", "HOME=" + folder.path().string(), "timeout", "60", kSlicer,
+                                     "--datadir", folder.path().string(), "--info", (folder / "p.3mf").string()});
     ASSERT_EQ(ran.status, 0) << ran.err;
     std::vector<std::array<double, 6>> expected;
     for (const Placement& placement : packing.trays[0].placements) {
-        const Box box = bounding_box(
-            transformed(*meshes[static_cast<std::size_t>(placement.part)], placement.transform));
+        const Box box =
+            bounding_box(transformed(*meshes[static_cast<std::size_t>(placement.part)], placement.transform));
         expected.push_back({box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z});
     }
     std::sort(expected.begin(), expected.end());

@@ -27,22 +27,21 @@ TEST(SetFile, ColumnsComeInAnyOrderAndCountAndScaleMayBeMissing) {
 }
 
 TEST(SetFile, WhatIsWrongIsRefusedWithItsLine) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"mesh,colour\na.stl,red\n", "line 1"},
-        {"mesh;count\na.stl;1\n", "line 1"},
-        {"count\n1\n", "line 1"},
-        {"mesh,mesh\na,b\n", "line 1"},
-        {"mesh,count\n\na.stl\n", "line 3"},
-        {"mesh,count\na.stl,0\n", "line 2"},
-        {"mesh,count\na.stl,-1\n", "line 2"},
-        {"mesh,count\na.stl,1.5\n", "line 2"},
-        {"mesh,count\na.stl,9999999999\n", "line 2"},
-        {"mesh,count\na.stl,\n", "line 2"},
-        {"mesh,scale\na.stl,\"0,5\"\n", "line 2"},
-        {"mesh,scale\na.stl,0\n", "line 2"},
-        {"mesh,scale\na.stl,nan\n", "line 2"},
-        {"mesh,scale\na.stl,1e999\n", "line 2"},
-        {"mesh,count\n ,1\n", "line 2"}};
+    const std::pair<const char*, const char*> cases[] = {{"mesh,colour\na.stl,red\n", "line 1"},
+                                                         {"mesh;count\na.stl;1\n", "line 1"},
+                                                         {"count\n1\n", "line 1"},
+                                                         {"mesh,mesh\na,b\n", "line 1"},
+                                                         {"mesh,count\n\na.stl\n", "line 3"},
+                                                         {"mesh,count\na.stl,0\n", "line 2"},
+                                                         {"mesh,count\na.stl,-1\n", "line 2"},
+                                                         {"mesh,count\na.stl,1.5\n", "line 2"},
+                                                         {"mesh,count\na.stl,9999999999\n", "line 2"},
+                                                         {"mesh,count\na.stl,\n", "line 2"},
+                                                         {"mesh,scale\na.stl,\"0,5\"\n", "line 2"},
+                                                         {"mesh,scale\na.stl,0\n", "line 2"},
+                                                         {"mesh,scale\na.stl,nan\n", "line 2"},
+                                                         {"mesh,scale\na.stl,1e999\n", "line 2"},
+                                                         {"mesh,count\n ,1\n", "line 2"}};
     for (const auto& wrong : cases) {
         const auto& text = wrong.first;  // clang 14 cannot capture structured bindings
         const auto& place = wrong.second;

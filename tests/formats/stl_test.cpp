@@ -44,9 +44,7 @@ TEST(BinaryStl, CornersAreWeldedWithoutCallingItARepair) {
 
 TEST(BinaryStl, TheLengthDecidesWhatItIsNotTheHeader) {
     EXPECT_DOUBLE_EQ(
-        signed_volume(
-            read_as("a.stl", binary_stl(test::cube_mesh(20), "solid cube\nfacet normal"))[0].mesh),
-        8000);
+        signed_volume(read_as("a.stl", binary_stl(test::cube_mesh(20), "solid cube\nfacet normal"))[0].mesh), 8000);
 }
 
 TEST(BinaryStl, NegativeZeroIsZero) {
@@ -54,8 +52,7 @@ TEST(BinaryStl, NegativeZeroIsZero) {
     for (Triangle& t : cube.triangles) {  // every facet its own corners, every other with -0
         for (std::uint32_t& corner : t) {
             Vec3 vertex = cube.vertices[corner];
-            if ((&t - cube.triangles.data()) % 2 == 1)
-                vertex = {vertex.x == 0 ? -0.0 : vertex.x, vertex.y, vertex.z};
+            if ((&t - cube.triangles.data()) % 2 == 1) vertex = {vertex.x == 0 ? -0.0 : vertex.x, vertex.y, vertex.z};
             corner = static_cast<std::uint32_t>(cube.vertices.size());
             cube.vertices.push_back(vertex);
         }
@@ -67,12 +64,7 @@ TEST(BinaryStl, EveryTruncationIsRefused) {
     const std::string whole = binary_stl(test::cube_mesh(20));
     for (std::size_t length = 0; length < whole.size(); ++length) {
         const std::string part = whole.substr(0, length);
-        EXPECT_FALSE(test::refusal([&] {
-                         parse_stl({"a.stl", "a", part});
-                     })
-                         .cause()
-                         .empty())
-            << length;
+        EXPECT_FALSE(test::refusal([&] { parse_stl({"a.stl", "a", part}); }).cause().empty()) << length;
     }
 }
 
@@ -88,9 +80,8 @@ TEST(BinaryStl, ACountThatDisagreesWithTheLengthIsRefusedOrTold) {
 
 TEST(BinaryStl, WhatIsNotFiniteIsRefusedWithTheFacet) {
     const std::string whole = binary_stl(test::cube_mesh(20));
-    for (const float bad :
-         {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
-          std::numeric_limits<float>::quiet_NaN()}) {
+    for (const float bad : {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                            std::numeric_limits<float>::quiet_NaN()}) {
         std::string bytes = whole;
         bytes.replace(84 + 4 * 50 + 12 + 8, 4, test::bytes_of(bad));
         EXPECT_EQ(refusal_of("a.stl", bytes).place(), "facet 5");
@@ -106,8 +97,7 @@ TEST(AsciiStl, AnyCaseAnyLineEndAnyWhiteSpace) {
     EXPECT_NEAR(signed_volume(read_as("a.stl", text)[0].mesh), volume, 1e-9);
     std::string loud;
     for (const char c : text) {
-        loud += c == '\n' ? std::string(" \t\r\n\r\n  ")
-                          : std::string(1, static_cast<char>(std::toupper(c)));
+        loud += c == '\n' ? std::string(" \t\r\n\r\n  ") : std::string(1, static_cast<char>(std::toupper(c)));
     }
     EXPECT_NEAR(signed_volume(read_as("a.stl", loud)[0].mesh), volume, 1e-9);
     EXPECT_EQ(read_as("a.STL", text + text)[0].repairs.size(),
@@ -130,8 +120,7 @@ TEST(AsciiStl, ErrorsNameTheLine) {
         return text.replace(text.find(old_text), old_text.size(), new_text);
     };
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).place(), "line 5");
-    EXPECT_TRUE(test::contains(
-        refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).cause(), "comma"));
+    EXPECT_TRUE(test::contains(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).cause(), "comma"));
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10")).place(), "line 5");
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 ten 0")).place(), "line 5");
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 nan 0")).place(), "line 5");
@@ -144,8 +133,7 @@ TEST(AsciiStl, ErrorsNameTheLine) {
 TEST(AsciiStl, TextThatIsNoStlIsCalledThat) {
     const std::string prose(500, 'x');
     EXPECT_TRUE(test::contains(refusal_of("a.stl", prose).cause(), "text"));
-    EXPECT_TRUE(
-        test::contains(refusal_of("a.stl", "solid nothing\nendsolid\n").cause(), "no triangles"));
+    EXPECT_TRUE(test::contains(refusal_of("a.stl", "solid nothing\nendsolid\n").cause(), "no triangles"));
 }
 
 TEST(Stl, TheBenchmarkMeshesLoadAsTheirIndexSays) {
@@ -178,14 +166,11 @@ TEST(MeshFiles, UnknownOrUnreadableOnesAreRefused) {
     EXPECT_FALSE(is_mesh_file("x.step"));
     EXPECT_FALSE(is_mesh_file("stl"));
     EXPECT_TRUE(test::contains(refusal_of("a.step", "ISO-10303-21;").cause(), "format"));
-    EXPECT_TRUE(
-        test::contains(test::refusal([&] { read_meshes(folder / "no.stl"); }).what(), "no.stl"));
+    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "no.stl"); }).what(), "no.stl"));
     std::filesystem::create_directory(folder / "d.stl");
-    EXPECT_TRUE(
-        test::contains(test::refusal([&] { read_meshes(folder / "d.stl"); }).cause(), "folder"));
+    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "d.stl"); }).cause(), "folder"));
     ASSERT_EQ(::mkfifo((folder / "pipe.stl").c_str(), 0600), 0);
-    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "pipe.stl"); }).cause(),
-                               "regular"));
+    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "pipe.stl"); }).cause(), "regular"));
 }
 
 TEST(MeshFiles, WhatAFileIsDecidesNotItsName) {

@@ -32,17 +32,14 @@ std::string object(const std::string& attributes, const std::string& content) {
     return "<object " + attributes + ">" + content + "</object>";
 }
 
-std::string model(const std::string& resources, const std::string& build,
-                  const std::string& attributes = "") {
+std::string model(const std::string& resources, const std::string& build, const std::string& attributes = "") {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?><model "
            "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
            "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" " +
-           attributes + "><resources>" + resources + "</resources><build>" + build +
-           "</build></model>";
+           attributes + "><resources>" + resources + "</resources><build>" + build + "</build></model>";
 }
 
-std::string package(const std::string& root,
-                    const std::map<std::string, std::string>& others = {}) {
+std::string package(const std::string& root, const std::map<std::string, std::string>& others = {}) {
     std::vector<ZipEntry> entries{{"_rels/.rels", kRelationships}, {"3D/3dmodel.model", root}};
     for (const auto& [name, content] : others) {
         entries.push_back({name, content});
@@ -50,22 +47,18 @@ std::string package(const std::string& root,
     return make_zip(entries);
 }
 
-std::vector<LoadedMesh> read(const std::string& root,
-                             const std::map<std::string, std::string>& others = {}) {
+std::vector<LoadedMesh> read(const std::string& root, const std::map<std::string, std::string>& others = {}) {
     return test::read_as("file.3mf", package(root, others));
 }
 
-InputError refused(const std::string& root) {
-    return test::refusal_of("file.3mf", package(root));
-}
+InputError refused(const std::string& root) { return test::refusal_of("file.3mf", package(root)); }
 
 const std::string kCube = object("id=\"1\"", mesh_xml(test::cube_mesh(2)));
 const std::string kItem = "<item objectid=\"1\"/>";
 
 TEST(ThreeMf, UnitsAreTold) {
-    const std::pair<const char*, double> units[] = {{"micron", 0.001},  {"millimeter", 1},
-                                                    {"centimeter", 10}, {"inch", 25.4},
-                                                    {"foot", 304.8},    {"meter", 1000}};
+    const std::pair<const char*, double> units[] = {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10},
+                                                    {"inch", 25.4},    {"foot", 304.8},   {"meter", 1000}};
     for (const auto& [name, mm] : units) {
         const auto loaded = read(model(kCube, kItem, "unit=\"" + std::string(name) + "\""));
         EXPECT_EQ(loaded.at(0).unit, mm);
@@ -76,12 +69,12 @@ TEST(ThreeMf, UnitsAreTold) {
 }
 
 TEST(ThreeMf, ItemsOfOneObjectInOneOrientationAreInstances) {
-    const auto loaded = read(model(
-        kCube + object("id=\"2\" partnumber=\"box &amp; lid\" name=\"n\"",
-                       mesh_xml(test::box_mesh({0, 0, 0}, {1, 2, 3}))),
-        "<item objectid=\"1\"/><item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>"
-        "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 7 8 9\"/>"
-        "<item objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 0\" partnumber=\"turned\"/>"));
+    const auto loaded =
+        read(model(kCube + object("id=\"2\" partnumber=\"box &amp; lid\" name=\"n\"",
+                                  mesh_xml(test::box_mesh({0, 0, 0}, {1, 2, 3}))),
+                   "<item objectid=\"1\"/><item objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>"
+                   "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 7 8 9\"/>"
+                   "<item objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 0\" partnumber=\"turned\"/>"));
     ASSERT_EQ(loaded.size(), 3u);
     EXPECT_EQ(loaded[0].object, "1");
     EXPECT_EQ(loaded[0].instances, 2);
@@ -94,23 +87,20 @@ TEST(ThreeMf, ItemsOfOneObjectInOneOrientationAreInstances) {
     EXPECT_EQ(loaded[2].name, "turned");
     EXPECT_EQ(loaded[2].instances, 1);
     // Row vectors: (x, y, z) goes to (-y, x, z).
-    EXPECT_EQ(loaded[2].item_transform->linear,
-              (Mat3{{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}}));
+    EXPECT_EQ(loaded[2].item_transform->linear, (Mat3{{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}}));
     EXPECT_EQ(bounding_box(loaded[2].mesh), (Box{{-2, 0, 0}, {0, 2, 2}}));
 }
 
 TEST(ThreeMf, ComponentsNestAndTheirTransformsMultiply) {
-    const auto loaded = read(model(
-        kCube +
-            object(
-                "id=\"2\"",
-                "<components><component objectid=\"1\"/>"
-                "<component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 4 0 0\"/></components>") +
-            object(
-                "id=\"3\"",
-                "<components><component objectid=\"2\"/>"
-                "<component objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 0 4 0\"/></components>"),
-        "<item objectid=\"3\" transform=\"2 0 0 0 2 0 0 0 2 100 0 0\"/>"));
+    const auto loaded =
+        read(model(kCube +
+                       object("id=\"2\"",
+                              "<components><component objectid=\"1\"/>"
+                              "<component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 4 0 0\"/></components>") +
+                       object("id=\"3\"",
+                              "<components><component objectid=\"2\"/>"
+                              "<component objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 0 4 0\"/></components>"),
+                   "<item objectid=\"3\" transform=\"2 0 0 0 2 0 0 0 2 100 0 0\"/>"));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_EQ(loaded[0].mesh.triangles.size(), 48u);
     EXPECT_DOUBLE_EQ(signed_volume(loaded[0].mesh), 4 * 64);
@@ -118,11 +108,9 @@ TEST(ThreeMf, ComponentsNestAndTheirTransformsMultiply) {
 }
 
 TEST(ThreeMf, AMirroredItemIsAShapeOfItsOwnAndStaysOutward) {
-    const Mesh tetrahedron{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}},
-                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-    const auto loaded =
-        read(model(object("id=\"1\"", mesh_xml(tetrahedron)),
-                   kItem + "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>"));
+    const Mesh tetrahedron{{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    const auto loaded = read(model(object("id=\"1\"", mesh_xml(tetrahedron)),
+                                   kItem + "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>"));
     ASSERT_EQ(loaded.size(), 2u);
     EXPECT_DOUBLE_EQ(signed_volume(loaded[0].mesh), 1);
     EXPECT_DOUBLE_EQ(signed_volume(loaded[1].mesh), 1);
@@ -131,16 +119,14 @@ TEST(ThreeMf, AMirroredItemIsAShapeOfItsOwnAndStaysOutward) {
 }
 
 TEST(ThreeMf, WhatIsNotToBePrintedIsLeftOutWithANote) {
-    const auto loaded =
-        read(model(kCube + object("id=\"2\" type=\"support\"", mesh_xml(test::cube_mesh(5))),
-                   "<item objectid=\"1\"/><item objectid=\"1\" printable=\"0\"/>"
-                   "<item objectid=\"2\"/>"));
+    const auto loaded = read(model(kCube + object("id=\"2\" type=\"support\"", mesh_xml(test::cube_mesh(5))),
+                                   "<item objectid=\"1\"/><item objectid=\"1\" printable=\"0\"/>"
+                                   "<item objectid=\"2\"/>"));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_EQ(loaded[0].instances, 1);
     EXPECT_TRUE(test::any_contains(loaded[0].warnings, "not printable"));
     EXPECT_TRUE(test::any_contains(loaded[0].warnings, "support"));
-    EXPECT_TRUE(contains(refused(model(kCube, "<item objectid=\"1\" printable=\"0\"/>")).cause(),
-                         "printable"));
+    EXPECT_TRUE(contains(refused(model(kCube, "<item objectid=\"1\" printable=\"0\"/>")).cause(), "printable"));
 }
 
 TEST(ThreeMf, ExtensionsThatDoNotChangeGeometryAreIgnored) {
@@ -148,13 +134,10 @@ TEST(ThreeMf, ExtensionsThatDoNotChangeGeometryAreIgnored) {
         "<m:colorgroup xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
         "id=\"9\"><m:color color=\"#FF0000\"/></m:colorgroup><basematerials id=\"8\"><base/>"
         "</basematerials>" +
-            object(
-                "id=\"1\" pid=\"9\" pindex=\"0\" p:UUID=\"00000000-0000-0000-0000-000000000000\"",
-                "<metadatagroup><metadata name=\"a\">b</metadata></metadatagroup>" +
-                    mesh_xml(test::cube_mesh(2))) +
+            object("id=\"1\" pid=\"9\" pindex=\"0\" p:UUID=\"00000000-0000-0000-0000-000000000000\"",
+                   "<metadatagroup><metadata name=\"a\">b</metadata></metadatagroup>" + mesh_xml(test::cube_mesh(2))) +
             "<x:object xmlns:x=\"urn:other\" id=\"1\"><x:mesh/></x:object>",
-        "<item objectid=\"1\" p:UUID=\"00000000-0000-0000-0000-000000000000\"/>",
-        "requiredextensions=\"p\""));
+        "<item objectid=\"1\" p:UUID=\"00000000-0000-0000-0000-000000000000\"/>", "requiredextensions=\"p\""));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_DOUBLE_EQ(signed_volume(loaded[0].mesh), 8);
 }
@@ -165,8 +148,7 @@ TEST(ThreeMf, ObjectsInOtherModelPartsAreFollowed) {
         read(model(object("id=\"1\"",
                           "<components><component objectid=\"1\" p:path=\"/3D/Objects/o.model\"/>"
                           "</components>"),
-                   kItem + "<item objectid=\"1\" p:path=\"/3D/Objects/o.model\"/>",
-                   "requiredextensions=\"p\""),
+                   kItem + "<item objectid=\"1\" p:path=\"/3D/Objects/o.model\"/>", "requiredextensions=\"p\""),
              {{"3D/Objects/o.model", other}});
     ASSERT_EQ(loaded.size(), 2u);
     EXPECT_EQ(loaded[0].object, "1");
@@ -182,9 +164,8 @@ TEST(ThreeMf, ObjectsInOtherModelPartsAreFollowed) {
 }
 
 TEST(ThreeMf, UnknownRequiredExtensionsAreRefusedByName) {
-    EXPECT_TRUE(contains(
-        refused(model(kCube, kItem, "xmlns:z=\"urn:lattice\" requiredextensions=\"z\"")).cause(),
-        "urn:lattice"));
+    EXPECT_TRUE(contains(refused(model(kCube, kItem, "xmlns:z=\"urn:lattice\" requiredextensions=\"z\"")).cause(),
+                         "urn:lattice"));
     EXPECT_TRUE(contains(refused(model(kCube, kItem, "requiredextensions=\"q\"")).cause(), "q"));
     EXPECT_EQ(read(model(kCube, kItem, "xmlns:z=\"urn:lattice\"")).size(), 1u);
 }
@@ -199,12 +180,8 @@ TEST(ThreeMf, WhatTheSpecificationForbidsIsRefused) {
         {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 x 0 0 0\"/>"), "'x'"},
         {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/>"), "inverted"},
         {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 nan 0 0 0\"/>"), "finite"},
-        {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\"/></vertices></mesh>"),
-               kItem),
-         "'z'"},
-        {model(object("id=\"1\"",
-                      "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"1,5\"/></vertices></mesh>"),
-               kItem),
+        {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\"/></vertices></mesh>"), kItem), "'z'"},
+        {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"1,5\"/></vertices></mesh>"), kItem),
          "1,5"},
         {model(object("id=\"1\"",
                       "<mesh><vertices/><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/>"
@@ -229,25 +206,21 @@ TEST(ThreeMf, WhatTheSpecificationForbidsIsRefused) {
 }
 
 TEST(ThreeMf, ComponentsThatMultiplyOrContainThemselvesAreRefused) {
-    for (const std::string& leaf :
-         {mesh_xml(test::cube_mesh(2)), std::string("<mesh/>"), std::string()}) {
+    for (const std::string& leaf : {mesh_xml(test::cube_mesh(2)), std::string("<mesh/>"), std::string()}) {
         std::string resources = object("id=\"1\"", leaf);
         for (int level = 2; level < 30; ++level) {
             std::string components;
             for (int i = 0; i < 10; ++i) {
                 components += "<component objectid=\"" + std::to_string(level - 1) + "\"/>";
             }
-            resources += object("id=\"" + std::to_string(level) + "\"",
-                                "<components>" + components + "</components>");
+            resources += object("id=\"" + std::to_string(level) + "\"", "<components>" + components + "</components>");
         }
-        EXPECT_TRUE(
-            contains(refused(model(resources, "<item objectid=\"29\"/>")).cause(), "multiply"));
+        EXPECT_TRUE(contains(refused(model(resources, "<item objectid=\"29\"/>")).cause(), "multiply"));
     }
     const auto component = [](int id) {
         return "<components><component objectid=\"" + std::to_string(id) + "\"/></components>";
     };
-    EXPECT_TRUE(
-        contains(refused(model(object("id=\"1\"", component(1)), kItem)).cause(), "nested"));
+    EXPECT_TRUE(contains(refused(model(object("id=\"1\"", component(1)), kItem)).cause(), "nested"));
     std::string chain = object("id=\"1\"", mesh_xml(test::cube_mesh(2)));
     for (int id = 2; id < 20'000; ++id) {
         chain += object("id=\"" + std::to_string(id) + "\"", component(id - 1));
@@ -256,13 +229,11 @@ TEST(ThreeMf, ComponentsThatMultiplyOrContainThemselvesAreRefused) {
 }
 
 TEST(ThreeMf, ItemsThatMultiplyALargeMeshAreRefusedButManyOfItsOwnSizeAreNot) {
-    const std::string torus =
-        object("id=\"1\"", mesh_xml(test::torus_mesh(30, 8, 100, 50)));  // 10 000 triangles
+    const std::string torus = object("id=\"1\"", mesh_xml(test::torus_mesh(30, 8, 100, 50)));  // 10 000 triangles
     const auto items = [](int count) {
         std::string xml;
         for (int i = 1; i <= count; ++i) {
-            xml += "<item objectid=\"1\" transform=\"" + std::to_string(i) +
-                   " 0 0 0 1 0 0 0 1 0 0 0\"/>";
+            xml += "<item objectid=\"1\" transform=\"" + std::to_string(i) + " 0 0 0 1 0 0 0 1 0 0 0\"/>";
         }
         return xml;
     };
@@ -271,13 +242,10 @@ TEST(ThreeMf, ItemsThatMultiplyALargeMeshAreRefusedButManyOfItsOwnSizeAreNot) {
 }
 
 TEST(ThreeMf, PackagesWithoutAModelAreRefused) {
+    EXPECT_TRUE(contains(test::refusal_of("a.3mf", make_zip({{"a.txt", "b"}})).cause(), "not a 3MF"));
+    EXPECT_EQ(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", kRelationships}})).place(), "3D/3dmodel.model");
     EXPECT_TRUE(
-        contains(test::refusal_of("a.3mf", make_zip({{"a.txt", "b"}})).cause(), "not a 3MF"));
-    EXPECT_EQ(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", kRelationships}})).place(),
-              "3D/3dmodel.model");
-    EXPECT_TRUE(
-        contains(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", "<Relationships/>"}})).cause(),
-                 "no 3D model"));
+        contains(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", "<Relationships/>"}})).cause(), "no 3D model"));
     EXPECT_TRUE(contains(test::refusal_of("a.3mf", "PK\x03\x04").cause(), "ZIP"));
     EXPECT_TRUE(contains(test::refusal_of("a.3mf", "").cause(), "empty"));
 }
@@ -285,8 +253,7 @@ TEST(ThreeMf, PackagesWithoutAModelAreRefused) {
 TEST(ThreeMf, ManyItemsWithTransformsOfTheirOwnAreRead) {
     std::string items;
     for (int i = 0; i < 5000; ++i) {
-        items += "<item objectid=\"1\" transform=\"" + std::to_string(1 + i % 2500) +
-                 " 0 0 0 1 0 0 0 1 0 0 0\"/>";
+        items += "<item objectid=\"1\" transform=\"" + std::to_string(1 + i % 2500) + " 0 0 0 1 0 0 0 1 0 0 0\"/>";
     }
     const auto loaded = read(model(kCube, items));
     ASSERT_EQ(loaded.size(), 2500u);

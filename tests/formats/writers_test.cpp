@@ -10,15 +10,12 @@ namespace spectralpack {
 namespace {
 
 std::string golden(const std::string& name) {
-    return test::read_text(std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "tests" / "formats" /
-                           "golden" / name);
+    return test::read_text(std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "tests" / "formats" / "golden" / name);
 }
 
 std::string entry_of(const std::string& archive, const std::string& entry) {
     std::string text;
-    ZipReader("file", archive).unpack(entry, 1 << 30, [&](std::string_view piece) {
-        text += piece;
-    });
+    ZipReader("file", archive).unpack(entry, 1 << 30, [&](std::string_view piece) { text += piece; });
     return text;
 }
 
@@ -91,8 +88,7 @@ TEST(Write3mf, EqualMeshesAreWrittenOnceAndEveryCopyIsAnItem) {
     const std::string model = entry_of(test::read_text(folder / "p.3mf"), "3D/3dmodel.model");
     const auto occurrences = [&](const std::string& text) {
         int count = 0;
-        for (std::size_t at = model.find(text); at != std::string::npos;
-             at = model.find(text, at + 1)) {
+        for (std::size_t at = model.find(text); at != std::string::npos; at = model.find(text, at + 1)) {
             ++count;
         }
         return count;
@@ -120,8 +116,7 @@ TEST(WriteStl, HoldsEveryCopyWhereItWasPlaced) {
     Box box;
     for (std::size_t tray = 0; tray < 2; ++tray) {
         for (const Placement& placement : packing.trays[tray].placements) {
-            Mesh placed =
-                transformed(*meshes[static_cast<std::size_t>(placement.part)], placement.transform);
+            Mesh placed = transformed(*meshes[static_cast<std::size_t>(placement.part)], placement.transform);
             for (Vec3& vertex : placed.vertices) {
                 vertex.x += static_cast<double>(tray) * 120;
             }
@@ -142,8 +137,7 @@ TEST(WriteStl, NormalsPointOutwards) {
     for (std::size_t at = 84; at < bytes.size(); at += 50) {
         float f[12];
         std::memcpy(f, bytes.data() + at, sizeof f);
-        const Vec3 a{f[3], f[4], f[5]}, b{f[6], f[7], f[8]}, c{f[9], f[10], f[11]},
-            normal{f[0], f[1], f[2]};
+        const Vec3 a{f[3], f[4], f[5]}, b{f[6], f[7], f[8]}, c{f[9], f[10], f[11]}, normal{f[0], f[1], f[2]};
         EXPECT_NEAR(length(normal), 1, 1e-6);
         EXPECT_GT(dot(normal, cross(b - a, c - a)), 0);
     }

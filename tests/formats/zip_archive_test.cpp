@@ -12,8 +12,7 @@ std::string unpacked(const ZipReader& zip, const std::string& entry, std::uint64
 }
 
 TEST(ZipArchive, EntriesComeBackAndEqualOnesGiveEqualBytes) {
-    const std::vector<ZipEntry> entries{
-        {"a/b.txt", std::string(300'000, 'x')}, {"empty", ""}, {"ä", "ü"}};
+    const std::vector<ZipEntry> entries{{"a/b.txt", std::string(300'000, 'x')}, {"empty", ""}, {"ä", "ü"}};
     const std::string bytes = make_zip(entries);
     EXPECT_EQ(bytes, make_zip(entries));
     const ZipReader zip("f", bytes);
@@ -29,8 +28,8 @@ TEST(ZipArchive, WhatUnpacksBeyondItsAllowanceIsCutOff) {
     const std::string bytes = make_zip({{"a", std::string(1'000'000, 'x')}});
     const ZipReader zip("f", bytes);
     std::size_t seen = 0;
-    const InputError error = test::refusal(
-        [&] { zip.unpack("a", 100'000, [&](std::string_view piece) { seen += piece.size(); }); });
+    const InputError error =
+        test::refusal([&] { zip.unpack("a", 100'000, [&](std::string_view piece) { seen += piece.size(); }); });
     EXPECT_TRUE(test::contains(error.cause(), "100000"));
     EXPECT_LE(seen, 100'000u);
 }
@@ -46,14 +45,12 @@ TEST(ZipArchive, DamageIsNoticed) {
         damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
         try {
             const ZipReader zip("f", damaged);
-            EXPECT_EQ(unpacked(zip, "a"), text)
-                << at;  // some bytes of the directory are of no import
+            EXPECT_EQ(unpacked(zip, "a"), text) << at;  // some bytes of the directory are of no import
         } catch (const InputError&) {
         }
     }
     for (std::size_t length = 1; length < whole.size(); length += 11) {
-        EXPECT_THROW(ZipReader("f", std::string_view(whole).substr(0, length)), InputError)
-            << length;
+        EXPECT_THROW(ZipReader("f", std::string_view(whole).substr(0, length)), InputError) << length;
     }
 }
 

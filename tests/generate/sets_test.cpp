@@ -13,8 +13,8 @@
 namespace spectralpack::test {
 namespace {
 
-constexpr GeneratedSet kSets[] = {GeneratedSet::pieces, GeneratedSet::mixtures, GeneratedSet::locks,
-                                  GeneratedSet::tori, GeneratedSet::polyhedra, GeneratedSet::letters};
+constexpr GeneratedSet kSets[] = {GeneratedSet::pieces, GeneratedSet::mixtures,  GeneratedSet::locks,
+                                  GeneratedSet::tori,   GeneratedSet::polyhedra, GeneratedSet::letters};
 
 /// FNV-1a over the names, counts, triangles and the bits of all coordinates.
 std::uint64_t hash_of(const std::vector<GeneratedPart>& parts) {
@@ -159,8 +159,7 @@ TEST(GeneratedSets, TheSameSeedGivesTheSameBitsOnEveryMachine) {
 }
 
 TEST(GeneratedSets, SeedsDiffer) {
-    EXPECT_NE(hash_of(generate_parts(GeneratedSet::tori, 1, {})),
-              hash_of(generate_parts(GeneratedSet::tori, 2, {})));
+    EXPECT_NE(hash_of(generate_parts(GeneratedSet::tori, 1, {})), hash_of(generate_parts(GeneratedSet::tori, 2, {})));
 }
 
 }  // namespace

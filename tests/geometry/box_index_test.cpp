@@ -9,9 +9,7 @@
 namespace spectralpack {
 namespace {
 
-bool meet(const Box& a, const Box& b) {
-    return distance(a, b) == 0;
-}
+bool meet(const Box& a, const Box& b) { return distance(a, b) == 0; }
 
 TEST(BoxIndex, FindsEveryBoxThatMeetsAlsoOutsideTheRegionAndAfterRemovals) {
     RandomStream random(1);

@@ -82,8 +82,7 @@ TEST(Inspect, LoopsPartTheBorderWhateverIsMissing) {
     EXPECT_TRUE(rc::check([] {
         Mesh mesh = torus_mesh(10, 4, 9, 7);
         const auto keep = *rc::gen::container<std::vector<bool>>(
-            mesh.triangles.size(),
-            rc::gen::map(rc::gen::inRange(0, 8), [](int i) { return i > 0; }));
+            mesh.triangles.size(), rc::gen::map(rc::gen::inRange(0, 8), [](int i) { return i > 0; }));
         Mesh holed{mesh.vertices, {}};
         for (std::size_t i = 0; i < keep.size(); ++i) {
             if (keep[i]) holed.triangles.push_back(mesh.triangles[i]);
@@ -133,8 +132,7 @@ TEST(Inspect, AFinMakesACrowdedEdgeAndADuplicateIsCounted) {
 
     Mesh twice = cube_mesh(10);
     twice.triangles.push_back(twice.triangles[3]);
-    twice.triangles.push_back(
-        {twice.triangles[5][1], twice.triangles[5][0], twice.triangles[5][2]});
+    twice.triangles.push_back({twice.triangles[5][1], twice.triangles[5][0], twice.triangles[5][2]});
     EXPECT_EQ(inspect_mesh(twice).duplicates, 2u);
 }
 
@@ -196,8 +194,7 @@ TEST(Inspect, TheTreeFindsWhatComparingAllPairsFinds) {
         for (std::uint32_t i = 0; i < 60; ++i) {
             const Vec3 centre{30 * random.unit(), 20 * random.unit(), 10 * random.unit()};
             for (int corner = 0; corner < 3; ++corner) {
-                soup.vertices.push_back(
-                    centre + Vec3{8 * random.unit(), 8 * random.unit(), 8 * random.unit()});
+                soup.vertices.push_back(centre + Vec3{8 * random.unit(), 8 * random.unit(), 8 * random.unit()});
             }
             soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         }

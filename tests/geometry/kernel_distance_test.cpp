@@ -9,9 +9,7 @@ namespace {
 
 using test::Numbers;
 
-double error_of(const Corners& a, const Corners& b) {
-    return std::abs(distance(a, b) - test::quad_distance(a, b));
-}
+double error_of(const Corners& a, const Corners& b) { return std::abs(distance(a, b) - test::quad_distance(a, b)); }
 
 /// The points reported lie on the triangles and are as far apart as is said.
 void expect_witnesses(const Corners& a, const Corners& b, double scale) {
@@ -155,8 +153,7 @@ TEST(MeshDistance, IsTheLeastOverAllPairs) {
         Mesh soup[2];
         for (Mesh& mesh : soup) {
             for (std::uint32_t i = 0; i < 17; ++i) {
-                const Corners t =
-                    test::moved(numbers.triangle(seed % 2), 3 * numbers.point(seed % 2));
+                const Corners t = test::moved(numbers.triangle(seed % 2), 3 * numbers.point(seed % 2));
                 mesh.vertices.insert(mesh.vertices.end(), t.begin(), t.end());
                 mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
             }
@@ -168,11 +165,9 @@ TEST(MeshDistance, IsTheLeastOverAllPairs) {
         EXPECT_NEAR(found.distance, expected, 1e-11) << "seed " << seed;
         EXPECT_NEAR(length(found.a - found.b), found.distance, 1e-11);
         if (expected > 1e-9) {
-            EXPECT_EQ(least_distance(a, base + offset, b, base, 0.5 * expected).distance,
-                      0.5 * expected);
+            EXPECT_EQ(least_distance(a, base + offset, b, base, 0.5 * expected).distance, 0.5 * expected);
         }
-        EXPECT_NEAR(least_distance(a, base + offset, b, base, 2 * expected).distance, expected,
-                    1e-11);
+        EXPECT_NEAR(least_distance(a, base + offset, b, base, 2 * expected).distance, expected, 1e-11);
     }
 }
 

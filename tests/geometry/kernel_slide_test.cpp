@@ -13,9 +13,7 @@ namespace {
 using test::along;
 using test::Numbers;
 
-Bvh alone(const Corners& t) {
-    return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}});
-}
+Bvh alone(const Corners& t) { return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}}); }
 
 AxisDirection any_direction(Numbers& numbers) {
     return {static_cast<int>(numbers.below(3)), numbers.below(2) ? 1 : -1};
@@ -29,12 +27,9 @@ TEST(Slide, OfTwoTrianglesStopsAtTheFirstMomentAtTheGapAndNoEarlier) {
         const Corners a = numbers.triangle(coarse), b = numbers.triangle(coarse);
         const AxisDirection direction = any_direction(numbers);
         const Vec3 offset = along(direction, -6) + numbers.point(coarse) - numbers.point(coarse);
-        const double gap =
-            coarse ? 0.5 * static_cast<double>(1 + numbers.below(3)) : 2 * numbers.unit() + 1e-3;
+        const double gap = coarse ? 0.5 * static_cast<double>(1 + numbers.below(3)) : 2 * numbers.unit() + 1e-3;
         const double most = 14;
-        const auto f = [&](double way) {
-            return distance(test::moved(a, offset + along(direction, way)), b);
-        };
+        const auto f = [&](double way) { return distance(test::moved(a, offset + along(direction, way)), b); };
         const double start = f(0);
         if (start < 1e-3) continue;
         const double way = slide(alone(a), offset, alone(b), direction, gap, most);
@@ -46,8 +41,7 @@ TEST(Slide, OfTwoTrianglesStopsAtTheFirstMomentAtTheGapAndNoEarlier) {
         }
         if (way == most) continue;
         ++stopped;
-        ASSERT_NEAR(f(way), test::quad_distance(test::moved(a, offset + along(direction, way)), b),
-                    1e-11);
+        ASSERT_NEAR(f(way), test::quad_distance(test::moved(a, offset + along(direction, way)), b), 1e-11);
         if (start > gap) {
             ASSERT_LE(f(way), gap + kSlideSlack + 1e-11) << "seed " << seed;
         }
@@ -81,8 +75,7 @@ TEST(Slide, OfMeshesIsTheLeastOverAllPairs) {
         double least = 60;
         for (std::size_t i = 0; i < a.triangle_count(); ++i) {
             for (std::size_t j = 0; j < b.triangle_count(); ++j) {
-                least = std::min(least, slide(alone(a.corners(i)), offset, alone(b.corners(j)),
-                                              direction, gap, 60));
+                least = std::min(least, slide(alone(a.corners(i)), offset, alone(b.corners(j)), direction, gap, 60));
             }
         }
         const double way = slide(a, offset, b, direction, gap, 60);
@@ -112,7 +105,7 @@ TEST(Slide, OfBoxesIsExactInEveryDirection) {
                     EXPECT_NEAR(way, 5 - gap, 2e-6) << axis << sign << gap << sideways;
                     EXPECT_LE(way, 5 - gap + 1e-12);
                     EXPECT_EQ(slide(box, offset, box, {axis, sign}, gap, 3),
-                              3);  // as far as is asked
+                              3);                                                    // as far as is asked
                     EXPECT_EQ(slide(box, offset, box, {axis, -sign}, gap, 20), 20);  // away
                 }
                 Vec3 beside;
@@ -132,8 +125,8 @@ TEST(Slide, OfBoxesIsExactInEveryDirection) {
 /// joint, and up; not down.
 TEST(Slide, AlongAFaceAtExactlyTheGapIsFree) {
     const Bvh box(test::box_mesh({0, 0, 0}, {4, 6, 8}));
-    const Bvh floor(test::merged(test::box_mesh({-20, -20, -5}, {1, 20, 0}),
-                                 test::box_mesh({1, -20, -5}, {20, 20, 0})));
+    const Bvh floor(
+        test::merged(test::box_mesh({-20, -20, -5}, {1, 20, 0}), test::box_mesh({1, -20, -5}, {20, 20, 0})));
     const Bvh wide(test::box_mesh({-20, -20, -5}, {20, 20, 0}));
     for (const double gap : {0.0, 0.2, 0.3, 1.0, 1e-3}) {
         for (const Bvh* below : {&floor, &wide}) {
@@ -188,8 +181,7 @@ TEST(Slide, TouchingFacesDoNotEnterEachOther) {
 
 TEST(Slide, WallsOfNoThicknessStopIt) {
     const Bvh box(test::box_mesh({0, 0, 0}, {4, 6, 8}));
-    Mesh sheet =
-        test::box_mesh({10, -20, -20}, {10, 20, 20});  // both faces at x = 10, sides of zero area
+    Mesh sheet = test::box_mesh({10, -20, -20}, {10, 20, 20});  // both faces at x = 10, sides of zero area
     const Mesh needle = test::box_mesh({10, 3, -20}, {10, 3 + 1e-9, 20});
     Mesh single{{{10, -20, -20}, {10, 40, -20}, {10, -20, 40}}, {{0, 1, 2}}};
     for (const Mesh& wall : {sheet, needle, single, test::turned_inside_out(single)}) {
@@ -282,14 +274,12 @@ TEST(Slide, AtGapNoughtSurfacesDoNotCross) {
         const Vec3 offset = 2 * numbers.point(false) + Vec3{0, 0, 25};
         const double way = slide(ball, offset, torus, {2, -1}, 0, 50);
         for (int i = 0; i < 200; ++i) {
-            ASSERT_GT(
-                least_distance(ball, offset - Vec3{0, 0, way * i / 200}, torus, {}, 1).distance, 0);
+            ASSERT_GT(least_distance(ball, offset - Vec3{0, 0, way * i / 200}, torus, {}, 1).distance, 0);
         }
         if (way < 50) {
             const double end = least_distance(ball, offset - Vec3{0, 0, way}, torus, {}).distance;
             EXPECT_LE(end, kSlideSlack);
-            EXPECT_EQ(least_distance(ball, offset - Vec3{0, 0, way + 0.01}, torus, {}).distance, 0)
-                << seed;
+            EXPECT_EQ(least_distance(ball, offset - Vec3{0, 0, way + 0.01}, torus, {}).distance, 0) << seed;
         }
     }
 }

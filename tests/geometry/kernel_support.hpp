@@ -22,34 +22,19 @@ using Quad = __float128;
 struct QuadPoint {
     Quad x = 0, y = 0, z = 0;
 };
-inline QuadPoint quad(const Vec3& p) {
-    return {p.x, p.y, p.z};
-}
-inline QuadPoint operator+(const QuadPoint& a, const QuadPoint& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline QuadPoint operator-(const QuadPoint& a, const QuadPoint& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline QuadPoint operator*(Quad s, const QuadPoint& a) {
-    return {s * a.x, s * a.y, s * a.z};
-}
-inline Quad dot(const QuadPoint& a, const QuadPoint& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+inline QuadPoint quad(const Vec3& p) { return {p.x, p.y, p.z}; }
+inline QuadPoint operator+(const QuadPoint& a, const QuadPoint& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline QuadPoint operator-(const QuadPoint& a, const QuadPoint& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline QuadPoint operator*(Quad s, const QuadPoint& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline Quad dot(const QuadPoint& a, const QuadPoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// Least distance of two triangles as a convex quadratic programme in the four barycentric weights,
 /// solved by trying every set of active constraints: each pair of faces (corner, edge or whole
 /// triangle) in turn, the unconstrained minimum over their affine hulls, kept when it lies within.
 /// No case distinctions by geometry.
 inline double quad_distance(const Corners& a, const Corners& b) {
-    static constexpr std::array<std::array<int, 4>, 7> faces{{{1, 0, 0, 0},
-                                                              {1, 1, 0, 0},
-                                                              {1, 2, 0, 0},
-                                                              {2, 0, 1, 0},
-                                                              {2, 1, 2, 0},
-                                                              {2, 2, 0, 0},
-                                                              {3, 0, 1, 2}}};
+    static constexpr std::array<std::array<int, 4>, 7> faces{
+        {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 0, 0}, {2, 0, 1, 0}, {2, 1, 2, 0}, {2, 2, 0, 0}, {3, 0, 1, 2}}};
     Quad best = -1;
     for (const auto& fa : faces) {
         for (const auto& fb : faces) {
@@ -73,8 +58,7 @@ inline double quad_distance(const Corners& a, const Corners& b) {
             for (int c = 0; c < n && !singular; ++c) {
                 int pivot = c;
                 for (int i = c + 1; i < n; ++i) {
-                    if (std::fabs(static_cast<double>(m[i][c])) >
-                        std::fabs(static_cast<double>(m[pivot][c])))
+                    if (std::fabs(static_cast<double>(m[i][c])) > std::fabs(static_cast<double>(m[pivot][c])))
                         pivot = i;
                 }
                 std::swap(m[c], m[pivot]);

@@ -69,8 +69,8 @@ TEST(Orientations, RefuseStepsThatMakeNoGrid) {
     for (const double step : {0.0, -90.0, 17.0, 361.0, 1.0, std::nan("")}) {
         EXPECT_THROW(euler_orientations(step), UsageError) << step;
     }
-    for (const char* words : {"", "many", "90x", "nan", "+box", "90+", "icosahedron:", "icosahedron:4", "icosahedron:-1",
-                              "icosahedron1", "17+box"}) {
+    for (const char* words : {"", "many", "90x", "nan", "+box", "90+", "icosahedron:", "icosahedron:4",
+                              "icosahedron:-1", "icosahedron1", "17+box"}) {
         EXPECT_THROW(orientation_set(words), UsageError) << words;
     }
 }

@@ -50,7 +50,8 @@ TEST(PhysicalSurfaces, AMeshIsOpenWhereItIsFlatAtItsTop) {
 
 TEST(PhysicalSurfaces, KeepOutsStandAsTheyAre) {
     Container box{{30, 20, 10}, {}, {}, true};
-    box.keep_out = {{Box{{1, 2, 3}, {4, 5, 6}}}, {{}, StandingMesh{"k.stl", {}, std::make_shared<const Mesh>(cube_mesh(3))}}};
+    box.keep_out = {{Box{{1, 2, 3}, {4, 5, 6}}},
+                    {{}, StandingMesh{"k.stl", {}, std::make_shared<const Mesh>(cube_mesh(3))}}};
     const std::vector<Mesh> surfaces = physical_surfaces(box);
     ASSERT_EQ(surfaces.size(), 3u);
     EXPECT_EQ(signed_volume(surfaces[1]), 27);

@@ -50,28 +50,31 @@ class BeamSearch : public testing::TestWithParam<int> {
         const Workers workers(threads);
         ShapeStore shapes(
             [&](int part) {
-                return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part),
-                                                                kTurns, 1, 1, 0, {0}, workers));
+                return std::make_shared<const Shape>(
+                    make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, 0, {0}, workers));
             },
             workers, [](double) {});
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);
         };
-        BeamSetup beam{width, urgency_ranks(sizes_), [&] { return make_cpu_search({}, workers); },
+        BeamSetup beam{width,
+                       urgency_ranks(sizes_),
+                       [&] { return make_cpu_search({}, workers); },
                        {volume_of_part, [](const PlacedItem& placed) {
-                            const Mesh turned = transformed(
-                                mesh_of(placed.item.part), {kTurns[static_cast<std::size_t>(placed.orientation)], {}});
+                            const Mesh turned = transformed(mesh_of(placed.item.part),
+                                                            {kTurns[static_cast<std::size_t>(placed.orientation)], {}});
                             return bounding_box(turned).max.z + placed.offset.z;
                         }}};
         Tray tray(setup_);
         Packed packed;
         if (width == 0) {
             const auto engine = make_cpu_search({}, workers);
-            pack_greedily(tray, *engine, model_, items, shapes, settle, [](std::size_t) {}, {}, packed.result);
+            pack_greedily(
+                tray, *engine, model_, items, shapes, settle, [](std::size_t) {}, {}, packed.result);
         } else {
-            pack_in_beam(tray, beam, model_, items, shapes, settle, [](std::size_t) {}, stop_.token(), packed.result,
-                         0);
+            pack_in_beam(
+                tray, beam, model_, items, shapes, settle, [](std::size_t) {}, stop_.token(), packed.result, 0);
         }
         packed.score = score_packing(items, {&packed.result.placed}, beam.measures);
         return packed;

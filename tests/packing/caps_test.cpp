@@ -35,8 +35,8 @@ class CappedTray : public testing::Test {
         GreedyResult result;
         GreedyLimits limits;
         limits.caps = &caps;
-        pack_greedily(tray, *engine, {1e8, HeightAt::bottom}, items, shapes, settle, [](std::size_t) {}, {}, result,
-                      limits);
+        pack_greedily(
+            tray, *engine, {1e8, HeightAt::bottom}, items, shapes, settle, [](std::size_t) {}, {}, result, limits);
         return result;
     }
 

@@ -17,14 +17,14 @@ class Greedy : public testing::Test {
     Greedy() : tray_(TraySetup{{4, 4, 2}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {}
 
     void pack(const std::vector<PackItem>& items) {
-        ShapeStore shapes(
-            [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
-            Workers(2), [](double) {});
+        ShapeStore shapes([](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
+                          Workers(2), [](double) {});
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);
         };
-        pack_greedily(tray_, search_, {}, items, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+        pack_greedily(
+            tray_, search_, {}, items, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
     }
 
     Tray tray_;
@@ -52,14 +52,14 @@ TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
     tray_ = Tray(TraySetup{{6, 6, 6}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     const std::vector<PartShare> shares{{1, 1}, {0, 2}};  // cubes of 3 and of 2, 1 : 2
     const std::vector<PackItem> items{{1, 0}, {0, 0}};
-    ShapeStore shapes(
-        [](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); }, Workers(2),
-        [](double) {});
+    ShapeStore shapes([](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
+                      Workers(2), [](double) {});
     shapes.start_tray(items);
     const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
         return stand_on_grid(shape, best, 1, 1, 0);
     };
-    pack_in_shares(tray_, search_, {}, shares, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+    pack_in_shares(
+        tray_, search_, {}, shares, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
     // 0 lacks more at first (2 of 3), then both lack as much and 1 comes first.
     ASSERT_GE(result_.placed.size(), 6u);
     std::vector<int> parts;

@@ -20,8 +20,8 @@ class Interlocking : public testing::Test {
 
     std::shared_ptr<const Shape> shape(int part) const {
         return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
-                                                        meshes_[static_cast<std::size_t>(part)], orientations_,
-                                                        1, 1, 0, {0}, Workers(1)));
+                                                        meshes_[static_cast<std::size_t>(part)], orientations_, 1, 1, 0,
+                                                        {0}, Workers(1)));
     }
 
     void put(Mesh mesh, int orientation, const VoxelIndex& position) {
@@ -34,7 +34,8 @@ class Interlocking : public testing::Test {
             if (made->orientations[i].orientation == orientation) best.index = static_cast<int>(i);
         }
         Standing standing = stand_on_grid(*made, best, 1, 1, 0);
-        placed_.push_back({{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
+        placed_.push_back(
+            {{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
     }
 
     Untangled untangle_all(const StopToken& stop = {}) { return untangle(tray_, *search_, placed_, setup_, stop); }

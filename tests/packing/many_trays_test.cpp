@@ -167,8 +167,8 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
         },
         Workers(1));
     TraysResult result;
-    fill_trays({{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(),
-               result);
+    fill_trays(
+        {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(), result);
     ASSERT_EQ(result.trays.size(), 1u);
     EXPECT_EQ(result.trays[0].report.counts.removed, 2);
     EXPECT_EQ(result.trays[0].interlocked, (std::vector<PackItem>{{1, 0}}));

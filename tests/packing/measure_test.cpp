@@ -35,8 +35,8 @@ TEST(Measure, LayerAreasAreThoseOfTheSectionsAndAddUpToTheVolume) {
     std::vector<Part> parts(2);
     const auto small = std::make_shared<const Mesh>(test::cube_mesh(2));
     // A box with a closed hollow: its section is a frame.
-    const auto hollow = std::make_shared<const Mesh>(test::merged(
-        test::cube_mesh(10), test::turned_inside_out(test::box_mesh({2, 2, 4}, {8, 8, 8}))));
+    const auto hollow = std::make_shared<const Mesh>(
+        test::merged(test::cube_mesh(10), test::turned_inside_out(test::box_mesh({2, 2, 4}, {8, 8, 8}))));
     measure_tray(tray, {{100, 50, 21}}, parts, {small, hollow}, 2, Workers(1));
     ASSERT_EQ(tray.layers.area.size(), 11u);
     EXPECT_NEAR(tray.layers.area[0], 16 + 100, 1e-9);

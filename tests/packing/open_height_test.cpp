@@ -52,7 +52,8 @@ class OpenHeight : public testing::Test {
         };
         const auto engine = make_cpu_search({}, workers);
         GreedyResult result;
-        pack_greedily(*tray_, *engine, model, items, shapes, settle, [](std::size_t) {}, {}, result, limits);
+        pack_greedily(
+            *tray_, *engine, model, items, shapes, settle, [](std::size_t) {}, {}, result, limits);
         return result;
     }
 

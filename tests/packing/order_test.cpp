@@ -29,8 +29,12 @@ TEST(Order, RandomIsAPermutationThatOnlyTheSeedDecides) {
 }
 
 TEST(Order, PriorityThenDueDateComeBeforeSize) {
-    std::vector<PartSize> parts{{0, 1, 10}, {1, 1, 30}, {2, 1, 20, 0, "2026-12-01"}, {3, 1, 5, 0, "2026-11-30"},
-                                {4, 1, 1, 2}, {5, 1, 50, -1, "2020-01-01"}};
+    std::vector<PartSize> parts{{0, 1, 10},
+                                {1, 1, 30},
+                                {2, 1, 20, 0, "2026-12-01"},
+                                {3, 1, 5, 0, "2026-11-30"},
+                                {4, 1, 1, 2},
+                                {5, 1, 50, -1, "2020-01-01"}};
     const std::vector<PackItem> expected{{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}, {5, 0}};
     EXPECT_EQ(order_items(parts, Order::size, 0), expected);
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
@@ -42,8 +46,8 @@ TEST(Order, PriorityThenDueDateComeBeforeSize) {
 
 TEST(Order, VolumeAndMixedPutTheDenserFirst) {
     // Boxes 10, 30, 10, 20; solid volumes 9, 2, 1, 8; geometric means 9.5, 7.7, 3.2, 12.6.
-    const std::vector<PartSize> parts{{0, 1, 10, 0, "", 9}, {1, 1, 30, 0, "", 2}, {2, 2, 10, 0, "", 1},
-                                      {3, 1, 20, 0, "", 8}};
+    const std::vector<PartSize> parts{
+        {0, 1, 10, 0, "", 9}, {1, 1, 30, 0, "", 2}, {2, 2, 10, 0, "", 1}, {3, 1, 20, 0, "", 8}};
     EXPECT_EQ(order_items(parts, Order::volume, 0), (std::vector<PackItem>{{0, 0}, {3, 0}, {1, 0}, {2, 0}, {2, 1}}));
     EXPECT_EQ(order_items(parts, Order::mixed, 0), (std::vector<PackItem>{{3, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}}));
 }

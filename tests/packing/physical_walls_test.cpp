@@ -86,7 +86,9 @@ TEST(PhysicalWalls, TheWalledTrayFollowsWhatComesAndGoes) {
     const auto plate = whole_plate(4);
     const auto shape = test::box_shape(1, 1);
     Tray tray(scene.setup);
-    const auto height = [&] { return reachable.best_placement(tray, *shape, {1e8, HeightAt::top}, {}).best->position.z; };
+    const auto height = [&] {
+        return reachable.best_placement(tray, *shape, {1e8, HeightAt::top}, {}).best->position.z;
+    };
     EXPECT_EQ(height(), 0);
     const ObjectId first = tray.add({plate, {0, 0, 1}});
     EXPECT_EQ(height(), 2);

@@ -45,7 +45,8 @@ TEST(ShapeStore, KeepsWhatATrayLeftOverAsFarAsItsBytesGo) {
         return made_shape;
     };
     const std::int64_t bytes = BitGrid(Extent{16, 16, 16}).bytes();
-    ShapeStore shapes(shape, Workers(1), [](double) {}, 2 * bytes, 1);  // one part's, less than two's
+    ShapeStore shapes(
+        shape, Workers(1), [](double) {}, 2 * bytes, 1);  // one part's, less than two's
     shapes.start_tray(one_each(2));
     for (std::size_t i = 0; i < 2; ++i) {
         shapes.at(i);

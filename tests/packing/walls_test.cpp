@@ -7,9 +7,7 @@
 namespace spectralpack {
 namespace {
 
-StandingMesh standing(const Mesh& mesh) {
-    return {"wall.stl", {}, std::make_shared<const Mesh>(mesh)};
-}
+StandingMesh standing(const Mesh& mesh) { return {"wall.stl", {}, std::make_shared<const Mesh>(mesh)}; }
 
 /// Which voxels of 1 mm have all of their corners and centre in the set that `inside` describes.
 template <class Inside>
@@ -56,7 +54,8 @@ TEST(Walls, TheWallGapHoldsForContainerAndKeepOuts) {
     BitGrid expected({9, 9, 9});  // 3.5 to 7.5 mm
     for (int z = 2; z < 6; ++z)
         for (int y = 2; y < 6; ++y)
-            for (int x = 2; x < 6; ++x) expected.set(x, y, z);
+            for (int x = 2; x < 6; ++x)
+                expected.set(x, y, z);
     EXPECT_EQ(box, expected);
     // The same as a mesh: the corners are not square then.
     container.keep_out = {{{}, standing(test::box_mesh({5, 5, 5}, {6, 6, 6}))}};
@@ -73,7 +72,8 @@ TEST(Walls, AKeepOutMeshTakesItsSolid) {
     BitGrid expected({10, 10, 10});
     for (int z = 3; z < 7; ++z)
         for (int y = 3; y < 7; ++y)
-            for (int x = 3; x < 8; ++x) expected.set(x, y, z);
+            for (int x = 3; x < 8; ++x)
+                expected.set(x, y, z);
     EXPECT_EQ(blocked, expected);
 }
 

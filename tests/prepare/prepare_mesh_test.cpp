@@ -11,9 +11,7 @@
 namespace spectralpack::test {
 namespace {
 
-Mesh scaled(const Mesh& mesh, double factor) {
-    return transformed(mesh, {factor * Mat3{}, {}});
-}
+Mesh scaled(const Mesh& mesh, double factor) { return transformed(mesh, {factor * Mat3{}, {}}); }
 
 TEST(PrepareMesh, KeepsAGoodMeshAsItIs) {
     const PreparedMesh prepared = prepare_mesh(box_mesh({5, 5, 5}, {25, 15, 10}), {});

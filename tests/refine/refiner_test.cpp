@@ -15,9 +15,7 @@ namespace {
 
 using Direction = std::array<int, 3>;
 
-std::shared_ptr<const Bvh> surface(const Mesh& mesh) {
-    return std::make_shared<const Bvh>(mesh);
-}
+std::shared_ptr<const Bvh> surface(const Mesh& mesh) { return std::make_shared<const Bvh>(mesh); }
 
 const Mesh kBrick = test::box_mesh({0, 0, 0}, {20, 15, 10});
 
@@ -28,14 +26,10 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
 }
 
 TEST(Descent, IsMinusTheSignOfTheCentralDifference) {
-    const auto cost = [](double primary, std::int64_t secondary = 0) {
-        return Cost{primary, secondary};
-    };
-    EXPECT_EQ(descent({cost(3), cost(5), cost(5), cost(3), cost(4), cost(4)}),
-              (Direction{-1, 1, 0}));
+    const auto cost = [](double primary, std::int64_t secondary = 0) { return Cost{primary, secondary}; };
+    EXPECT_EQ(descent({cost(3), cost(5), cost(5), cost(3), cost(4), cost(4)}), (Direction{-1, 1, 0}));
     // Compared as costs are: the secondary decides between equal primaries.
-    EXPECT_EQ(descent({cost(1, 9), cost(1, 8), cost(1, 2), cost(2, 1), cost(0, 0), cost(0, 0)}),
-              (Direction{1, -1, 0}));
+    EXPECT_EQ(descent({cost(1, 9), cost(1, 8), cost(1, 2), cost(2, 1), cost(0, 0), cost(0, 0)}), (Direction{1, -1, 0}));
 }
 
 TEST(Refiner, SlidesToTheWallsLessTheWallGap) {
@@ -154,12 +148,11 @@ std::vector<Mesh> shapes() {
     open.triangles.pop_back();
     Mesh thin = test::box_mesh({0, 0, 0}, {18, 0.01, 14});
     Mesh flat = test::box_mesh({0, 0, 0}, {18, 0, 14});
-    const Mesh crossing = test::merged(test::box_mesh({0, 0, 0}, {12, 12, 12}),
-                                       test::box_mesh({6, 6, 6}, {18, 18, 18}));
+    const Mesh crossing =
+        test::merged(test::box_mesh({0, 0, 0}, {12, 12, 12}), test::box_mesh({6, 6, 6}, {18, 18, 18}));
     const Mesh shells = test::merged(test::cube_mesh(5), test::box_mesh({9, 9, 9}, {14, 14, 14}));
     Mesh doubled = test::torus_mesh(8, 3, 14, 8);
-    doubled.triangles.insert(doubled.triangles.end(), doubled.triangles.begin(),
-                             doubled.triangles.end());
+    doubled.triangles.insert(doubled.triangles.end(), doubled.triangles.begin(), doubled.triangles.end());
     return {kBrick,
             test::torus_mesh(9, 3, 20, 10),
             test::sphere_mesh(7, 6),
@@ -188,15 +181,12 @@ std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations) {
         StandingCopy copy{surfaces[random.below(surfaces.size())], {}, gaps[random.below(4)]};
         const Vec3 low = copy.surface->box().min, extent = copy.surface->box().size();
         for (int axis = 0; axis < 3; ++axis) {
-            copy.offset[axis] =
-                wall_gap - low[axis] + random.unit() * (size[axis] - 2 * wall_gap - extent[axis]);
+            copy.offset[axis] = wall_gap - low[axis] + random.unit() * (size[axis] - 2 * wall_gap - extent[axis]);
         }
         bool free = true;
         for (const StandingCopy& other : standing) {
-            free =
-                free &&
-                least_distance(*copy.surface, copy.offset, *other.surface, other.offset).distance >=
-                    std::max(copy.gap, other.gap);
+            free = free && least_distance(*copy.surface, copy.offset, *other.surface, other.offset).distance >=
+                               std::max(copy.gap, other.gap);
         }
         if (!free) continue;
         Direction direction;
@@ -214,8 +204,7 @@ std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations) {
                 EXPECT_LE(box.max[axis], size[axis] - wall_gap + 1e-12);
             }
             for (const StandingCopy& other : standing) {
-                EXPECT_GE(least_distance(*copy.surface, copy.offset, *other.surface, other.offset)
-                              .distance,
+                EXPECT_GE(least_distance(*copy.surface, copy.offset, *other.surface, other.offset).distance,
                           std::max(copy.gap, other.gap) - 1e-9);
             }
         }
@@ -248,8 +237,7 @@ TEST(Refiner, DoesNotTunnel) {
     for (const double thickness : {0.0, 1e-6, 0.05}) {
         Refiner refiner({{90, 60, 60}, 0, 30, 3});
         refiner.add({surface(test::box_mesh({30, 0, 0}, {30 + thickness, 60, 60})), {}, 0.2});
-        const Refined r =
-            refiner.refine({surface(test::cube_mesh(3)), {50, 10, 10}, 0.2}, {-1, 0, 0});
+        const Refined r = refiner.refine({surface(test::cube_mesh(3)), {50, 10, 10}, 0.2}, {-1, 0, 0});
         EXPECT_NEAR(r.offset.x, 30.2 + thickness, 2e-6);
     }
 }

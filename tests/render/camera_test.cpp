@@ -21,14 +21,8 @@ struct View {
 
 View any_view(std::uint64_t seed) {
     RandomStream random(seed);
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * random.unit();
-    };
-    View view{{},
-              between(-360, 360),
-              between(-90, 90),
-              100 + int(random.below(900)),
-              100 + int(random.below(900))};
+    const auto between = [&](double low, double high) { return low + (high - low) * random.unit(); };
+    View view{{}, between(-360, 360), between(-90, 90), 100 + int(random.below(900)), 100 + int(random.below(900))};
     const Vec3 size{between(1, 500), between(1, 300), between(1, 200)};
     for (std::uint64_t i = 0; i < 2 + random.below(10); ++i) {
         view.points.push_back({between(-9, size.x), between(-7, size.y), between(-5, size.z)});
@@ -83,8 +77,7 @@ TEST(Camera, SeesEveryPointInTheMiddleAndCannotStandNearer) {
         Camera nearer = camera;
         nearer.eye = nearer.eye + 1e-3 * camera.forward;
         const auto tighter = margins(nearer);
-        RC_ASSERT(*std::min_element(tighter.begin(), tighter.end()) <
-                  *std::min_element(fitted.begin(), fitted.end()));
+        RC_ASSERT(*std::min_element(tighter.begin(), tighter.end()) < *std::min_element(fitted.begin(), fitted.end()));
     }));
 }
 

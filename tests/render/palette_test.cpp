@@ -11,9 +11,7 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-Rgb shown(const Vec3& c) {
-    return {to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)};
-}
+Rgb shown(const Vec3& c) { return {to_srgb(c.x), to_srgb(c.y), to_srgb(c.z)}; }
 
 TEST(Palette, WithoutChromaIsGrey) {
     for (const double lightness : {0.0, 0.25, 0.5, 1.0}) {

@@ -25,8 +25,7 @@ Met brute_force(const Stage& stage, const Vec3& origin, const Vec3& direction) {
         const StagedCopy& copy = stage.copies[i];
         const Mesh& mesh = *stage.meshes[static_cast<std::size_t>(copy.mesh)];
         for (const Triangle& t : mesh.triangles) {
-            const Vec3 a = copy.pose * mesh.vertices[t[0]],
-                       ab = copy.pose * mesh.vertices[t[1]] - a,
+            const Vec3 a = copy.pose * mesh.vertices[t[0]], ab = copy.pose * mesh.vertices[t[1]] - a,
                        ac = copy.pose * mesh.vertices[t[2]] - a;
             const Vec3 p = cross(direction, ac);
             const double d = dot(ab, p);
@@ -35,8 +34,7 @@ Met brute_force(const Stage& stage, const Vec3& origin, const Vec3& direction) {
             const double u = dot(s, p) / d, v = dot(direction, q) / d, at = dot(ac, q) / d;
             if (u < 0 || v < 0 || u + v > 1 || at <= 0 || at >= met.at) continue;
             const Vec3 normal = cross(ab, ac);
-            met = {static_cast<int>(i), at, std::min({u, v, 1 - u - v}),
-                   1 / length(normal) * normal};
+            met = {static_cast<int>(i), at, std::min({u, v, 1 - u - v}), 1 / length(normal) * normal};
         }
     }
     return met;
@@ -70,9 +68,7 @@ void expect_brute_force(const SmallScene& scene) {
     EXPECT_GT(hits, 200);
 }
 
-TEST(RayScene, FindsWhatBruteForceFinds) {
-    expect_brute_force(test::varied_scene());
-}
+TEST(RayScene, FindsWhatBruteForceFinds) { expect_brute_force(test::varied_scene()); }
 
 TEST(RayScene, FindsItInMeshesFarFromTheirOrigin) {
     SmallScene scene = test::varied_scene();

@@ -70,8 +70,7 @@ TEST(Render, ShowsEveryCopyInItsPixelsAndOnlyThere) {
         for (std::size_t i = 0; i < seen.size(); ++i) {
             if (seen[i] != copy) continue;
             ++own;
-            if (!std::equal(&image.rgb[3 * i], &image.rgb[3 * i + 3], &with_all.rgb[3 * i]))
-                ++changed;
+            if (!std::equal(&image.rgb[3 * i], &image.rgb[3 * i + 3], &with_all.rgb[3 * i])) ++changed;
         }
         EXPECT_GT(own, 20) << "the scene hides copy " << copy;
         EXPECT_EQ(changed, own) << copy;
@@ -81,9 +80,7 @@ TEST(Render, ShowsEveryCopyInItsPixelsAndOnlyThere) {
 }
 
 /// Colour without brightness.
-Vec3 tint(const Vec3& c) {
-    return 1 / (c.x + c.y + c.z + 1e-9) * c;
-}
+Vec3 tint(const Vec3& c) { return 1 / (c.x + c.y + c.z + 1e-9) * c; }
 
 TEST(Render, ShowsEachCopyInItsColour) {
     const SmallScene scene = test::varied_scene();
@@ -107,8 +104,7 @@ TEST(Render, ShowsEachCopyInItsColour) {
         }
         std::size_t nearest = 0;
         const auto off = [&](std::size_t other) {
-            return length(tint(sum) -
-                          tint(stage.copies[other].colour + stage.copies[other + parts].colour));
+            return length(tint(sum) - tint(stage.copies[other].colour + stage.copies[other + parts].colour));
         };
         for (std::size_t other = 1; other < parts; ++other) {
             if (off(other) < off(nearest)) nearest = other;
@@ -128,8 +124,7 @@ TEST(Render, OutlinesTheContainer) {
         return 255 - pixel(image, static_cast<int>(x), static_cast<int>(y)).y;
     };
     for (const Outline::Edge& edge : edges) {
-        const double dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y,
-                     size = std::hypot(dx, dy);
+        const double dx = edge.to.x - edge.from.x, dy = edge.to.y - edge.from.y, size = std::hypot(dx, dy);
         for (const double t : {0.23, 0.41, 0.77}) {
             const double x = edge.from.x + t * dx, y = edge.from.y + t * dy;
             double on_line = 0;
@@ -179,8 +174,7 @@ TEST(Render, ShowsAnEmptyPackingWithOrWithoutATray) {
 TEST(Render, DoesNotDependOnTheOrderOfPlacements) {
     SmallScene scene = test::varied_scene();
     const Image image = picture(scene);
-    std::reverse(scene.packing.trays[0].placements.begin(),
-                 scene.packing.trays[0].placements.end());
+    std::reverse(scene.packing.trays[0].placements.begin(), scene.packing.trays[0].placements.end());
     EXPECT_EQ(picture(scene).rgb, image.rgb);
 }
 

@@ -43,9 +43,8 @@ inline SmallScene empty_scene(const Vec3& container = {90, 60, 40}) {
 /// layers.
 inline SmallScene varied_scene() {
     SmallScene scene = empty_scene();
-    const std::vector<Mesh> shapes{
-        box_mesh({-5, -3, -1}, {5, 3, 1}), sphere_mesh(4),   torus_mesh(4, 1.5),
-        box_mesh({2, 2, 2}, {9, 5, 9}),    torus_mesh(5, 1), cube_mesh(6)};
+    const std::vector<Mesh> shapes{box_mesh({-5, -3, -1}, {5, 3, 1}), sphere_mesh(4),   torus_mesh(4, 1.5),
+                                   box_mesh({2, 2, 2}, {9, 5, 9}),    torus_mesh(5, 1), cube_mesh(6)};
     const std::vector<Mat3> turns = euler_orientations(45);
     RandomStream random(5);
     for (int copy = 0; copy < 2; ++copy) {
@@ -54,8 +53,8 @@ inline SmallScene varied_scene() {
             Mat3 linear = (0.8 + 0.4 * random.unit()) * turns[random.below(turns.size())];
             if (i % 3 == 1) linear.rows[0] = -linear.rows[0];
             const Box box = bounding_box(transformed(shapes[i], {linear, {}}));
-            const Vec3 cell{15.0 + 30 * static_cast<double>(i % 3),
-                            15.0 + 30 * static_cast<double>(i / 3), 10.0 + 20 * copy};
+            const Vec3 cell{15.0 + 30 * static_cast<double>(i % 3), 15.0 + 30 * static_cast<double>(i / 3),
+                            10.0 + 20 * copy};
             scene.place(part, {linear, cell - 0.5 * (box.min + box.max)}, copy);
         }
     }
@@ -69,14 +68,13 @@ inline RenderOptions small_picture(int width = 200, int height = 150) {
     return options;
 }
 
-inline Image picture(const SmallScene& scene, const RenderOptions& options = small_picture(),
-                     int threads = 2) {
+inline Image picture(const SmallScene& scene, const RenderOptions& options = small_picture(), int threads = 2) {
     return render(scene.packing, scene.meshes, options, Workers(threads));
 }
 
 inline Vec3 pixel(const Image& image, int x, int y) {
-    const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                         static_cast<std::size_t>(x));
+    const auto at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
     return {double(image.rgb[at]), double(image.rgb[at + 1]), double(image.rgb[at + 2])};
 }
 

@@ -98,8 +98,7 @@ TEST(Stage, RefusesAPartWithoutMesh) {
 
 TEST(Stage, RefusesAContainerWithoutSize) {
     EXPECT_THROW(staged(test::empty_scene({0, 0, 0})), UsageError);
-    EXPECT_THROW(staged(test::empty_scene({std::numeric_limits<double>::quiet_NaN(), 1, 1})),
-                 UsageError);
+    EXPECT_THROW(staged(test::empty_scene({std::numeric_limits<double>::quiet_NaN(), 1, 1})), UsageError);
 }
 
 TEST(Stage, LeavesOutCopiesThatAreFlattened) {

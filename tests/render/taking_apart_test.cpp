@@ -46,8 +46,12 @@ TEST(TakingApart, AStepShowsWhoLeavesAndWhoStays) {
     const struct {
         int step;
         List drawn, leaving;
-    } cases[] = {{0, {0, 1, 2, 3, 4}, {}}, {1, {0, 1, 2, 3, 4}, {4}}, {2, {0, 1, 2, 3}, {1, 2}},
-                 {3, {0, 3}, {0}},         {4, {1, 2}, {2}},           {5, {1}, {1}},
+    } cases[] = {{0, {0, 1, 2, 3, 4}, {}},
+                 {1, {0, 1, 2, 3, 4}, {4}},
+                 {2, {0, 1, 2, 3}, {1, 2}},
+                 {3, {0, 3}, {0}},
+                 {4, {1, 2}, {2}},
+                 {5, {1}, {1}},
                  {6, {3}, {3}}};
     for (const auto& c : cases) {
         const std::vector<ShownCopy> shown = show_step(tray, c.step);
@@ -65,7 +69,7 @@ TEST(TakingApart, ExplodingStretchesTheTrayAlongTheWaysOut) {
     EXPECT_EQ(shown[4].offset, (Vec3{90, 0, 0}));   // its middle lies 45 mm from the rear
     EXPECT_EQ(shown[0].offset, (Vec3{-90, 0, 0}));  // the same, the other way
     EXPECT_EQ(shown[3].offset, Vec3{});
-    EXPECT_GT(shown[1].offset.z, 1);                // it goes up before it goes back
+    EXPECT_GT(shown[1].offset.z, 1);  // it goes up before it goes back
     EXPECT_EQ(shown[1].offset.x, 0);
     EXPECT_NEAR(shown[2].offset.x - shown[1].offset.x, 50, 1e-9);  // on top of the group's way, its own
     for (const ShownCopy& copy : show_exploded(tray, boxes_of(tray), 0)) {

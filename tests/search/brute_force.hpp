@@ -43,8 +43,7 @@ class BruteForceSearch : public PlacementSearch {
         return {best, false};
     }
 
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override {
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         const BitGrid& a = *shape.orientations[static_cast<std::size_t>(index)].solid;
         const Extent& n = tray.extent();
         FreePositions result;
@@ -106,8 +105,8 @@ class BruteForceSearch : public PlacementSearch {
             if (!object || id == without) continue;
             if (gap_class && object->gap_class != *gap_class) continue;
             const bool fine = tray.detail() > 1;
-            for (VoxelIndex v : set_voxels(fine ? *object->fine : *object->solid,
-                                           fine ? object->fine_position : object->position)) {
+            for (VoxelIndex v :
+                 set_voxels(fine ? *object->fine : *object->solid, fine ? object->fine_position : object->position)) {
                 for (int axis = 0; axis < 3; ++axis) {
                     v[axis] = static_cast<int>(std::floor(static_cast<double>(v[axis]) / pooled));
                 }
@@ -123,8 +122,7 @@ class BruteForceSearch : public PlacementSearch {
         std::vector<VoxelIndex> a;
         std::vector<std::vector<VoxelIndex>> widened;
 
-        explicit Figure(const OrientedShape& oriented)
-            : shape(oriented), a(set_voxels(*oriented.solid)) {
+        explicit Figure(const OrientedShape& oriented) : shape(oriented), a(set_voxels(*oriented.solid)) {
             for (const auto& wide : oriented.widened) {
                 widened.push_back(set_voxels(wide->voxels, wide->offset));
             }
@@ -143,14 +141,12 @@ class BruteForceSearch : public PlacementSearch {
                 objects.push_back(occupied_by_objects(tray, 1, std::nullopt, c));
                 fine.push_back(occupied_by_objects(tray, tray.detail(), std::nullopt, c));
             }
-            for_each_index(tray.extent(),
-                           [&](const VoxelIndex& v) { phi.at(v.x, v.y, v.z) = distance_at(v); });
+            for_each_index(tray.extent(), [&](const VoxelIndex& v) { phi.at(v.x, v.y, v.z) = distance_at(v); });
         }
 
         bool in_omega_place(const VoxelIndex& v) const {
-            return blocked(tray, v) || std::ranges::any_of(objects, [&](const BitGrid& occupied) {
-                       return occupied.get(v.x, v.y, v.z);
-                   });
+            return blocked(tray, v) ||
+                   std::ranges::any_of(objects, [&](const BitGrid& occupied) { return occupied.get(v.x, v.y, v.z); });
         }
 
         /// Equation (3): Manhattan distance to Omega_place, everything outside the grid included.
@@ -161,8 +157,7 @@ class BruteForceSearch : public PlacementSearch {
             // Nothing farther than `nearest` can change the answer.
             for (int z = std::max(0, v.z - nearest); z < std::min(n.z, v.z + nearest); ++z) {
                 for (int y = std::max(0, v.y - nearest); y < std::min(n.y, v.y + nearest); ++y) {
-                    for (int x = std::max(0, v.x - nearest); x < std::min(n.x, v.x + nearest);
-                         ++x) {
+                    for (int x = std::max(0, v.x - nearest); x < std::min(n.x, v.x + nearest); ++x) {
                         const int d = std::abs(x - v.x) + std::abs(y - v.y) + std::abs(z - v.z);
                         if (d < nearest && in_omega_place({x, y, z})) nearest = d;
                     }
@@ -198,8 +193,7 @@ class BruteForceSearch : public PlacementSearch {
         }
 
         Cost cost(const CostModel& model, const Figure& figure, int z, std::int64_t rho_at) const {
-            return cost_of(model, z, figure.shape.solid->extent().z, tray.reference_layers(),
-                           rho_at);
+            return cost_of(model, z, figure.shape.solid->extent().z, tray.reference_layers(), rho_at);
         }
     };
 };

@@ -25,8 +25,7 @@ SceneLimits middling_scene() {
 
 /// Packs copies of every shape by turns until none fits or `most` are placed, now and then taking
 /// one out, and asks with changing cost models. Returns all answers.
-std::vector<SearchResult> pack_copies(PlacementSearch& search, Scene scene, RandomStream random,
-                                      int most) {
+std::vector<SearchResult> pack_copies(PlacementSearch& search, Scene scene, RandomStream random, int most) {
     std::vector<SearchResult> answers;
     for (int i = 0; i < most; ++i) {
         const Shape& shape = scene.shapes[random.below(scene.shapes.size())];
@@ -59,8 +58,7 @@ TEST(CpuSearch, AnswersAlikeWhateverItMayRemember) {
     for (int i = 0; i < 3; ++i) {
         const Scene scene = random_scene(random, limits);
         std::vector<std::vector<SearchResult>> all;
-        for (const std::int64_t memory :
-             {std::int64_t{0}, std::int64_t{20'000}, std::int64_t{1} << 28}) {
+        for (const std::int64_t memory : {std::int64_t{0}, std::int64_t{20'000}, std::int64_t{1} << 28}) {
             const auto search = make_cpu_search({memory}, Workers(2));
             all.push_back(pack_copies(*search, scene, random, 60));
         }

@@ -26,8 +26,7 @@ TEST(Runs, CoverEachVoxelOnceAndAreMaximal) {
         const std::vector<std::int64_t> counts = count_runs(solid);
         for (int axis = 0; axis < 3; ++axis) {
             const Runs runs = runs_along(solid, axis);
-            EXPECT_EQ(static_cast<std::int64_t>(runs.runs.size()),
-                      counts[static_cast<std::size_t>(axis)]);
+            EXPECT_EQ(static_cast<std::int64_t>(runs.runs.size()), counts[static_cast<std::size_t>(axis)]);
             EXPECT_EQ(runs.voxels, solid.count());
             BitGrid drawn(solid.extent());
             for (const auto& run : runs.runs) {
@@ -47,8 +46,7 @@ TEST(Runs, CoverEachVoxelOnceAndAreMaximal) {
             }
             EXPECT_EQ(drawn, solid);
         }
-        EXPECT_EQ(static_cast<std::int64_t>(fewest_runs(solid).runs.size()),
-                  *std::ranges::min_element(counts));
+        EXPECT_EQ(static_cast<std::int64_t>(fewest_runs(solid).runs.size()), *std::ranges::min_element(counts));
     }
 }
 
@@ -62,8 +60,9 @@ Form random_form(RandomStream& random) {
 
 template <class Visit>
 void for_each_voxel_of(const Form& form, const VoxelIndex& corner, const Visit& visit) {
-    for_each_voxel({form.size(0), form.size(1), form.size(2)},
-                   [&](int x, int y, int z) { visit(corner + VoxelIndex{x, y, z}); });
+    for_each_voxel({form.size(0), form.size(1), form.size(2)}, [&](int x, int y, int z) {
+        visit(corner + VoxelIndex{x, y, z});
+    });
 }
 
 /// The pieces' voxels; they must lie in the grid.
@@ -147,7 +146,8 @@ TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
                 if (Extent{b, b, b}.contains(within)) all = all && meets;
             });
             const BitTables::Place place = crowd.place(bits.spot(0, form, d));
-            const std::uint64_t* tile = crowd.tile(block.x / CrowdTables::kTileX, block.y / CrowdTables::kTileY, block.z);
+            const std::uint64_t* tile =
+                crowd.tile(block.x / CrowdTables::kTileX, block.y / CrowdTables::kTileY, block.z);
             const std::uint64_t* word = tile + place.offset + block.y % CrowdTables::kTileY;
             const int bit = block.x % CrowdTables::kTileX + place.shift;
             const bool told = (bit < 64 ? *word >> bit : *(word + crowd.next()) >> (bit - 64)) & 1;
@@ -250,8 +250,7 @@ TEST(OrientationRuns, ExchangeTheirAxes) {
         const VoxelIndex& offset = wide->offset;
         const VoxelIndex turned_offset{offset[axes[0]], offset[axes[1]], offset[axes[2]]};
         const BitGrid turned_wide = permuted(wide->voxels, axes);
-        const OrientationRuns runs =
-            permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, tables);
+        const OrientationRuns runs = permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, tables);
         EXPECT_EQ(runs.widened.front().offset, turned_offset);
         EXPECT_EQ(drawn(runs.widened.front().pieces, turned_wide.extent()), turned_wide);
         const Runs expected = runs_along(*turned, runs.solid.axis);
@@ -272,8 +271,7 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
         for (int step = 0; step < 6; ++step) {
             const Grid<std::int32_t> before = manhattan_distance(occupied, ceiling);
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 9, 9}));
-            const VoxelIndex at{between(random, -9, n.x), between(random, -9, n.y),
-                                between(random, -9, n.z)};
+            const VoxelIndex at{between(random, -9, n.x), between(random, -9, n.y), between(random, -9, n.z)};
             unite(occupied, solid, at);
             const VoxelBox changed = phi.add(solid, at, Workers(2));
             const Grid<std::int32_t> expected = manhattan_distance(occupied, ceiling);
@@ -302,8 +300,7 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
         tables.update(phi, whole(n), Workers(1));
         for (int step = 0; step < 5; ++step) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
-            const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y),
-                                between(random, 0, n.z)};
+            const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y), between(random, 0, n.z)};
             tables.update(phi, phi.add(solid, at, Workers(1)), Workers(2));
         }
         const auto pooled = [&](const VoxelIndex& v) {
@@ -317,8 +314,7 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
         };
         for (int question = 0; question < 500; ++question) {
             const int axis = between(random, 0, 2);
-            VoxelIndex from{between(random, 0, n.x - 1), between(random, 0, n.y - 1),
-                            between(random, 0, n.z - 1)};
+            VoxelIndex from{between(random, 0, n.x - 1), between(random, 0, n.y - 1), between(random, 0, n.z - 1)};
             VoxelIndex to = from;
             to[axis] = between(random, from[axis], n[axis]);
             int expected = 0;
@@ -326,8 +322,7 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
                 expected += pooled(v);
             }
             const std::uint16_t* base = tables.base(0, 0, 0);
-            EXPECT_EQ(static_cast<std::uint16_t>(base[tables.offset(axis, to)] -
-                                                 base[tables.offset(axis, from)]),
+            EXPECT_EQ(static_cast<std::uint16_t>(base[tables.offset(axis, to)] - base[tables.offset(axis, from)]),
                       expected);
         }
     }
@@ -430,8 +425,7 @@ TEST(ProximityLimit, IsTheGreatestProximityThatCouldWin) {
         Placed best;
         best.proximity = between(random, 0, 5000);
         best.position.z = between(random, 0, 150);
-        best.cost =
-            cost_of(model, best.position.z, between(random, 1, 9), reference, best.proximity);
+        best.cost = cost_of(model, best.position.z, between(random, 1, 9), reference, best.proximity);
         best.index = between(random, 0, 3);
         const int index = between(random, 0, 3), z = between(random, 0, 150);
         const std::int64_t limit = proximity_limit(model, z, layers, reference, best, index);

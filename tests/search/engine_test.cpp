@@ -13,13 +13,9 @@ namespace {
 
 class EngineTest : public testing::TestWithParam<EngineFactory> {
   protected:
-    std::unique_ptr<PlacementSearch> make_engine(int threads = 2) const {
-        return GetParam().make(Workers(threads));
-    }
+    std::unique_ptr<PlacementSearch> make_engine(int threads = 2) const { return GetParam().make(Workers(threads)); }
     /// The engine with the definition looking over its shoulder: throws at the first difference.
-    VerifyingSearch make_verified() const {
-        return {make_engine(), std::make_unique<BruteForceSearch>(), {}};
-    }
+    VerifyingSearch make_verified() const { return {make_engine(), std::make_unique<BruteForceSearch>(), {}}; }
 };
 
 std::shared_ptr<const BitGrid> full_box(const Extent& extent) {
@@ -39,9 +35,7 @@ OrientedShape plain_shape(std::shared_ptr<const BitGrid> solid, int gap_classes 
             {static_cast<std::size_t>(gap_classes), wide}};
 }
 
-Shape one_box(std::uint64_t id, const Extent& extent) {
-    return {id, 0, {plain_shape(full_box(extent))}};
-}
+Shape one_box(std::uint64_t id, const Extent& extent) { return {id, 0, {plain_shape(full_box(extent))}}; }
 
 TraySetup box_tray(const Extent& n) {
     TraySetup setup;
@@ -88,9 +82,7 @@ void check_random_scenes(VerifyingSearch search, const SceneLimits& limits, std:
     EXPECT_GT(search.verified(), static_cast<std::int64_t>(seeds) * 10);
 }
 
-TEST_P(EngineTest, AnswersTheDefinitionInRandomScenes) {
-    check_random_scenes(make_verified(), {}, 150);
-}
+TEST_P(EngineTest, AnswersTheDefinitionInRandomScenes) { check_random_scenes(make_verified(), {}, 150); }
 
 TEST_P(EngineTest, AnswersTheDefinitionInLongRows) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,7 +162,8 @@ TEST_P(EngineTest, AnswersWithWhatIsAdmitted) {
                 Shape& shape = scene.shapes[i];
                 const CostModel model = random_model(random);
                 for (int index = 0; index < static_cast<int>(shape.orientations.size()); ++index) {
-                    const Extent count = scene.tray.candidates(shape.orientations[static_cast<std::size_t>(index)].size);
+                    const Extent count =
+                        scene.tray.candidates(shape.orientations[static_cast<std::size_t>(index)].size);
                     if (count.empty() || one_in(random, 3)) continue;
                     BitGrid& of = refused[i].try_emplace(index, count).first->second;
                     for (int k = between(random, 0, static_cast<int>(count.count())); k > 0; --k) {
@@ -270,8 +263,7 @@ TEST_P(EngineTest, FillsATrayAndEmptiesItAgain) {
 TEST_P(EngineTest, PutsTheFirstBoxIntoTheCorner) {
     const Tray tray(box_tray({9, 7, 5}));
     for (const double penalty : {0.0, 4.0, 1e8}) {
-        const auto result =
-            make_engine()->best_placement(tray, one_box(1, {3, 2, 1}), {penalty, {}}, {});
+        const auto result = make_engine()->best_placement(tray, one_box(1, {3, 2, 1}), {penalty, {}}, {});
         ASSERT_TRUE(result.best);
         EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
         // Layer 0: the distance to the floor is 1 throughout.
@@ -288,8 +280,8 @@ TEST_P(EngineTest, TellsTheCostsOfTheWinnersNeighbours) {
     const auto result = make_engine()->best_placement(tray, one_box(1, {1, 1, 1}), {64, {}}, {});
     ASSERT_TRUE(result.best);
     EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));
-    EXPECT_EQ(result.best->neighbours, (std::array<Cost, 6>{Cost{0, 0}, Cost{1, 0}, Cost{0, 0},
-                                                            Cost{1, 0}, Cost{-1, 0}, Cost{2, 0}}));
+    EXPECT_EQ(result.best->neighbours,
+              (std::array<Cost, 6>{Cost{0, 0}, Cost{1, 0}, Cost{0, 0}, Cost{1, 0}, Cost{-1, 0}, Cost{2, 0}}));
 }
 
 TEST_P(EngineTest, FindsTheOnlyPlaceForAnObjectAsLargeAsTheTray) {
@@ -336,11 +328,9 @@ TEST_P(EngineTest, FindsNothingInAFullTrayOrABlockedOne) {
     const Tray blocked(setup);
     EXPECT_FALSE(engine->best_placement(blocked, one_box(1, {1, 1, 1}), {}, {}).best);
     // A virtual container stops no motion, a physical one does.
-    EXPECT_EQ(engine->free_positions(blocked, one_box(1, {1, 1, 1}), 0, {}).free.count(),
-              7 * 6 * 5);
+    EXPECT_EQ(engine->free_positions(blocked, one_box(1, {1, 1, 1}), 0, {}).free.count(), 7 * 6 * 5);
     setup.blocked_is_physical = true;
-    EXPECT_EQ(engine->free_positions(Tray(setup), one_box(1, {1, 1, 1}), 0, {}).free.count(),
-              7 * 6 * 5 - 5 * 4 * 3);
+    EXPECT_EQ(engine->free_positions(Tray(setup), one_box(1, {1, 1, 1}), 0, {}).free.count(), 7 * 6 * 5 - 5 * 4 * 3);
 }
 
 TEST_P(EngineTest, BreaksTiesByOrientationThenZThenYThenX) {
@@ -378,8 +368,7 @@ TEST_P(EngineTest, KeepsAGapFromObjectsButNotFromWalls) {
     BitGrid wide({4, 3, 2});
     wide.fill(true);
     Shape shape{1, 1, {plain_shape(full_box({2, 3, 2}), 2)}};
-    const auto widened =
-        std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-1, 0, 0}});
+    const auto widened = std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-1, 0, 0}});
     shape.orientations[0].widened = {widened, widened};
     const auto engine = make_engine();
     const FreePositions moving = engine->free_positions(tray, shape, 0, {});

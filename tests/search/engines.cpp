@@ -12,8 +12,7 @@ namespace spectralpack::test {
 std::vector<EngineFactory> engines() {
     std::vector<EngineFactory> all;
 #ifdef SPECTRALPACK_TEST_REFERENCE
-    all.push_back(
-        {"reference", [](const Workers& workers) { return make_reference_search({}, workers); }});
+    all.push_back({"reference", [](const Workers& workers) { return make_reference_search({}, workers); }});
 #endif
 #ifdef SPECTRALPACK_TEST_CPU
     all.push_back({"cpu", [](const Workers& workers) { return make_cpu_search({}, workers); }});

@@ -17,9 +17,7 @@ struct EngineFactory {
     std::function<std::unique_ptr<PlacementSearch>(const Workers&)> make;
 };
 
-inline std::ostream& operator<<(std::ostream& out, const EngineFactory& factory) {
-    return out << factory.name;
-}
+inline std::ostream& operator<<(std::ostream& out, const EngineFactory& factory) { return out << factory.name; }
 
 std::vector<EngineFactory> engines();
 

@@ -65,9 +65,8 @@ Tray permuted_tray(const Tray& original, const AxisOrder& order) {
     Tray tray(setup);
     for (ObjectId id = 0; id < original.object_count(); ++id) {
         const TrayObject& object = original.object(id);
-        const ObjectId copy =
-            tray.add({std::make_shared<const BitGrid>(permuted_bits(*object.solid, order)),
-                      permuted(object.position, order), object.gap_class, object.fixed});
+        const ObjectId copy = tray.add({std::make_shared<const BitGrid>(permuted_bits(*object.solid, order)),
+                                        permuted(object.position, order), object.gap_class, object.fixed});
         if (!original.find(id)) tray.remove(copy);
     }
     return tray;
@@ -113,8 +112,8 @@ TEST_P(EquivarianceTest, PermutedAxesPermuteFreePositions) {
         FreeQuery query{std::nullopt, 2};
         if (!scene.present.empty()) query.without = scene.present.back();
         const FreePositions free = engine->free_positions(scene.tray, shape, 0, query);
-        const FreePositions turned = engine->free_positions(permuted_tray(scene.tray, order),
-                                                            permuted_shape(shape, order), 0, query);
+        const FreePositions turned =
+            engine->free_positions(permuted_tray(scene.tray, order), permuted_shape(shape, order), 0, query);
         EXPECT_EQ(turned.origin, permuted(free.origin, order));
         EXPECT_EQ(turned.free, permuted_bits(free.free, order));
     }
@@ -143,8 +142,7 @@ TEST_P(EquivarianceTest, PermutedAxesKeepTheLeastCost) {
         const Tray turned_tray = permuted_tray(scene.tray, order);
         for (const Shape& shape : scene.shapes) {
             const auto best = engine->best_placement(scene.tray, shape, model, {}).best;
-            const auto turned =
-                engine->best_placement(turned_tray, permuted_shape(shape, order), model, {}).best;
+            const auto turned = engine->best_placement(turned_tray, permuted_shape(shape, order), model, {}).best;
             ASSERT_EQ(best.has_value(), turned.has_value());
             if (!best) continue;
             // Between positions of equal cost the order of axes decides, so these may differ.
@@ -178,8 +176,7 @@ TEST_P(EquivarianceTest, AShiftedTrayShiftsTheAnswer) {
         const VoxelIndex shift{between(random, 1, 70), between(random, 1, 9), 0};
         TraySetup around = setup;
         const Extent larger{n.x + shift.x + 3, n.y + shift.y + 1, n.z + 2};
-        around.size = {static_cast<double>(larger.x), static_cast<double>(larger.y),
-                       static_cast<double>(larger.z)};
+        around.size = {static_cast<double>(larger.x), static_cast<double>(larger.y), static_cast<double>(larger.z)};
         BitGrid room(n);
         room.fill(true);
         around.blocked = BitGrid(larger);

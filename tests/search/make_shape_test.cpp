@@ -13,23 +13,18 @@ namespace {
 
 const std::vector<double> kNoGap{0};
 
-Shape shape_of(const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size,
-               double gap = 0, const std::vector<double>& gaps = kNoGap, int threads = 2) {
+Shape shape_of(const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, double gap = 0,
+               const std::vector<double>& gaps = kNoGap, int threads = 2) {
     return make_shape(7, mesh, rotations, voxel_size, 1, gap, gaps, Workers(threads));
 }
 
 /// An L of two boxes: no rotation maps it onto itself.
-Mesh bracket() {
-    return merged(box_mesh({0, 0, 0}, {7, 3, 2}), box_mesh({0, 0, 1.5}, {2.5, 2, 5}));
-}
+Mesh bracket() { return merged(box_mesh({0, 0, 0}, {7, 3, 2}), box_mesh({0, 0, 1.5}, {2.5, 2, 5})); }
 
-Mesh turned(const Mesh& mesh, const Mat3& rotation) {
-    return transformed(mesh, {rotation, {}});
-}
+Mesh turned(const Mesh& mesh, const Mat3& rotation) { return transformed(mesh, {rotation, {}}); }
 
 bool same_size(const Vec3& a, const Vec3& b) {
-    return std::abs(a.x - b.x) <= 1e-6 && std::abs(a.y - b.y) <= 1e-6 &&
-           std::abs(a.z - b.z) <= 1e-6;
+    return std::abs(a.x - b.x) <= 1e-6 && std::abs(a.y - b.y) <= 1e-6 && std::abs(a.z - b.z) <= 1e-6;
 }
 
 TEST(MakeShape, MergesOrientationsOfABox) {
@@ -60,8 +55,7 @@ TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
                 const Mesh one = turned(mesh, rotations[i]);
                 const BitGrid solid = voxelize(one, 1.25, Workers(1));
                 const Vec3 size = bounding_box(one).size();
-                if (next < shape.orientations.size() &&
-                    shape.orientations[next].orientation == static_cast<int>(i)) {
+                if (next < shape.orientations.size() && shape.orientations[next].orientation == static_cast<int>(i)) {
                     const OrientedShape& kept = shape.orientations[next++];
                     EXPECT_EQ(*kept.solid, solid);
                     EXPECT_TRUE(same_size(kept.size, size));
@@ -70,8 +64,8 @@ TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
                 }
                 bool seen = false;  // left out: an earlier one is equal
                 for (std::size_t k = 0; k < next; ++k) {
-                    seen = seen || (*shape.orientations[k].solid == solid &&
-                                    same_size(shape.orientations[k].size, size));
+                    seen =
+                        seen || (*shape.orientations[k].solid == solid && same_size(shape.orientations[k].size, size));
                 }
                 EXPECT_TRUE(seen) << "orientation " << i << " of " << step;
             }
@@ -96,13 +90,11 @@ TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
         EXPECT_EQ(shape.gap_class, static_cast<int>(own));
         for (const OrientedShape& oriented : shape.orientations) {
             ASSERT_EQ(oriented.widened.size(), gaps.size());
-            const Mesh one =
-                turned(mesh, rotations[static_cast<std::size_t>(oriented.orientation)]);
+            const Mesh one = turned(mesh, rotations[static_cast<std::size_t>(oriented.orientation)]);
             for (std::size_t c = 0; c < gaps.size(); ++c) {
                 const double gap = std::max(gaps[own], gaps[c]);
-                const WidenedVoxels expected = gap > 0
-                                                   ? widen(*oriented.solid, one, 1, gap, Workers(1))
-                                                   : WidenedVoxels{*oriented.solid, {}};
+                const WidenedVoxels expected =
+                    gap > 0 ? widen(*oriented.solid, one, 1, gap, Workers(1)) : WidenedVoxels{*oriented.solid, {}};
                 EXPECT_EQ(oriented.widened[c]->offset, expected.offset);
                 EXPECT_EQ(oriented.widened[c]->voxels, expected.voxels);
                 // Equal gaps share one grid.

@@ -46,9 +46,7 @@ struct Scene {
 };
 
 /// True with probability 1 / n.
-inline bool one_in(RandomStream& random, int n) {
-    return random.below(static_cast<std::uint64_t>(n)) == 0;
-}
+inline bool one_in(RandomStream& random, int n) { return random.below(static_cast<std::uint64_t>(n)) == 0; }
 
 /// Uniform in [low, high].
 inline int between(RandomStream& random, int low, int high) {
@@ -109,9 +107,8 @@ inline WidenedVoxels random_widened(RandomStream& random, const BitGrid& solid, 
     const Extent none{0, 0, 0}, most{reach, reach, reach};
     const Extent low = random_extent(random, none, most), high = random_extent(random, none, most);
     const Extent& a = solid.extent();
-    WidenedVoxels wide{
-        random_bits(random, {a.x + low.x + high.x, a.y + low.y + high.y, a.z + low.z + high.z}, 3),
-        {-low.x, -low.y, -low.z}};
+    WidenedVoxels wide{random_bits(random, {a.x + low.x + high.x, a.y + low.y + high.y, a.z + low.z + high.z}, 3),
+                       {-low.x, -low.y, -low.z}};
     unite(wide.voxels, solid, {low.x, low.y, low.z});
     return wide;
 }
@@ -122,8 +119,8 @@ inline double random_length(RandomStream& random, int voxels, double voxel_size)
     return (voxels - short_by) * voxel_size;
 }
 
-inline OrientedShape random_orientation(RandomStream& random, const TraySetup& setup,
-                                        const Extent& tray, int own_class, int reach) {
+inline OrientedShape random_orientation(RandomStream& random, const TraySetup& setup, const Extent& tray, int own_class,
+                                        int reach) {
     OrientedShape shape;
     Extent extent;
     const int kind = between(random, 0, 11);
@@ -156,8 +153,8 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
     for (const double other : setup.gap_classes) {
         const double gap = std::max(own, other);
         if (gap != previous_gap) {
-            previous = std::make_shared<const WidenedVoxels>(
-                gap > 0 ? random_widened(random, *solid, reach) : WidenedVoxels{*solid, {}});
+            previous = std::make_shared<const WidenedVoxels>(gap > 0 ? random_widened(random, *solid, reach)
+                                                                     : WidenedVoxels{*solid, {}});
             previous_gap = gap;
         }
         shape.widened.push_back(previous);
@@ -165,8 +162,8 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
     return shape;
 }
 
-inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetup& setup,
-                          const Extent& tray, const SceneLimits& limits) {
+inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetup& setup, const Extent& tray,
+                          const SceneLimits& limits) {
     Shape shape;
     shape.id = id;
     shape.gap_class = between(random, 0, static_cast<int>(setup.gap_classes.size()) - 1);
@@ -174,8 +171,7 @@ inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetu
     int orientation = -1;
     for (int i = 0; i < count; ++i) {
         orientation += between(random, 1, 3);  // indices merged away leave holes
-        shape.orientations.push_back(
-            random_orientation(random, setup, tray, shape.gap_class, limits.reach));
+        shape.orientations.push_back(random_orientation(random, setup, tray, shape.gap_class, limits.reach));
         shape.orientations.back().orientation = orientation;
     }
     return shape;
@@ -194,8 +190,7 @@ inline BitGrid random_blocked(RandomStream& random, const Extent& tray) {
         BitGrid full({(box.x + 1) / 2, (box.y + 1) / 2, (box.z + 1) / 2});
         full.fill(true);
         unite(blocked, full,
-              {between(random, 0, tray.x - 1), between(random, 0, tray.y - 1),
-               between(random, 0, tray.z - 1)});
+              {between(random, 0, tray.x - 1), between(random, 0, tray.y - 1), between(random, 0, tray.z - 1)});
     }
     return blocked;
 }
@@ -256,8 +251,8 @@ inline void add_random_object(Scene& scene, RandomStream& random) {
     const bool overhang = one_in(random, 4);
     VoxelIndex position;
     for (int axis = 0; axis < 3; ++axis) {
-        position[axis] = overhang ? between(random, -a[axis], n[axis])
-                                  : between(random, 0, std::max(0, n[axis] - a[axis]));
+        position[axis] =
+            overhang ? between(random, -a[axis], n[axis]) : between(random, 0, std::max(0, n[axis] - a[axis]));
     }
     TrayObject object{oriented.solid, position, shape.gap_class, false};
     const int detail = scene.tray.detail();
@@ -284,12 +279,11 @@ inline void random_change(Scene& scene, RandomStream& random) {
 }
 
 /// Shape ids start at `first_id`: give scenes that one engine sees different ones.
-inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {},
-                          std::uint64_t first_id = 1) {
+inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {}, std::uint64_t first_id = 1) {
     Scene scene{Tray(random_setup(random, limits)), {}, {}};
     for (int i = 0; i < limits.shapes; ++i) {
-        scene.shapes.push_back(random_shape(random, first_id + static_cast<std::uint64_t>(i),
-                                            scene.tray.setup(), scene.tray.extent(), limits));
+        scene.shapes.push_back(random_shape(random, first_id + static_cast<std::uint64_t>(i), scene.tray.setup(),
+                                            scene.tray.extent(), limits));
     }
     const int objects = between(random, 0, limits.objects);
     for (int i = 0; i < objects; ++i) {
@@ -302,7 +296,11 @@ inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {},
 inline void place(Scene& scene, const Shape& shape, int index, const VoxelIndex& position) {
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
     const int s = scene.tray.detail();
-    scene.present.push_back(scene.tray.add({oriented.solid, position, shape.gap_class, false, oriented.fine,
+    scene.present.push_back(scene.tray.add({oriented.solid,
+                                            position,
+                                            shape.gap_class,
+                                            false,
+                                            oriented.fine,
                                             {s * position.x, s * position.y, s * position.z}}));
 }
 

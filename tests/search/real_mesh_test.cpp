@@ -14,17 +14,14 @@ namespace {
 class RealMeshTest : public testing::TestWithParam<EngineFactory> {};
 
 std::vector<Mesh> meshes() {
-    const Mesh frame =
-        merged(merged(box_mesh({0, 0, 0}, {9, 2, 2}), box_mesh({0, 7, 0}, {9, 9, 2})),
-               merged(box_mesh({0, 0, 0}, {2, 9, 2}), box_mesh({7, 0, 0}, {9, 9, 2})));
-    return {frame, torus_mesh(3.2, 1.1, 20, 10), sphere_mesh(2.3, 8),
-            box_mesh({0, 0, 0}, {4, 2, 1}), cube_mesh(0.8)};
+    const Mesh frame = merged(merged(box_mesh({0, 0, 0}, {9, 2, 2}), box_mesh({0, 7, 0}, {9, 9, 2})),
+                              merged(box_mesh({0, 0, 0}, {2, 9, 2}), box_mesh({7, 0, 0}, {9, 9, 2})));
+    return {frame, torus_mesh(3.2, 1.1, 20, 10), sphere_mesh(2.3, 8), box_mesh({0, 0, 0}, {4, 2, 1}), cube_mesh(0.8)};
 }
 
 /// Two copies of every mesh, each where the search says; `gaps[i % gaps]` is the gap of mesh i.
-std::vector<BestPlacement> pack(VerifyingSearch& search, const char* rotations,
-                                const std::vector<double>& gaps, const CostModel& model,
-                                Ceiling ceiling) {
+std::vector<BestPlacement> pack(VerifyingSearch& search, const char* rotations, const std::vector<double>& gaps,
+                                const CostModel& model, Ceiling ceiling) {
     const Workers workers(2);
     TraySetup setup;
     setup.size = {23.5, 17, 13};
@@ -41,10 +38,8 @@ std::vector<BestPlacement> pack(VerifyingSearch& search, const char* rotations,
         for (int copy = 0; copy < 2; ++copy) {
             const auto best = search.best_placement(tray, shape, model, {}).best;
             if (!best) continue;
-            const OrientedShape& oriented =
-                shape.orientations[static_cast<std::size_t>(best->index)];
-            const ObjectId object =
-                tray.add({oriented.solid, best->position, shape.gap_class, false});
+            const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best->index)];
+            const ObjectId object = tray.add({oriented.solid, best->position, shape.gap_class, false});
             search.free_positions(tray, shape, best->index, {object, 1});
             placements.push_back(*best);
         }

@@ -68,22 +68,19 @@ double error_by_bound(RandomStream& random, const Extent& grid, int most_a, int 
     for_each_voxel(grid, [&](int qx, int qy, int qz) {
         double exact = 0;
         for_each_voxel(grid, [&](int x, int y, int z) {
-            exact += static_cast<double>(a.at(x, y, z)) *
-                     b.at((x + qx) % grid.x, (y + qy) % grid.y, (z + qz) % grid.z);
+            exact += static_cast<double>(a.at(x, y, z)) * b.at((x + qx) % grid.x, (y + qy) % grid.y, (z + qz) % grid.z);
         });
-        const double computed =
-            static_cast<double>(p.row(qy, qz)[qx]) / static_cast<double>(grid.count());
+        const double computed = static_cast<double>(p.row(qy, qz)[qx]) / static_cast<double>(grid.count());
         worst = std::max(worst, std::abs(computed - exact));
     });
     const double unit_roundoff = std::is_same_v<Real, float> ? 0x1p-24 : 0x1p-53;
-    return worst / correlation_error_bound(grid, std::sqrt(squares_a) * std::sqrt(squares_b), 1,
-                                           unit_roundoff);
+    return worst / correlation_error_bound(grid, std::sqrt(squares_a) * std::sqrt(squares_b), 1, unit_roundoff);
 }
 
 TEST(Correlation, IsTheDirectSumWithinTheBound) {
     RandomStream random(5);
-    for (const Extent& grid : {Extent{1, 1, 1}, Extent{7, 5, 3}, Extent{14, 9, 10},
-                               Extent{2, 1, 35}, Extent{21, 4, 1}, Extent{16, 15, 6}}) {
+    for (const Extent& grid :
+         {Extent{1, 1, 1}, Extent{7, 5, 3}, Extent{14, 9, 10}, Extent{2, 1, 35}, Extent{21, 4, 1}, Extent{16, 15, 6}}) {
         for (const auto& [most_a, most_b] : {std::pair{1, 1}, {1, 40}, {3, 100000}}) {
             EXPECT_LT(error_by_bound<double>(random, grid, most_a, most_b), 1);
             EXPECT_LT(error_by_bound<float>(random, grid, most_a, most_b), 1);
@@ -104,10 +101,8 @@ TEST(Reference, AnswersAlikeWithEveryOption) {
     const Workers workers(3);
     // The bound says that single precision is exact for trays as small as these.
     for (const ReferenceOptions& options :
-         {ReferenceOptions{false, false, 1}, ReferenceOptions{false, true, 2},
-          ReferenceOptions{true, false, 0}}) {
-        VerifyingSearch search(make_reference_search(options, workers),
-                               std::make_unique<BruteForceSearch>(), {});
+         {ReferenceOptions{false, false, 1}, ReferenceOptions{false, true, 2}, ReferenceOptions{true, false, 0}}) {
+        VerifyingSearch search(make_reference_search(options, workers), std::make_unique<BruteForceSearch>(), {});
         for (std::uint64_t seed = 0; seed < 12; ++seed) {
             SCOPED_TRACE(seed);
             RandomStream random(seed);
@@ -128,8 +123,7 @@ VoxelIndex overhang_of(const std::vector<Shape>& shapes) {
         for (const OrientedShape& oriented : shape.orientations) {
             for (const auto& wide : oriented.widened) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    const int after = wide->offset[axis] + wide->voxels.extent()[axis] -
-                                      oriented.solid->extent()[axis];
+                    const int after = wide->offset[axis] + wide->voxels.extent()[axis] - oriented.solid->extent()[axis];
                     most[axis] = std::max({most[axis], -wide->offset[axis], after});
                 }
             }
@@ -158,12 +152,9 @@ TEST(Reference, HoldsWhatWasPredictedAtMost) {
         for (int c = 0; c < scene.tray.gap_classes(); ++c) {
             classes += scene.tray.occupied(c).none() ? 0 : 1;
         }
-        const ReferenceMemory need{scene.tray.extent(),
-                                   overhang_of(scene.shapes),
-                                   scene.tray.gap_classes(),
-                                   !scene.tray.blocked().none(),
-                                   options.lanes,
-                                   options.single_precision};
+        const ReferenceMemory need{
+            scene.tray.extent(), overhang_of(scene.shapes), scene.tray.gap_classes(), !scene.tray.blocked().none(),
+            options.lanes,       options.single_precision};
         EXPECT_LE(engine->memory(), reference_memory(need));
         // Exactly so for what was used; a later, wider shape makes the lanes anew.
         ReferenceMemory used = need;

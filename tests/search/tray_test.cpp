@@ -81,14 +81,13 @@ TEST(Tray, CandidatesKeepTheBoxInTheContainerAndTheVoxelsInTheGrid) {
         const auto length = [](int most) { return *rc::gen::inRange(1, most) * 1e-6; };
         const double dx = *rc::gen::element(0.1, 0.2, 0.5, 0.7, 1.0, 2.0);
         const auto tray_length = [&] {
-            return *rc::gen::inRange(1, 40) * dx +
-                   *rc::gen::element(0.0, dx / 2, 1e-6, length(900));
+            return *rc::gen::inRange(1, 40) * dx + *rc::gen::element(0.0, dx / 2, 1e-6, length(900));
         };
         const Tray tray(setup_of({tray_length(), tray_length(), tray_length()}, dx));
         Vec3 size;
         for (int axis = 0; axis < 3; ++axis) {
-            size[axis] = std::max(1e-6, *rc::gen::inRange(0, 41) * dx +
-                                            *rc::gen::element(0.0, -5e-7, 5e-7, length(2000)));
+            size[axis] =
+                std::max(1e-6, *rc::gen::inRange(0, 41) * dx + *rc::gen::element(0.0, -5e-7, 5e-7, length(2000)));
         }
         const Extent count = tray.candidates(size);
         for (int axis = 0; axis < 3; ++axis) {
@@ -104,8 +103,7 @@ TEST(Tray, CandidatesKeepTheBoxInTheContainerAndTheVoxelsInTheGrid) {
         if (count.empty()) {
             bool too_large = false;
             for (int axis = 0; axis < 3; ++axis) {
-                too_large = too_large ||
-                            size[axis] > tray.setup().size[axis] + kContainTolerance * 0.999 ||
+                too_large = too_large || size[axis] > tray.setup().size[axis] + kContainTolerance * 0.999 ||
                             voxels_along(size[axis], dx) > tray.extent()[axis];
             }
             RC_ASSERT(too_large);
@@ -121,8 +119,7 @@ BitGrid union_of(const Tray& tray, int gap_class, std::optional<ObjectId> withou
         if (!object || id == without || object->gap_class != gap_class) continue;
         for_each_voxel(object->solid->extent(), [&](int x, int y, int z) {
             const VoxelIndex at = VoxelIndex{x, y, z} + object->position;
-            if (object->solid->get(x, y, z) && tray.extent().contains(at))
-                all.set(at.x, at.y, at.z);
+            if (object->solid->get(x, y, z) && tray.extent().contains(at)) all.set(at.x, at.y, at.z);
         });
     }
     return all;

@@ -23,8 +23,7 @@ class Liar : public BruteForceSearch {
         lie(result);
         return result;
     }
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override {
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         FreePositions free = BruteForceSearch::free_positions(tray, shape, index, query);
         lie_free(free);
         return free;
@@ -79,8 +78,7 @@ TEST(VerifyingSearch, FindsEveryKindOfDifference) {
         auto liar = std::make_unique<Liar>();
         liar->lie = lies[i];
         VerifyingSearch search = verifying(std::move(liar));
-        const std::string message =
-            message_of([&] { search.best_placement(scene.tray, scene.shapes[0], {}, {}); });
+        const std::string message = message_of([&] { search.best_placement(scene.tray, scene.shapes[0], {}, {}); });
         expect_mentions(message, {"shape 42", "version 1", "liar", "brute force", "(2, 0, 0)"});
         EXPECT_EQ(search.verified(), 0) << i;
     }
@@ -89,14 +87,13 @@ TEST(VerifyingSearch, FindsEveryKindOfDifference) {
 TEST(VerifyingSearch, FindsDifferencesInFreePositions) {
     const Scene scene = small_scene();
     const std::vector<std::function<void(FreePositions&)>> lies{
-        [](FreePositions& f) { f.free.set(2, 1, 1, !f.free.get(2, 1, 1)); },
-        [](FreePositions& f) { f.origin.y -= 1; }, [](FreePositions& f) { f.free = BitGrid(); }};
+        [](FreePositions& f) { f.free.set(2, 1, 1, !f.free.get(2, 1, 1)); }, [](FreePositions& f) { f.origin.y -= 1; },
+        [](FreePositions& f) { f.free = BitGrid(); }};
     for (const auto& lie : lies) {
         auto liar = std::make_unique<Liar>();
         liar->lie_free = lie;
         VerifyingSearch search = verifying(std::move(liar));
-        const std::string message =
-            message_of([&] { search.free_positions(scene.tray, scene.shapes[0], 0, {}); });
+        const std::string message = message_of([&] { search.free_positions(scene.tray, scene.shapes[0], 0, {}); });
         expect_mentions(message, {"shape 42", "orientation 3", "version 1"});
     }
 }

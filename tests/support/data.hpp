@@ -8,14 +8,11 @@
 
 namespace spectralpack::test {
 
-inline std::filesystem::path samples() {
-    return std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "data" / "samples";
-}
+inline std::filesystem::path samples() { return std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / "data" / "samples"; }
 
 /// The benchmark data: $SPECTRALPACK_DATA, else ../shared/data beside the checkout.
 inline std::optional<std::filesystem::path> benchmark_data() {
-    std::filesystem::path folder =
-        std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / ".." / "shared" / "data";
+    std::filesystem::path folder = std::filesystem::path(SPECTRALPACK_SOURCE_DIR) / ".." / "shared" / "data";
     if (const char* named = std::getenv("SPECTRALPACK_DATA")) folder = named;
     if (!std::filesystem::is_directory(folder / "meshes")) return std::nullopt;
     return std::filesystem::canonical(folder);
@@ -24,5 +21,5 @@ inline std::optional<std::filesystem::path> benchmark_data() {
 }  // namespace spectralpack::test
 
 /// Skips the running test, saying so, where the benchmark data is not there.
-#define SPECTRALPACK_NEEDS_DATA()                                                          \
+#define SPECTRALPACK_NEEDS_DATA() \
     if (!spectralpack::test::benchmark_data()) GTEST_SKIP() << "the benchmark data is not here"

@@ -51,9 +51,9 @@ class TemporaryFolder {
 
 /// What a run may take; 0: as much as it likes.
 struct Limits {
-    rlim_t memory = 0;      ///< bytes of address space
-    rlim_t cpu_seconds = 0; ///< of all threads together
-    unsigned seconds = 0;   ///< of waiting, against hangs
+    rlim_t memory = 0;       ///< bytes of address space
+    rlim_t cpu_seconds = 0;  ///< of all threads together
+    unsigned seconds = 0;    ///< of waiting, against hangs
 };
 
 inline void limit(int resource, rlim_t most) {

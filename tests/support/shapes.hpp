@@ -12,8 +12,7 @@ namespace spectralpack::test {
 inline Mesh box_mesh(const Vec3& low, const Vec3& high) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) {
-        mesh.vertices.push_back(
-            {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+        mesh.vertices.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
@@ -51,9 +50,7 @@ inline Mesh torus_mesh(double major, double minor, int around = 32, int across =
             mesh.vertices.push_back({r * std::cos(a), r * std::sin(a), minor * std::sin(b)});
         }
     }
-    const auto at = [&](int i, int j) {
-        return static_cast<std::uint32_t>((i % around) * across + j % across);
-    };
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>((i % around) * across + j % across); };
     for (int i = 0; i < around; ++i) {
         for (int j = 0; j < across; ++j) {
             mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
@@ -72,15 +69,12 @@ inline Mesh sphere_mesh(double radius, int rings = 12) {
         const double polar = std::numbers::pi * i / rings;
         for (int j = 0; j < around; ++j) {
             const double a = 2 * std::numbers::pi * j / around;
-            mesh.vertices.push_back({radius * std::sin(polar) * std::cos(a),
-                                     radius * std::sin(polar) * std::sin(a),
+            mesh.vertices.push_back({radius * std::sin(polar) * std::cos(a), radius * std::sin(polar) * std::sin(a),
                                      -radius * std::cos(polar)});
         }
     }
     mesh.vertices.push_back({0, 0, radius});
-    const auto at = [&](int i, int j) {
-        return static_cast<std::uint32_t>(1 + (i - 1) * around + j % around);
-    };
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(1 + (i - 1) * around + j % around); };
     const auto top = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
     for (int j = 0; j < around; ++j) {
         mesh.triangles.push_back({0, at(1, j + 1), at(1, j)});
@@ -95,7 +89,8 @@ inline Mesh sphere_mesh(double radius, int rings = 12) {
 
 /// No turn, and quarter turns about x and y.
 inline std::vector<Mat3> three_turns() {
-    return {Mat3{}, Mat3{{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}}, Mat3{{Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}}}};
+    return {Mat3{}, Mat3{{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}},
+            Mat3{{Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}}}};
 }
 
 }  // namespace spectralpack::test

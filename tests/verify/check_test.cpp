@@ -46,8 +46,7 @@ class CheckTest : public testing::Test {
     /// The next copy of a part.
     Placement& place(int part, const Vec3& at, const Mat3& rotation = {}, std::size_t tray = 0) {
         Part& p = packing_.parts[static_cast<std::size_t>(part)];
-        packing_.trays[tray].placements.push_back(
-            {part, p.count++, 0, false, {p.to_mm() * rotation, at}});
+        packing_.trays[tray].placements.push_back({part, p.count++, 0, false, {p.to_mm() * rotation, at}});
         return packing_.trays[tray].placements.back();
     }
 
@@ -412,7 +411,8 @@ TEST_F(CheckTest, MeasuresTheLeastDistanceHoweverFar) {
             for (std::size_t i = 0; i < placements.size(); ++i) {
                 for (std::size_t j = i + 1; j < placements.size(); ++j) {
                     const auto mesh = [&](std::size_t k) {
-                        return transformed(*meshes_[static_cast<std::size_t>(placements[k].part)], placements[k].transform);
+                        return transformed(*meshes_[static_cast<std::size_t>(placements[k].part)],
+                                           placements[k].transform);
                     };
                     expected = std::min(expected, reference_distance(mesh(i), mesh(j)));
                 }

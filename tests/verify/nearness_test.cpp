@@ -54,10 +54,14 @@ void expect_like_brute_force(const Solid& a, const Solid& b, const Transform& b_
 
 Mesh random_shape(RandomStream& random) {
     switch (random.below(5)) {
-        case 0: return box_mesh({0, 0, 0}, {between(random, 1, 9), between(random, 1, 9), 3});
-        case 1: return torus_mesh(between(random, 3, 6), between(random, 1, 2), 8, 5);
-        case 2: return sphere_mesh(between(random, 2, 4), 4);
-        case 3: return block_mesh(random_cells(random, {3, 2, 2}, 0.6));
+        case 0:
+            return box_mesh({0, 0, 0}, {between(random, 1, 9), between(random, 1, 9), 3});
+        case 1:
+            return torus_mesh(between(random, 3, 6), between(random, 1, 2), 8, 5);
+        case 2:
+            return sphere_mesh(between(random, 2, 4), 4);
+        case 3:
+            return block_mesh(random_cells(random, {3, 2, 2}, 0.6));
         default: {
             // Triangles of all sizes and shapes, needles too.
             Mesh soup;
@@ -92,8 +96,8 @@ TEST(Nearness, AgreesOnRealParts) {
     SPECTRALPACK_NEEDS_DATA();
     RandomStream random(6);
     std::vector<Solid> solids;
-    for (const char* name : {"generated--drawer-handle", "generated--cage", "generated--signet-ring", "odedstein--spot-control-mesh",
-                             "mendel90--huxley-tube-cap", "chrhodgden--castle-tower"}) {
+    for (const char* name : {"generated--drawer-handle", "generated--cage", "generated--signet-ring",
+                             "odedstein--spot-control-mesh", "mendel90--huxley-tube-cap", "chrhodgden--castle-tower"}) {
         solids.emplace_back(read_stl(*benchmark_data() / "meshes" / (std::string(name) + ".stl")), Transform{}, kFar);
         ASSERT_FALSE(solids.back().mesh().triangles.empty()) << name;
     }

@@ -128,10 +128,9 @@ TEST(Overlap, ARingMayHugARod) {
         mesh.vertices.push_back({0, 0, 20});
         for (std::uint32_t i = 0; i < kAround; ++i) {
             const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % kAround);
-            mesh.triangles.insert(mesh.triangles.end(), {{a, b, a + 1},
-                                                         {b, b + 1, a + 1},
-                                                         {b, a, 2 * kAround},
-                                                         {a + 1, b + 1, 2 * kAround + 1}});
+            mesh.triangles.insert(
+                mesh.triangles.end(),
+                {{a, b, a + 1}, {b, b + 1, a + 1}, {b, a, 2 * kAround}, {a + 1, b + 1, 2 * kAround + 1}});
         }
         return mesh;
     };
@@ -177,8 +176,8 @@ TEST(Overlap, OpenMeshesHaveASurfaceOnly) {
 
 TEST(Overlap, DegenerateAndDuplicateTrianglesChangeNothing) {
     Mesh rough = cube_mesh(10);
-    rough.vertices.push_back({5, 0, 0});       // on an edge
-    rough.vertices.push_back({5, 1e-9, 0});    // almost
+    rough.vertices.push_back({5, 0, 0});     // on an edge
+    rough.vertices.push_back({5, 1e-9, 0});  // almost
     rough.triangles.push_back({0, 8, 1});
     rough.triangles.push_back({0, 1, 8});
     rough.triangles.push_back({0, 9, 1});
@@ -224,11 +223,10 @@ TEST(Overlap, BlocksAgreeWithTheirCells) {
             }
         }
         const bool shared = deepest > kTolerance;
-        const Transform common = random.below(2) == 1
-                                     ? Transform{random_rotation(random), random_point(random, 100)}
-                                     : Transform{};
-        const Relation relation = compare_meshes(block_mesh(a), block_mesh(b, random.below(2) == 1),
-                                                 common, common * moved_by(step));
+        const Transform common =
+            random.below(2) == 1 ? Transform{random_rotation(random), random_point(random, 100)} : Transform{};
+        const Relation relation =
+            compare_meshes(block_mesh(a), block_mesh(b, random.below(2) == 1), common, common * moved_by(step));
         EXPECT_EQ(apart(relation), !shared) << "pair " << pair;
         if (shared) {
             EXPECT_GT(relation.depth, deepest / 4) << "pair " << pair;
@@ -289,8 +287,8 @@ TEST(Overlap, RandomToriAgreeWithSampling) {
                                    {random_rotation(random), random_point(random, 12)});
         const Relation relation = compare_meshes(a, b);
         const double distance = reference_distance(a, b);
-        const bool shared = distance == 0 || reference_winding(a, b.vertices[0]) != 0 ||
-                            reference_winding(b, a.vertices[0]) != 0;
+        const bool shared =
+            distance == 0 || reference_winding(a, b.vertices[0]) != 0 || reference_winding(b, a.vertices[0]) != 0;
         double depth = 0;
         for (int i = 0; i < 60; ++i) {
             // Points of either's material: inside one of its triangles, pushed in.

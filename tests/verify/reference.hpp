@@ -43,8 +43,8 @@ inline Real reference_distance(const Point& p, const Point& a, const Point& b) {
 }
 
 inline Real reference_distance(const Point& a, const Point& b, const Point& c, const Point& d) {
-    Real best = std::min({reference_distance(a, c, d), reference_distance(b, c, d),
-                          reference_distance(c, a, b), reference_distance(d, a, b)});
+    Real best = std::min({reference_distance(a, c, d), reference_distance(b, c, d), reference_distance(c, a, b),
+                          reference_distance(d, a, b)});
     const Point u = b - a, v = d - c, w = a - c;
     const Real uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w);
     const Real determinant = uu * vv - uv * uv;
@@ -56,8 +56,8 @@ inline Real reference_distance(const Point& a, const Point& b, const Point& c, c
 }
 
 inline Real reference_distance(const Point& p, const PointTriangle& t) {
-    Real best = std::min({reference_distance(p, t[0], t[1]), reference_distance(p, t[1], t[2]),
-                          reference_distance(p, t[2], t[0])});
+    Real best = std::min(
+        {reference_distance(p, t[0], t[1]), reference_distance(p, t[1], t[2]), reference_distance(p, t[2], t[0])});
     const Point n = cross(t[1] - t[0], t[2] - t[0]);
     if (dot(n, n) > 0) {
         bool above = true;
@@ -120,8 +120,7 @@ inline int reference_winding(const Mesh& mesh, const Vec3& point) {
         const PointTriangle t = triangle_of(mesh, i);
         const Point p(point), a = t[0] - p, b = t[1] - p, c = t[2] - p;
         const Real la = length(a), lb = length(b), lc = length(c);
-        sum += std::atan2(dot(a, cross(b, c)),
-                          la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        sum += std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
     return static_cast<int>(std::lround(sum / (2 * std::numbers::pi_v<Real>)));
 }

@@ -160,13 +160,14 @@ TEST_F(Pile, PhysicalKeepOutsAreInTheWay) {
     expect_follows();
     packing_.container.physical = true;
     expect_fails({1}, "runs into the container");
-    plan().steps = {{{1}, {{50, 0, 0}, {0, 0, 90}}}, {{2}, {{40, 0, 0}, {0, 0, 100}}}, {{0}, {{50, 0, 0}, {0, 0, 100}}}};
+    plan().steps = {
+        {{1}, {{50, 0, 0}, {0, 0, 90}}}, {{2}, {{40, 0, 0}, {0, 0, 100}}}, {{0}, {{50, 0, 0}, {0, 0, 100}}}};
     expect_follows();
 }
 
 TEST_F(Pile, ImpossibleStepsAreFindingsNotCrashes) {
-    const std::vector<RemovalStep> wrong{{{}, {}},   {{7}, {}},       {{-1}, {}},
-                                         {{0}, {{Box::kInfinity, 0, 0}}}, {{1}, {{0, 0, 10}}}, {{1}, {{0, 0, 10}}}};
+    const std::vector<RemovalStep> wrong{
+        {{}, {}}, {{7}, {}}, {{-1}, {}}, {{0}, {{Box::kInfinity, 0, 0}}}, {{1}, {{0, 0, 10}}}, {{1}, {{0, 0, 10}}}};
     plan().steps = wrong;
     EXPECT_EQ(check().plans[0]->failed_steps, (std::vector<int>{0, 1, 2, 3, 5}));
 }
@@ -269,7 +270,8 @@ TEST_F(ReplayTest, StrewnBoxesComeOffFromTheTop) {
     while (boxes.size() < 60) {
         const Vec3 size = random_point(random, 10) + Vec3{12, 12, 12}, at = random_point(random, 40) + Vec3{40, 40, 40};
         const Box box{at, at + size};
-        if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& other) { return distance(box, other) == 0; })) continue;
+        if (std::any_of(boxes.begin(), boxes.end(), [&](const Box& other) { return distance(box, other) == 0; }))
+            continue;
         boxes.push_back(box);
         place(box_mesh({}, size), at);
     }

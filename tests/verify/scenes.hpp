@@ -11,13 +11,10 @@
 
 namespace spectralpack::test {
 
-inline double between(RandomStream& random, double low, double high) {
-    return low + (high - low) * random.unit();
-}
+inline double between(RandomStream& random, double low, double high) { return low + (high - low) * random.unit(); }
 
 inline Vec3 random_point(RandomStream& random, double reach) {
-    return {between(random, -reach, reach), between(random, -reach, reach),
-            between(random, -reach, reach)};
+    return {between(random, -reach, reach), between(random, -reach, reach), between(random, -reach, reach)};
 }
 
 inline Vec3 random_direction(RandomStream& random) {
@@ -44,8 +41,7 @@ inline Mesh block_mesh(const Cells& cells, bool other_diagonal = false) {
     Mesh mesh;
     std::map<Cell, std::uint32_t> index;
     const auto vertex = [&](const Cell& at) {
-        const auto [found, fresh] =
-            index.try_emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
+        const auto [found, fresh] = index.try_emplace(at, static_cast<std::uint32_t>(mesh.vertices.size()));
         if (fresh) mesh.vertices.push_back({double(at[0]), double(at[1]), double(at[2])});
         return found->second;
     };
@@ -67,8 +63,8 @@ inline Mesh block_mesh(const Cells& cells, bool other_diagonal = false) {
                 if (!side) std::swap(corner[1], corner[3]);
                 const int first = other_diagonal ? 1 : 0;
                 for (int half = 0; half < 2; ++half) {
-                    mesh.triangles.push_back({corner[first], corner[(first + 1 + half) % 4],
-                                              corner[(first + 2 + half) % 4]});
+                    mesh.triangles.push_back(
+                        {corner[first], corner[(first + 1 + half) % 4], corner[(first + 2 + half) % 4]});
                 }
             }
         }
@@ -102,8 +98,8 @@ constexpr double kTolerance = 1e-3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Compares two meshes as they stand, posed after the fact so that poses are exercised.
-inline Relation compare_meshes(const Mesh& a, const Mesh& b, const Transform& pose_a = {},
-                               const Transform& pose_b = {}, double bound = kFar) {
+inline Relation compare_meshes(const Mesh& a, const Mesh& b, const Transform& pose_a = {}, const Transform& pose_b = {},
+                               double bound = kFar) {
     const Solid solid_a(a, {}, deep_enough(kTolerance)), solid_b(b, {}, deep_enough(kTolerance));
     return compare({&solid_a, pose_a}, {&solid_b, pose_b}, kTolerance, bound);
 }

@@ -11,10 +11,12 @@ namespace {
 TEST(Solid, WindingAgreesWithSolidAngles) {
     RandomStream random(1);
     Mesh crossing = merged(torus_mesh(6, 2, 12, 7), transformed(torus_mesh(6, 2, 10, 6), {Mat3{}, {5, 1, 0.5}}));
-    const Mesh shapes[] = {
-        cube_mesh(9), crossing, merged(cube_mesh(9), turned_inside_out(box_mesh({2, 2, 2}, {5, 6, 7}))),
-        turned_inside_out(sphere_mesh(7, 5)), block_mesh(random_cells(random, {4, 3, 3}, 0.5)),
-        merged(sphere_mesh(5, 4), sphere_mesh(5, 4))};
+    const Mesh shapes[] = {cube_mesh(9),
+                           crossing,
+                           merged(cube_mesh(9), turned_inside_out(box_mesh({2, 2, 2}, {5, 6, 7}))),
+                           turned_inside_out(sphere_mesh(7, 5)),
+                           block_mesh(random_cells(random, {4, 3, 3}, 0.5)),
+                           merged(sphere_mesh(5, 4), sphere_mesh(5, 4))};
     for (const Mesh& mesh : shapes) {
         const Solid solid(mesh, {}, 3e-3);
         ASSERT_TRUE(solid.closed());
@@ -44,11 +46,12 @@ TEST(Solid, WindingNeedsNoLuckNextToASurface) {
 
 TEST(Solid, EveryShellHasADeepPoint) {
     RandomStream random(3);
-    const Mesh shapes[] = {
-        cube_mesh(10), torus_mesh(9, 1), box_mesh({0, 0, 0}, {100, 50, 0.02}),
-        merged(cube_mesh(9), turned_inside_out(box_mesh({2, 2, 2}, {5, 6, 7}))),
-        merged(cube_mesh(9), box_mesh({20, 0, 0}, {21, 1, 1})),
-        block_mesh(random_cells(random, {4, 3, 3}, 0.5))};
+    const Mesh shapes[] = {cube_mesh(10),
+                           torus_mesh(9, 1),
+                           box_mesh({0, 0, 0}, {100, 50, 0.02}),
+                           merged(cube_mesh(9), turned_inside_out(box_mesh({2, 2, 2}, {5, 6, 7}))),
+                           merged(cube_mesh(9), box_mesh({20, 0, 0}, {21, 1, 1})),
+                           block_mesh(random_cells(random, {4, 3, 3}, 0.5))};
     const std::size_t shells[] = {1, 1, 1, 2, 2, 0};
     for (std::size_t i = 0; i < std::size(shapes); ++i) {
         const Solid solid(shapes[i], {}, 3e-3);

@@ -22,8 +22,7 @@ inline Mesh read_stl(const std::filesystem::path& path) {
         std::memcpy(numbers, bytes.data() + at, sizeof numbers);
         const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
         for (int corner = 1; corner <= 3; ++corner) {
-            mesh.vertices.push_back(
-                {numbers[3 * corner], numbers[3 * corner + 1], numbers[3 * corner + 2]});
+            mesh.vertices.push_back({numbers[3 * corner], numbers[3 * corner + 1], numbers[3 * corner + 2]});
         }
         mesh.triangles.push_back({base, base + 1, base + 2});
     }

@@ -171,7 +171,8 @@ TEST(Sweep, AgreesWithFineStepsOnTurnedSolids) {
         const Mesh b = transformed(pick(), {random_rotation(random), 8 * random_direction(random)});
         if (!apart(compare_meshes(a, b))) continue;
         const Vec3 move = between(random, 6, 16) * random_direction(random) + Vec3{0, 0, 0.3};
-        const Vec3 aim = between(random, 0.5, 2) * (bounding_box(b).min - bounding_box(a).min) + random_point(random, 2);
+        const Vec3 aim =
+            between(random, 0.5, 2) * (bounding_box(b).min - bounding_box(a).min) + random_point(random, 2);
         const Vec3 way = random.unit() < 0.7 ? aim : move;
         const SweepResult result = sweep_meshes(a, b, way);
         const bool stepped = brute_force_overlap(a, b, way, steps);

@@ -21,14 +21,29 @@ Vec3 grid_point(RandomStream& random, int reach) {
 Corners random_triangle(RandomStream& random) {
     Corners c{random_point(random, 10), random_point(random, 10), random_point(random, 10)};
     switch (random.below(8)) {
-        case 0: c = {grid_point(random, 2), grid_point(random, 2), grid_point(random, 2)}; break;
-        case 1: c[0].z = c[1].z = c[2].z = double(random.below(2)); break;
-        case 2: c[2] = 0.3 * c[0] + 0.7 * c[1]; break;  // a segment up to rounding
-        case 3: c[2] = 0.3 * c[0] + 0.7 * c[1] + random_point(random, 1e-7); break;
-        case 4: c[1] = c[0]; break;
-        case 5: c[1] = c[0] + random_point(random, 1e-5); break;
-        case 6: c = moved({1e-5 * c[0], 1e-5 * c[1], 1e-5 * c[2]}, random_point(random, 1e-4)); break;
-        default: break;
+        case 0:
+            c = {grid_point(random, 2), grid_point(random, 2), grid_point(random, 2)};
+            break;
+        case 1:
+            c[0].z = c[1].z = c[2].z = double(random.below(2));
+            break;
+        case 2:
+            c[2] = 0.3 * c[0] + 0.7 * c[1];
+            break;  // a segment up to rounding
+        case 3:
+            c[2] = 0.3 * c[0] + 0.7 * c[1] + random_point(random, 1e-7);
+            break;
+        case 4:
+            c[1] = c[0];
+            break;
+        case 5:
+            c[1] = c[0] + random_point(random, 1e-5);
+            break;
+        case 6:
+            c = moved({1e-5 * c[0], 1e-5 * c[1], 1e-5 * c[2]}, random_point(random, 1e-4));
+            break;
+        default:
+            break;
     }
     return c;
 }
@@ -72,15 +87,13 @@ TEST(TrianglePair, NoShorterTranslationEndsACrossing) {
 
 TEST(TrianglePair, CrossingDepthIsWhatSeparates) {
     const Corners floor{Vec3{-10, -10, 0}, {10, -10, 0}, {0, 20, 0}};
-    const auto blade = [](double low, double high) {
-        return Corners{Vec3{-1, 0, high}, {1, 0, high}, {0, 0, low}};
-    };
+    const auto blade = [](double low, double high) { return Corners{Vec3{-1, 0, high}, {1, 0, high}, {0, 0, low}}; };
     EXPECT_NEAR(crossing_depth(floor, blade(-0.25, 1)), 0.25, 1e-12);
     EXPECT_NEAR(crossing_depth(floor, blade(-1, 0.25)), 0.25, 1e-12);
-    EXPECT_EQ(crossing_depth(floor, blade(0, 1)), 0);          // a corner on the face
-    EXPECT_EQ(crossing_depth(floor, blade(1, 0)), 0);          // an edge on the face
-    EXPECT_EQ(crossing_depth(floor, blade(0.1, 1)), 0);        // apart
-    EXPECT_EQ(crossing_depth(floor, floor), 0);                // one face
+    EXPECT_EQ(crossing_depth(floor, blade(0, 1)), 0);              // a corner on the face
+    EXPECT_EQ(crossing_depth(floor, blade(1, 0)), 0);              // an edge on the face
+    EXPECT_EQ(crossing_depth(floor, blade(0.1, 1)), 0);            // apart
+    EXPECT_EQ(crossing_depth(floor, floor), 0);                    // one face
     EXPECT_EQ(crossing_depth(floor, moved(floor, {1, 2, 0})), 0);  // faces in one plane
     // Edge against edge: the faces are long, the edges pass each other by 0.1.
     const Corners roof{Vec3{-50, 0, 0}, {50, 0, 0}, {0, 0, -50}};

@@ -19,9 +19,7 @@ class WallsTest : public testing::Test {
         packing_.trays[0].placements.push_back({0, 0, 0, false, {}});
     }
 
-    static StandingMesh standing(Mesh mesh) {
-        return {"wall.stl", {}, std::make_shared<const Mesh>(std::move(mesh))};
-    }
+    static StandingMesh standing(Mesh mesh) { return {"wall.stl", {}, std::make_shared<const Mesh>(std::move(mesh))}; }
 
     /// Findings about containment alone; figures are not stated here.
     std::vector<Finding> at(const Vec3& corner) {
@@ -40,8 +38,8 @@ class WallsTest : public testing::Test {
 
 TEST_F(WallsTest, ACopyMayTouchTheMeshContainerAndNotLeaveIt) {
     // A ring-shaped room: 60 mm wide, a hole of 20 mm in the middle.
-    packing_.container.mesh = standing(merged(box_mesh({0, 0, 0}, {60, 60, 30}),
-                                              turned_inside_out(box_mesh({20, 20, 0}, {40, 40, 30}))));
+    packing_.container.mesh =
+        standing(merged(box_mesh({0, 0, 0}, {60, 60, 30}), turned_inside_out(box_mesh({20, 20, 0}, {40, 40, 30}))));
     EXPECT_TRUE(at({0, 0, 0}).empty());
     EXPECT_TRUE(at({10, 25, 20}).empty());  // touches hole and top
     const auto halfway = at({15, 25, 5});
@@ -72,7 +70,8 @@ TEST_F(WallsTest, TheWallGapHoldsForMeshesAndKeepOuts) {
 }
 
 TEST_F(WallsTest, KeepOutsMayBeInsideACopyOrRoundIt) {
-    packing_.container.keep_out = {{Box{{20, 20, 10}, {22, 22, 12}}}, {{}, standing(box_mesh({40, 40, 0}, {60, 60, 30}))}};
+    packing_.container.keep_out = {{Box{{20, 20, 10}, {22, 22, 12}}},
+                                   {{}, standing(box_mesh({40, 40, 0}, {60, 60, 30}))}};
     EXPECT_EQ(at({15, 15, 5}).size(), 1u);   // the first is in the cube
     EXPECT_EQ(at({45, 45, 10}).size(), 1u);  // the cube is in the second
     EXPECT_TRUE(at({30, 30, 0}).empty());

@@ -84,8 +84,7 @@ TEST(BitGrid, FillAndCountLeaveTheSpareBitsAlone) {
         grid.fill(true);
         EXPECT_EQ(grid.count(), n.count());
         BitGrid by_voxel(n);
-        for_each_pair(n, grid, {},
-                      [&](int x, int y, int z, bool bit) { by_voxel.set(x, y, z, bit); });
+        for_each_pair(n, grid, {}, [&](int x, int y, int z, bool bit) { by_voxel.set(x, y, z, bit); });
         EXPECT_EQ(by_voxel, grid);
         const int x = between(random, 0, n.x), y = between(random, 0, n.y);
         grid.set(x, y, n.z - 1, false);
@@ -121,8 +120,7 @@ TEST(FillEnclosed, FollowsALabyrinth) {
             }
             if (y + 2 < n.y - 1) grid.set(y % 4 == 1 ? n.x - 2 : 1, y + 1, z, false);
         }
-        if (z + 2 < n.z - 1)
-            grid.set(z % 4 == 1 ? n.x - 2 : 1, z % 4 == 1 ? n.y - 2 : 1, z + 1, false);
+        if (z + 2 < n.z - 1) grid.set(z % 4 == 1 ? n.x - 2 : 1, z % 4 == 1 ? n.y - 2 : 1, z + 1, false);
     }
     BitGrid closed = grid;
     fill_enclosed(closed);

@@ -22,8 +22,7 @@ Grid<std::int32_t> plain_distance(const BitGrid& occupied, Ceiling ceiling) {
                     for (int b = 0; b < n.y; ++b) {
                         for (int a = 0; a < n.x; ++a) {
                             if (!occupied.get(a, b, c)) continue;
-                            least = std::min(least,
-                                             std::abs(a - x) + std::abs(b - y) + std::abs(c - z));
+                            least = std::min(least, std::abs(a - x) + std::abs(b - y) + std::abs(c - z));
                         }
                     }
                 }
@@ -36,13 +35,8 @@ Grid<std::int32_t> plain_distance(const BitGrid& occupied, Ceiling ceiling) {
 
 TEST(ManhattanDistance, IsThatToTheNearestOccupiedVoxelOrWall) {
     RandomStream random(1);
-    for (const Extent& n : {Extent{1, 1, 1},
-                            {9, 14, 11},
-                            {70, 5, 6},
-                            {3, 20, 17},
-                            {64, 4, 9},
-                            {5, 1, 30},
-                            {129, 6, 2}}) {
+    for (const Extent& n :
+         {Extent{1, 1, 1}, {9, 14, 11}, {70, 5, 6}, {3, 20, 17}, {64, 4, 9}, {5, 1, 30}, {129, 6, 2}}) {
         for (const int voxels : {0, 1, 3, 40, 500}) {
             BitGrid occupied(n);
             for (int i = 0; i < voxels; ++i) {
@@ -53,8 +47,7 @@ TEST(ManhattanDistance, IsThatToTheNearestOccupiedVoxelOrWall) {
                 occupied.set(x, y, z);
             }
             for (const Ceiling ceiling : {Ceiling::closed, Ceiling::open}) {
-                ASSERT_TRUE(manhattan_distance(occupied, ceiling) ==
-                            plain_distance(occupied, ceiling))
+                ASSERT_TRUE(manhattan_distance(occupied, ceiling) == plain_distance(occupied, ceiling))
                     << n.x << " x " << n.y << " x " << n.z << ", " << voxels;
             }
         }

@@ -36,8 +36,8 @@ TEST(VoxelizeOrientations, EqualsVoxelisingTheTurnedMesh) {
 }
 
 TEST(VoxelizeOrientations, OfALongPartAndOfFewTurns) {
-    const Mesh bar = transformed(test::torus_mesh(30, 1.3, 12, 5),
-                                 {{{Vec3{5, 0, 0}, Vec3{0, 2.3, 0.2}, Vec3{0, 0, 1}}}, {3, 4, 5}});
+    const Mesh bar =
+        transformed(test::torus_mesh(30, 1.3, 12, 5), {{{Vec3{5, 0, 0}, Vec3{0, 2.3, 0.2}, Vec3{0, 0, 1}}}, {3, 4, 5}});
     const std::vector<Mat3> all = test::axis_turns(false);
     expect_same_as_turned(bar, all, 1, Workers(1), 0);
     for (const Mat3& turn : all) {
@@ -48,8 +48,7 @@ TEST(VoxelizeOrientations, OfALongPartAndOfFewTurns) {
 
 TEST(Permuted, MovesEveryVoxel) {
     RandomStream random(5);
-    for (const Extent& n :
-         {Extent{5, 70, 130}, {130, 3, 66}, {64, 128, 1}, {1, 1, 200}, {65, 64, 63}}) {
+    for (const Extent& n : {Extent{5, 70, 130}, {130, 3, 66}, {64, 128, 1}, {1, 1, 200}, {65, 64, 63}}) {
         BitGrid grid(n);
         for (BitGrid::Word& word : grid.words()) {
             word = random.next();
@@ -68,8 +67,7 @@ TEST(Permuted, MovesEveryVoxel) {
                 for (int y = 0; y < n.y; ++y) {
                     for (int x = 0; x < n.x; ++x) {
                         const VoxelIndex at{x, y, z};
-                        ASSERT_EQ(result.get(at[axes[0]], at[axes[1]], at[axes[2]]),
-                                  grid.get(x, y, z));
+                        ASSERT_EQ(result.get(at[axes[0]], at[axes[1]], at[axes[2]]), grid.get(x, y, z));
                     }
                 }
             }

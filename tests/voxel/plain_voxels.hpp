@@ -39,8 +39,7 @@ inline bool meets_cube(const PlainTriangle& triangle, const Vec3& centre, double
         const double rounding = 1e-12 * size;
         const bool box_axis = &axis < axes.data() + 3;
         const double slack = box_axis ? 0 : rounding;
-        if (std::min({a, b, c}) >= reach + slack || std::max({a, b, c}) <= -reach - slack)
-            return false;
+        if (std::min({a, b, c}) >= reach + slack || std::max({a, b, c}) <= -reach - slack) return false;
     }
     return true;
 }
@@ -51,8 +50,7 @@ inline int winding_number(const std::vector<PlainTriangle>& triangles, const Vec
     for (const PlainTriangle& t : triangles) {
         const Vec3 a = t[0] - point, b = t[1] - point, c = t[2] - point;
         const double la = length(a), lb = length(b), lc = length(c);
-        sum += 2 * std::atan2(dot(a, cross(b, c)),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        sum += 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
     return static_cast<int>(std::lround(sum / (4 * std::numbers::pi)));
 }
@@ -67,8 +65,7 @@ inline void plain_fill(BitGrid& grid) {
         outside.at(i.x, i.y, i.z) = 1;
         stack.push_back(i);
     };
-    const std::array<VoxelIndex, 6> steps{
-        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    const std::array<VoxelIndex, 6> steps{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
     for (int z = 0; z < n.z; ++z) {
         for (int y = 0; y < n.y; ++y) {
             for (int x = 0; x < n.x; ++x) {
@@ -126,8 +123,7 @@ inline BitGrid plain_voxels(const Mesh& mesh, double voxel_size) {
                     for (const PlainTriangle& triangle : triangles) {
                         solid = solid || meets_cube(triangle, centre, half);
                     }
-                    if (solid || (closed && winding_number(triangles, centre) != 0))
-                        grid.set(x, y, z);
+                    if (solid || (closed && winding_number(triangles, centre) != 0)) grid.set(x, y, z);
                 }
             }
         }

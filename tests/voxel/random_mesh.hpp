@@ -43,8 +43,7 @@ class RandomMesh {
         for (int axis = 0; axis < 3; ++axis) {
             const double angle = within(0, 7), s = std::sin(angle), c = std::cos(angle);
             Mat3 turn;
-            const auto a = static_cast<std::size_t>((axis + 1) % 3),
-                       b = static_cast<std::size_t>((axis + 2) % 3);
+            const auto a = static_cast<std::size_t>((axis + 1) % 3), b = static_cast<std::size_t>((axis + 2) % 3);
             turn.rows[a] = turn.rows[b] = {};
             turn.rows[a][static_cast<int>(a)] = turn.rows[b][static_cast<int>(b)] = c;
             turn.rows[a][static_cast<int>(b)] = -s;

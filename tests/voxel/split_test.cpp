@@ -36,7 +36,8 @@ TEST(Split, PartsAndCoarseVoxelsHoldWhatTheFineOnesDo) {
         const int s = random_between(random, 1, 4);
         const Extent extent{random_between(random, 1, 150), random_between(random, 1, 9), random_between(random, 1, 9)};
         const BitGrid fine = noise(random, extent, trial % 2 == 0 ? 30 : 3);
-        const VoxelIndex at{random_between(random, -9, 9), random_between(random, -9, 9), random_between(random, -9, 9)};
+        const VoxelIndex at{random_between(random, -9, 9), random_between(random, -9, 9),
+                            random_between(random, -9, 9)};
         const SplitVoxels parts = split(fine, at, s);
         const CoarseVoxels reached = reached_voxels(fine, at, s), filled = filled_voxels(fine, at, s);
         ASSERT_EQ(parts.parts.size(), static_cast<std::size_t>(part_count(s)));

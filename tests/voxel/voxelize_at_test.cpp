@@ -27,16 +27,13 @@ TEST(VoxelizeAt, IsVoxelizeOfTheMeshWithAPointOnTheGrid) {
         test::RandomMesh random(seed);
         const Mesh mesh = seed % 4 ? random.closed() : random.soup();
         const double voxel_size = random.within(0.4, 1.5);
-        const VoxelIndex position{static_cast<int>(random.below(9)),
-                                  static_cast<int>(random.below(9)), -3};
+        const VoxelIndex position{static_cast<int>(random.below(9)), static_cast<int>(random.below(9)), -3};
         const Vec3 inside = random.point(1e-3, 1 - 1e-3);  // of the voxel
-        const Vec3 corner =
-            voxel_size * (inside + Vec3{position.x + 0.0, position.y + 0.0, position.z + 0.0});
+        const Vec3 corner = voxel_size * (inside + Vec3{position.x + 0.0, position.y + 0.0, position.z + 0.0});
         const StandingVoxels found = voxelize_at(mesh, corner, voxel_size, kOne);
         EXPECT_EQ(found.position, position);
         EXPECT_EQ(found.solid,
-                  voxelize(with_point(mesh, bounding_box(mesh).min - voxel_size * inside),
-                           voxel_size, kOne))
+                  voxelize(with_point(mesh, bounding_box(mesh).min - voxel_size * inside), voxel_size, kOne))
             << "seed " << seed;
     }
 }
@@ -67,8 +64,7 @@ TEST(VoxelizeAt, ACubeThatOverhangsByLessThanTheShrinkStaysInItsVoxels) {
 TEST(VoxelizeAt, RefusesCornersThatAreNowhere) {
     const Mesh cube = test::cube_mesh(20);
     EXPECT_THROW(voxelize_at(cube, {1e300, 0, 0}, 2, kOne), ResourceError);
-    EXPECT_THROW(voxelize_at(cube, {0, std::numeric_limits<double>::quiet_NaN(), 0}, 2, kOne),
-                 ResourceError);
+    EXPECT_THROW(voxelize_at(cube, {0, std::numeric_limits<double>::quiet_NaN(), 0}, 2, kOne), ResourceError);
 }
 
 }  // namespace

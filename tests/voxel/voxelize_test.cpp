@@ -21,9 +21,7 @@ BitGrid full(const Extent& extent) {
     return grid;
 }
 
-Mesh moved(Mesh mesh, const Vec3& by) {
-    return transformed(mesh, {Mat3{}, by});
-}
+Mesh moved(Mesh mesh, const Vec3& by) { return transformed(mesh, {Mat3{}, by}); }
 
 TEST(VoxelsAlong, IsTheCeilingLessTheShrink) {
     EXPECT_EQ(voxels_along(20, 2), 10);
@@ -71,8 +69,7 @@ TEST(Voxelize, ThinSheetsFillTheirLayer) {
 TEST(Voxelize, NothingIsTooSmallForAVoxel) {
     for (const double size : {1e-6, 1e-12, 3.1e-4, 1e-300}) {
         EXPECT_EQ(voxelize(test::sphere_mesh(size), 2, kOne), full({1, 1, 1})) << size;
-        EXPECT_EQ(voxelize(moved(test::cube_mesh(size), {1e6, 3, 5}), 2, kOne), full({1, 1, 1}))
-            << size;
+        EXPECT_EQ(voxelize(moved(test::cube_mesh(size), {1e6, 3, 5}), 2, kOne), full({1, 1, 1})) << size;
     }
     Mesh dot;
     dot.vertices = {{4, 4, 4}};
@@ -98,8 +95,7 @@ TEST(Voxelize, InsideOutIsTheSame) {
 
 TEST(Voxelize, ClosedHollowsAreFilled) {
     const Mesh inner = box_mesh({4, 4, 4}, {16, 16, 16});
-    EXPECT_EQ(voxelize(merged(test::cube_mesh(20), test::turned_inside_out(inner)), 2, kOne),
-              full({10, 10, 10}));
+    EXPECT_EQ(voxelize(merged(test::cube_mesh(20), test::turned_inside_out(inner)), 2, kOne), full({10, 10, 10}));
     EXPECT_EQ(voxelize(merged(test::cube_mesh(20), inner), 2, kOne), full({10, 10, 10}));
 }
 
@@ -108,8 +104,7 @@ TEST(Voxelize, WhatIsWoundTwiceIsSolid) {
     // outside.
     const Mesh cube = test::cube_mesh(20);
     EXPECT_EQ(voxelize(merged(cube, cube), 2, kOne), full({10, 10, 10}));
-    EXPECT_EQ(voxelize(merged(cube, box_mesh({10, 0, 0}, {30, 20, 20})), 2, kOne),
-              full({15, 10, 10}));
+    EXPECT_EQ(voxelize(merged(cube, box_mesh({10, 0, 0}, {30, 20, 20})), 2, kOne), full({15, 10, 10}));
 }
 
 TEST(Voxelize, AHoleAsWideAsAVoxelStaysOpen) {
@@ -158,8 +153,7 @@ TEST(Voxelize, OfClosedMeshesIsThePlainDefinition) {
         RandomMesh random(seed);
         const Mesh mesh = random.closed();
         const double voxel_size = random.below(2) == 0 ? 1 : random.within(0.4, 1.5);
-        ASSERT_TRUE(voxelize(mesh, voxel_size, kOne) == test::plain_voxels(mesh, voxel_size))
-            << seed;
+        ASSERT_TRUE(voxelize(mesh, voxel_size, kOne) == test::plain_voxels(mesh, voxel_size)) << seed;
     }
 }
 
@@ -168,8 +162,7 @@ TEST(Voxelize, OfLooseTrianglesIsThePlainDefinition) {
         RandomMesh random(seed);
         const Mesh mesh = random.soup();
         const double voxel_size = random.within(0.3, 2);
-        ASSERT_TRUE(voxelize(mesh, voxel_size, kOne) == test::plain_voxels(mesh, voxel_size))
-            << seed;
+        ASSERT_TRUE(voxelize(mesh, voxel_size, kOne) == test::plain_voxels(mesh, voxel_size)) << seed;
     }
 }
 

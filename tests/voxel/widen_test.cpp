@@ -30,8 +30,7 @@ double plain_distance(const PlainTriangle& triangle, const Vec3& centre) {
     }
     double least = Box::kInfinity;
     for (const Triangle& facet : cube.triangles) {
-        const Corners corners{cube.vertices[facet[0]], cube.vertices[facet[1]],
-                              cube.vertices[facet[2]]};
+        const Corners corners{cube.vertices[facet[0]], cube.vertices[facet[1]], cube.vertices[facet[2]]};
         least = std::min(least, distance(corners, t));
     }
     return inside ? 0 : least;
@@ -70,8 +69,7 @@ void expect_plain_widening(const Mesh& mesh, double voxel_size, double gap, std:
                 }
                 count += has(widened, x, y, z) ? 1 : 0;
                 if (clear) {
-                    ASSERT_EQ(has(widened, x, y, z), near)
-                        << seed << ": " << x << " " << y << " " << z;
+                    ASSERT_EQ(has(widened, x, y, z), near) << seed << ": " << x << " " << y << " " << z;
                 }
             }
         }
@@ -95,8 +93,7 @@ TEST(BoxDistance, IsThatToTheCubesFacets) {
         if (random.below(12) == 0) t[1] = t[2] = t[0];
         const double expected = plain_distance(t, {});
         ASSERT_NEAR(std::sqrt(squared_box_distance(t)), expected, 1e-8) << seed;
-        for (const double distance :
-             {0.01, 0.3, 1.0, expected * (1 - 1e-6), expected * (1 + 1e-6)}) {
+        for (const double distance : {0.01, 0.3, 1.0, expected * (1 - 1e-6), expected * (1 + 1e-6)}) {
             if (std::abs(distance - expected) < 1e-8) continue;
             ASSERT_EQ(nearer_than(t, distance), expected < distance) << seed;
         }
@@ -174,8 +171,8 @@ TEST(Widen, HoldsWhatDenseSamplesOfTheSurfaceAreNearTo) {
             for (int axis = 0; axis < 3; ++axis) {
                 p[axis] += 0.57 * gap / voxel_size * (2 * random.unit() - 1);
             }
-            EXPECT_TRUE(has(widened, static_cast<int>(std::floor(p.x)),
-                            static_cast<int>(std::floor(p.y)), static_cast<int>(std::floor(p.z))));
+            EXPECT_TRUE(has(widened, static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
+                            static_cast<int>(std::floor(p.z))));
         }
     }
 }
@@ -185,8 +182,7 @@ TEST(Widen, ExchangedAxesExchangeTheVoxels) {
         RandomMesh random(seed);
         const Mesh mesh = random.below(3) == 0 ? random.soup() : random.closed();
         const double voxel_size = random.within(0.3, 1.5), gap = random.within(0.1, 2);
-        const WidenedVoxels widened =
-            widen(voxelize(mesh, voxel_size, kOne), mesh, voxel_size, gap, kOne);
+        const WidenedVoxels widened = widen(voxelize(mesh, voxel_size, kOne), mesh, voxel_size, gap, kOne);
         for (const AxisOrder& order : {AxisOrder{1, 2, 0}, {2, 0, 1}, {1, 0, 2}}) {
             Mat3 turn;
             for (std::size_t row = 0; row < 3; ++row) {
@@ -194,12 +190,10 @@ TEST(Widen, ExchangedAxesExchangeTheVoxels) {
                 turn.rows[row][order[row]] = 1;
             }
             const Mesh turned = transformed(mesh, {turn, {}});
-            const WidenedVoxels direct =
-                widen(voxelize(turned, voxel_size, kOne), turned, voxel_size, gap, kOne);
+            const WidenedVoxels direct = widen(voxelize(turned, voxel_size, kOne), turned, voxel_size, gap, kOne);
             EXPECT_TRUE(permuted(widened.voxels, order) == direct.voxels) << seed;
             for (int axis = 0; axis < 3; ++axis) {
-                EXPECT_EQ(direct.offset[axis],
-                          widened.offset[order[static_cast<std::size_t>(axis)]]);
+                EXPECT_EQ(direct.offset[axis], widened.offset[order[static_cast<std::size_t>(axis)]]);
             }
         }
     }

@@ -124,13 +124,19 @@ Command add_bench_command(CLI::App& app) {
         "\n"
         "  spectralpack bench --table order --scale quick -o bench/\n"
         "  spectralpack bench --table 1 --table 2 --sets DATA/sets --mesh-dir DATA/meshes -o bench/\n"
-        "  spectralpack bench --table 4 --peer 'pack3d=cd /tmp && pack3d {counted} && cp pack3d-*.stl {out}' -o bench/\n"
+        "  spectralpack bench --table 4 --peer 'pack3d=cd /tmp && pack3d {counted} && cp pack3d-*.stl {out}' -o "
+        "bench/\n"
         "\n"
-        "Each row packs twice: into a tray that overflows (its density tells which copies got in as well), and a fixed set,\n"
-        "its height or trays to be as few as can be. Each run is a process of its own and is kept in DIR/runs as it ends:\n"
-        "the same call goes on where it was cut off, and what has the same command, program and inputs is not run again.\n"
-        "Writes DIR/table-NAME.md, .csv and .svg; packings and logs stay in DIR/runs. The sets are generated with seed 0, or come\n"
-        "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv),\n"
+        "Each row packs twice: into a tray that overflows (its density tells which copies got in as well), and a fixed "
+        "set,\n"
+        "its height or trays to be as few as can be. Each run is a process of its own and is kept in DIR/runs as it "
+        "ends:\n"
+        "the same call goes on where it was cut off, and what has the same command, program and inputs is not run "
+        "again.\n"
+        "Writes DIR/table-NAME.md, .csv and .svg; packings and logs stay in DIR/runs. The sets are generated with seed "
+        "0, or come\n"
+        "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or "
+        "sixthousand.csv),\n"
         "polyhedra.csv.\n"
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");
     auto arguments = std::make_shared<BenchArguments>();
@@ -143,13 +149,15 @@ Command add_bench_command(CLI::App& app) {
     sub->add_option("--scale", a.scale, "full: the paper's sizes; quick: toys, to see that it works [full]");
     sub->add_option("--sets", a.sets, "folder of set files to use instead of generated ones");
     sub->add_option("--mesh-dir", a.mesh_dir, "folder that the paths in those set files start from");
-    sub->add_option("--time-limit", a.runner.time_limit, "seconds for each run; what it has by then counts, marked as cut off")
+    sub->add_option("--time-limit", a.runner.time_limit,
+                    "seconds for each run; what it has by then counts, marked as cut off")
         ->check(CLI::PositiveNumber);
     sub->add_option("--threads", a.threads, "threads of each run, 0 for all [0]");
-    sub->add_option("--peer", a.peers,
-                    "program for table 4, repeatable: NAME=COMMAND for a shell. {set}: the set file; {files}: every copy's\n"
-                    "mesh; {counted}: count and mesh, part by part; {tray}: like 480x245x200; {out}: the STL file to leave\n"
-                    "with all placed copies in it, which is measured")
+    sub->add_option(
+           "--peer", a.peers,
+           "program for table 4, repeatable: NAME=COMMAND for a shell. {set}: the set file; {files}: every copy's\n"
+           "mesh; {counted}: count and mesh, part by part; {tray}: like 480x245x200; {out}: the STL file to leave\n"
+           "with all placed copies in it, which is measured")
         ->expected(1)
         ->take_all();
     return {sub, [arguments] { return run_bench(*arguments); }};

@@ -26,8 +26,7 @@ const std::map<std::string, std::vector<GeneratedSize>> kGenerated{
     {"locks", {{GeneratedSet::locks, {}, 100}}},
     {"tori", {{GeneratedSet::tori, {}, 12}}},
     {"polyhedra", {{GeneratedSet::polyhedra, {}, 16}}},
-    {"large",
-     {{GeneratedSet::pieces, 4000, 60}, {GeneratedSet::mixtures, 1600, 8}, {GeneratedSet::locks, 996, 10}}}};
+    {"large", {{GeneratedSet::pieces, 4000, 60}, {GeneratedSet::mixtures, 1600, 8}, {GeneratedSet::locks, 996, 10}}}};
 
 /// Under which names a user's folder may have a set.
 const std::map<std::string, std::vector<std::string>> kUsersNames{{"tori", {"tori", "tori48"}},

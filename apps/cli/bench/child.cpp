@@ -19,7 +19,9 @@ namespace {
 constexpr int kPollMilliseconds = 50;
 constexpr std::size_t kLastWords = 2000;  // bytes
 
-double seconds_of(const timeval& time) { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6; }
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+}
 
 /// In the child: its own process group, so that what the terminal interrupts is this program alone.
 [[noreturn]] void become(const std::vector<std::string>& arguments, int errors) {

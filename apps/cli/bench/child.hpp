@@ -17,9 +17,9 @@ struct Ended {
     std::string last_words;        ///< the end of what it said on standard error
 };
 
-/// Runs `arguments`, the first of which is the program's file, with standard output thrown away and every line of standard
-/// error given to `line`. When stopped it gets an interrupt, and its end is waited for. Throws ResourceError where the
-/// program cannot be started.
+/// Runs `arguments`, the first of which is the program's file, with standard output thrown away and every line of
+/// standard error given to `line`. When stopped it gets an interrupt, and its end is waited for. Throws ResourceError
+/// where the program cannot be started.
 Ended run_program(const std::vector<std::string>& arguments, const std::function<void(const std::string&)>& line,
                   const StopToken& stop);
 

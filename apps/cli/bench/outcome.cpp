@@ -89,7 +89,8 @@ std::optional<Outcome> OutcomeStore::find(const std::string& key) const {
 
 void OutcomeStore::keep(const std::string& key, const Outcome& outcome) const {
     std::string text;
-    for_each_value(outcome, [&](const char* name, const auto& value) { text += fmt::format("{} {}\n", name, text_of(value)); });
+    for_each_value(outcome,
+                   [&](const char* name, const auto& value) { text += fmt::format("{} {}\n", name, text_of(value)); });
     for (const auto& [placed, seconds] : outcome.trace) {
         text += fmt::format("trace {} {}\n", placed, seconds);
     }

@@ -1,5 +1,6 @@
 #pragma once
-/// What bench says while it runs, on standard error: which run of how many, and where that is, as rows may take minutes.
+/// What bench says while it runs, on standard error: which run of how many, and where that is, as rows may take
+/// minutes.
 
 #include <optional>
 #include <string>

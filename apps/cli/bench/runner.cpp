@@ -95,9 +95,12 @@ std::string filled_in(std::string command, const std::string& name, const std::s
 
 }  // namespace
 
-Runner::Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, RunDisplay& display,
-               const StopToken& stop)
-    : store_(store), sets_(sets), options_(std::move(options)), display_(display), stop_(stop),
+Runner::Runner(OutcomeStore& store, BenchSets& sets, RunnerOptions options, RunDisplay& display, const StopToken& stop)
+    : store_(store),
+      sets_(sets),
+      options_(std::move(options)),
+      display_(display),
+      stop_(stop),
       program_(hash_of_file(own_program())) {}
 
 RanRow Runner::run(const Row& row) {
@@ -129,7 +132,8 @@ void Runner::stamp(Outcome& outcome) const {
 
 void Runner::keep(const std::string& key, const Outcome& outcome) const {
     store_.keep(key, outcome);
-    display_.tell(fmt::format("{:>7.1f} s{}  {}", outcome.seconds, outcome.cut_off ? ", cut off" : "", outcome.command));
+    display_.tell(
+        fmt::format("{:>7.1f} s{}  {}", outcome.seconds, outcome.cut_off ? ", cut off" : "", outcome.command));
 }
 
 std::optional<Outcome> Runner::found(const std::string& key) {
@@ -138,8 +142,7 @@ std::optional<Outcome> Runner::found(const std::string& key) {
     return before;
 }
 
-std::optional<Outcome> Runner::run(const std::string& what, const Task& task,
-                                   const std::vector<std::string>& options) {
+std::optional<Outcome> Runner::run(const std::string& what, const Task& task, const std::vector<std::string>& options) {
     if (stop_.stopped()) return std::nullopt;
     const SetOnDisk& set = sets_.at(task.set);
     std::vector<std::string> words{"pack", set.file.string()};
@@ -210,17 +213,19 @@ std::optional<Outcome> Runner::run_peer(const std::string& what, const Peer& pee
     outcome.program = peer.name;
     outcome.copies = copies;
     command = filled_in(filled_in(command, "files", files), "counted", counted);
-    if (options_.time_limit) command = fmt::format("timeout -s INT {} sh -c {}", *options_.time_limit, shell_word(command));
+    if (options_.time_limit)
+        command = fmt::format("timeout -s INT {} sh -c {}", *options_.time_limit, shell_word(command));
     display_.begins(what);
     std::ofstream log(store_.folder() / (key + ".log"));
-    const Ended ended = run_program({"/bin/sh", "-c", filled_in(command, "out", shell_word(out.string()))},
-                                    [&](const std::string& line) { log << line << std::endl; }, stop_);
+    const Ended ended = run_program(
+        {"/bin/sh", "-c", filled_in(command, "out", shell_word(out.string()))},
+        [&](const std::string& line) { log << line << std::endl; }, stop_);
     if (stop_.stopped()) return std::nullopt;
     Listener quiet;
     const auto left = inspect(expand_inputs({out.string()}, ""), {}, quiet);
     if (left.empty() || left.front().objects.empty()) {
         display_.tell(fmt::format("{}: exit status {} and no mesh in {}: {}\n{}", peer.name, ended.status, out.string(),
-                          outcome.command, ended.last_words));
+                                  outcome.command, ended.last_words));
         failed_ = true;
         return std::nullopt;
     }
@@ -233,8 +238,8 @@ std::optional<Outcome> Runner::run_peer(const std::string& what, const Peer& pee
     const Vec3 room = parse_size(tray, "the tray of a table");
     const Vec3 taken = box.size();
     if (taken.x > room.x || taken.y > room.y || taken.z > room.z) {
-        display_.tell(fmt::format("{} leaves a packing of {:g}x{:g}x{:g} mm, which is no answer for {}", peer.name, taken.x,
-                          taken.y, taken.z, tray));
+        display_.tell(fmt::format("{} leaves a packing of {:g}x{:g}x{:g} mm, which is no answer for {}", peer.name,
+                                  taken.x, taken.y, taken.z, tray));
         failed_ = true;
         return std::nullopt;
     }

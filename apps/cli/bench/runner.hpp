@@ -21,8 +21,8 @@ struct Peer {
 };
 
 struct RunnerOptions {
-    std::vector<std::string> pack;      ///< options of every run of pack
-    std::optional<double> time_limit;   ///< seconds, of every run
+    std::vector<std::string> pack;     ///< options of every run of pack
+    std::optional<double> time_limit;  ///< seconds, of every run
 };
 
 struct RanRow {
@@ -48,8 +48,8 @@ class Runner {
     /// `what`: of the run, for people.
     std::optional<Outcome> run(const std::string& what, const Task& task, const std::vector<std::string>& options);
     /// `tray`: for the peer; where `closed`, the density is told of it.
-    std::optional<Outcome> run_peer(const std::string& what, const Peer& peer, const Task& task, const std::string& tray,
-                                    bool closed);
+    std::optional<Outcome> run_peer(const std::string& what, const Peer& peer, const Task& task,
+                                    const std::string& tray, bool closed);
     std::optional<Outcome> found(const std::string& key);
     void keep(const std::string& key, const Outcome& outcome) const;
     void stamp(Outcome& outcome) const;

@@ -11,22 +11,38 @@ using Words = std::vector<std::string>;
 
 /// Sizes of things: quick ones run in seconds, so that the machinery can be tried.
 struct Sizes {
-    std::string tray, base;              // x x y x z and x x y, mm
+    std::string tray, base;  // x x y x z and x x y, mm
     std::string tori_base;
-    std::string large_tray, large_base;  // that hold the large set
-    std::string coarse, fine;            // voxels, mm: the paper's 2 and 1
-    std::string turned;                  // where orientations are many: the paper's 2
+    std::string large_tray, large_base;    // that hold the large set
+    std::string coarse, fine;              // voxels, mm: the paper's 2 and 1
+    std::string turned;                    // where orientations are many: the paper's 2
     std::string small_coarse, small_fine;  // for polyhedra of one or two cm: 0.25 is the paper's
-    int pieces, mixtures, locks;         // copies of the fixed sets
+    int pieces, mixtures, locks;           // copies of the fixed sets
     int large;
     Words letters;
     int restarts;
 };
 
 const Sizes& sizes(Scale scale) {
-    static const Sizes full{"480x245x200", "480x245", "120x120", "1430x730x597", "1430x730", "2", "1", "2", "0.5", "0.25", 500, 120, 150, 1000,
-                            {"S", "I", "G", "R", "A", "P", "H"}, 20};
-    static const Sizes quick{"240x200x100", "240x200", "120x120", "480x245x200", "480x245", "5", "4", "10", "2", "1", 60, 20, 20, 60, {"I"}, 3};
+    static const Sizes full{"480x245x200",
+                            "480x245",
+                            "120x120",
+                            "1430x730x597",
+                            "1430x730",
+                            "2",
+                            "1",
+                            "2",
+                            "0.5",
+                            "0.25",
+                            500,
+                            120,
+                            150,
+                            1000,
+                            {"S", "I", "G", "R", "A", "P", "H"},
+                            20};
+    static const Sizes quick{
+        "240x200x100", "240x200", "120x120", "480x245x200", "480x245", "5", "4", "10", "2", "1", 60, 20, 20, 60,
+        {"I"},         3};
     return scale == Scale::full ? full : quick;
 }
 
@@ -39,8 +55,7 @@ struct Benchmark {
     const char* set;
     int Sizes::*copies;  // of the fixed set
 };
-constexpr Benchmark kBenchmarks[]{
-    {"pieces", &Sizes::pieces}, {"mixtures", &Sizes::mixtures}, {"locks", &Sizes::locks}};
+constexpr Benchmark kBenchmarks[]{{"pieces", &Sizes::pieces}, {"mixtures", &Sizes::mixtures}, {"locks", &Sizes::locks}};
 
 /// The set in the tray, and its first copies on the tray's base.
 Row row(const Sizes& s, const Benchmark& benchmark, std::string setting, Words options, std::string paper = "") {
@@ -71,11 +86,13 @@ Table by_voxel(Table table, const Sizes& s, const std::vector<std::pair<std::str
 }
 
 Table interlocking(const Sizes& s) {
-    return by_voxel({"1", "Keeping copies from locking (Table 1)"}, s,
-                    {{"off", {"--interlock", "off"}}, {"place", {"--interlock", "place"}}, {"post", {"--interlock", "post"}}},
-                    {{{"50.48 %, 104 s", "48.14 %, 422 s", "50.45 %, 103 s"}, {"51.11 %, 428 s", "49.12 %, 1880 s", "50.48 %, 475 s"}},
-                     {{"36.06 %, 41 s", "29.05 %, 178 s", "34.71 %, 68 s"}, {"41.62 %, 179 s", "34.97 %, 839 s", "39.77 %, 408 s"}},
-                     {{"8.25 %, 15 s", "6.91 %, 71 s", "6.89 %, 124 s"}, {"9.79 %, 63 s", "7.59 %, 347 s", "8.67 %, 469 s"}}});
+    return by_voxel(
+        {"1", "Keeping copies from locking (Table 1)"}, s,
+        {{"off", {"--interlock", "off"}}, {"place", {"--interlock", "place"}}, {"post", {"--interlock", "post"}}},
+        {{{"50.48 %, 104 s", "48.14 %, 422 s", "50.45 %, 103 s"},
+          {"51.11 %, 428 s", "49.12 %, 1880 s", "50.48 %, 475 s"}},
+         {{"36.06 %, 41 s", "29.05 %, 178 s", "34.71 %, 68 s"}, {"41.62 %, 179 s", "34.97 %, 839 s", "39.77 %, 408 s"}},
+         {{"8.25 %, 15 s", "6.91 %, 71 s", "6.89 %, 124 s"}, {"9.79 %, 63 s", "7.59 %, 347 s", "8.67 %, 469 s"}}});
 }
 
 Table refinement(const Sizes& s) {
@@ -114,11 +131,12 @@ Table large(const Sizes& s) {
 }
 
 Table peers(const Sizes& s) {
-    Table table{"4", "Beside other programs (Table 4)",
-                "The paper's figures for programs that are sold, on its own sets, so not to be compared with the rows "
-                "above, density and time for pieces, mixtures, locks: Netfabb 28.23 %, 1810 s; 25.48 %, 1560 s; 3.46 %, "
-                "610 s. Fabpilot 35.59 %, 684 s; none; 4.56 %, 241 s. PolyDevs 40.87 %, 3598 s; 23.16 %, 1180 s; 3.13 %, "
-                "184 s."};
+    Table table{
+        "4", "Beside other programs (Table 4)",
+        "The paper's figures for programs that are sold, on its own sets, so not to be compared with the rows "
+        "above, density and time for pieces, mixtures, locks: Netfabb 28.23 %, 1810 s; 25.48 %, 1560 s; 3.46 %, "
+        "610 s. Fabpilot 35.59 %, 684 s; none; 4.56 %, 241 s. PolyDevs 40.87 %, 3598 s; 23.16 %, 1180 s; 3.13 %, "
+        "184 s."};
     const char* paper[]{"50.45 %, 103 s (313 s without GPU)", "34.71 %, 68 s (342 s)", "6.89 %, 124 s (425 s)"};
     for (std::size_t set = 0; set < std::size(kBenchmarks); ++set) {
         table.rows.push_back(row(s, kBenchmarks[set], "spectralpack", {"--voxel", s.coarse}, paper[set]));
@@ -152,16 +170,18 @@ Table orders(const Sizes& s) {
         {"volume", {"--order", "volume"}, ""},
         {"mixed", {"--order", "mixed"}, ""},
         {fmt::format("size, best of {}", s.restarts), {"--restarts", std::to_string(s.restarts)}, ""},
-        {fmt::format("mixed, best of {}", s.restarts), {"--order", "mixed", "--restarts", std::to_string(s.restarts)}, ""},
+        {fmt::format("mixed, best of {}", s.restarts),
+         {"--order", "mixed", "--restarts", std::to_string(s.restarts)},
+         ""},
         {"size, beam of 5", {"--beam", "5"}, "35.06 %, 4 times the time"},
         {"mixed, beam of 5", {"--order", "mixed", "--beam", "5"}, ""}};
     for (const Benchmark& benchmark : {kBenchmarks[1], kBenchmarks[0]}) {
         for (const auto& [setting, options, paper] : settings) {
-            table.rows.push_back(row(s, benchmark, setting,
-                                     Words{"--voxel", s.coarse, "--detail", "1", "--gap", "0", "--no-refine",
-                                           "--interlock", "off"} +
-                                         options,
-                                     benchmark.set == kBenchmarks[1].set ? paper : ""));
+            table.rows.push_back(
+                row(s, benchmark, setting,
+                    Words{"--voxel", s.coarse, "--detail", "1", "--gap", "0", "--no-refine", "--interlock", "off"} +
+                        options,
+                    benchmark.set == kBenchmarks[1].set ? paper : ""));
         }
     }
     return table;
@@ -186,12 +206,17 @@ Table heights(const Sizes& s) {
 }
 
 Table letters_table(const Sizes& s, const std::string& letters) {
-    Table table{"letters", "Mixtures in letters (Fig. 14)",
-                "One orientation, no interlocking, as in the paper (appendix B.4), which takes 12.73 s a letter. No fixed "
-                "set: some of its parts fit into no letter without being turned."};
+    Table table{
+        "letters", "Mixtures in letters (Fig. 14)",
+        "One orientation, no interlocking, as in the paper (appendix B.4), which takes 12.73 s a letter. No fixed "
+        "set: some of its parts fit into no letter without being turned."};
     for (const std::string& letter : s.letters) {
-        table.rows.push_back({"mixtures", letter, {"--voxel", s.fine, "--rotations", "none", "--interlock", "off"},
-                              Task{"mixtures", {"--container", letters + "/letter-" + letter + ".stl"}}, {}, ""});
+        table.rows.push_back({"mixtures",
+                              letter,
+                              {"--voxel", s.fine, "--rotations", "none", "--interlock", "off"},
+                              Task{"mixtures", {"--container", letters + "/letter-" + letter + ".stl"}},
+                              {},
+                              ""});
     }
     return table;
 }
@@ -210,17 +235,21 @@ Table tori(const Sizes& s) {
             table.rows.push_back(std::move(wanted));
         }
     }
-    table.rows.push_back({"tori", fmt::format("least box, {} mm", s.coarse), {"--voxel", s.coarse}, {},
+    table.rows.push_back({"tori",
+                          fmt::format("least box, {} mm", s.coarse),
+                          {"--voxel", s.coarse},
+                          {},
                           Task{"tori", {"--tray", "240x240", "--minimise", "box"}}});
     return table;
 }
 
 Table polyhedra(const Sizes& s) {
-    Table table{"polyhedra", "Polyhedra (Fig. 17)",
-                "Ten kinds of polyhedra, each eight times, with the number, base and about the volume of those of Romanova et "
-                "al. (2018), whose shapes are not available. Steps of 30 degrees, gap 0, refined, as in the paper, which uses "
-                "voxels of 0.25 mm. It also quotes Romanova et al. with 53.66 % in 42950 s for 80 polyhedra, Ma et al. (2018) "
-                "with 51.3 % in 2700 s for 77."};
+    Table table{
+        "polyhedra", "Polyhedra (Fig. 17)",
+        "Ten kinds of polyhedra, each eight times, with the number, base and about the volume of those of Romanova et "
+        "al. (2018), whose shapes are not available. Steps of 30 degrees, gap 0, refined, as in the paper, which uses "
+        "voxels of 0.25 mm. It also quotes Romanova et al. with 53.66 % in 42950 s for 80 polyhedra, Ma et al. (2018) "
+        "with 51.3 % in 2700 s for 77."};
     struct Example {
         int copies;
         const char *base, *height, *paper;
@@ -231,7 +260,8 @@ Table polyhedra(const Sizes& s) {
         for (const std::string& voxel : {s.small_coarse, s.small_fine}) {
             for (const char* interlock : {"off", "post"}) {
                 const std::string set = fmt::format("polyhedra:{}", example.copies);
-                table.rows.push_back({set, fmt::format("{}, {} mm", interlock, voxel),
+                table.rows.push_back({set,
+                                      fmt::format("{}, {} mm", interlock, voxel),
                                       {"--voxel", voxel, "--rotations", "30", "--gap", "0", "--interlock", interlock},
                                       Task{set, {"--tray", fmt::format("{}x{}", example.base, example.height)}},
                                       Task{set, {"--tray", example.base, "--open-height"}},
@@ -245,7 +275,8 @@ Table polyhedra(const Sizes& s) {
 }  // namespace
 
 const std::vector<std::string>& table_names() {
-    static const std::vector<std::string> names{"1", "2", "3", "4", "5", "order", "height", "letters", "tori", "polyhedra"};
+    static const std::vector<std::string> names{"1",     "2",      "3",       "4",    "5",
+                                                "order", "height", "letters", "tori", "polyhedra"};
     return names;
 }
 

@@ -28,9 +28,11 @@ std::string seconds_text(const Outcome& o) { return fmt::format("{:.1f} ({:.1f})
 
 /// Shares of the run's time.
 std::string phases_text(const Outcome& o) {
-    const auto share = [&](double seconds) { return fmt::format("{:.0f}", o.seconds > 0 ? 100 * seconds / o.seconds : 0); };
-    return fmt::format("{} / {} / {} / {} / {} / {}", share(o.load), share(o.voxelize), share(o.search), share(o.refine),
-                       share(o.disassemble), share(o.reinsert));
+    const auto share = [&](double seconds) {
+        return fmt::format("{:.0f}", o.seconds > 0 ? 100 * seconds / o.seconds : 0);
+    };
+    return fmt::format("{} / {} / {} / {} / {} / {}", share(o.load), share(o.voxelize), share(o.search),
+                       share(o.refine), share(o.disassemble), share(o.reinsert));
 }
 
 void add_words(std::vector<std::string>& cells, const std::vector<std::string>& more) {
@@ -47,7 +49,8 @@ std::string line(const std::vector<std::string>& cells) {
 
 /// What the fixed set came to.
 std::string fixed_text(const Outcome& o) {
-    return o.trays == 1 ? fmt::format("{:.1f} mm", o.height) : fmt::format("{} trays, last {:.1f} mm", o.trays, o.height);
+    return o.trays == 1 ? fmt::format("{:.1f} mm", o.height)
+                        : fmt::format("{} trays, last {:.1f} mm", o.trays, o.height);
 }
 
 /// Milliseconds a copy, in the middle of what was placed since the point before.
@@ -72,19 +75,20 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string csv(const std::vector<RanRow>& rows) {
-    std::string text = "set,setting,kind,copies,placed,interlocked,planned,cut_off,trays,density,density_own_box,height,"
-                       "seconds,cpu_seconds,busy,load,voxelize,search,refine,disassemble,reinsert,peak_memory,program,commit,"
-                       "machine,date,command\n";
+    std::string text =
+        "set,setting,kind,copies,placed,interlocked,planned,cut_off,trays,density,density_own_box,height,"
+        "seconds,cpu_seconds,busy,load,voxelize,search,refine,disassemble,reinsert,peak_memory,program,commit,"
+        "machine,date,command\n";
     for (const RanRow& ran : rows) {
         for (const auto* outcome : {&ran.tray, &ran.fixed}) {
             if (!*outcome) continue;
             const Outcome& o = **outcome;
-            text += fmt::format("{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                                csv_field(ran.row.set), csv_field(ran.row.setting), outcome == &ran.tray ? "tray" : "fixed",
-                                o.copies, o.placed, o.interlocked, o.planned, o.cut_off, o.trays, o.density, o.own_box,
-                                o.height, o.seconds, o.cpu_seconds, o.busy, o.load, o.voxelize, o.search, o.refine, o.disassemble,
-                                o.reinsert, o.peak_memory, csv_field(o.program), csv_field(o.commit), csv_field(o.machine),
-                                o.date, csv_field(o.command));
+            text += fmt::format(
+                "{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                csv_field(ran.row.set), csv_field(ran.row.setting), outcome == &ran.tray ? "tray" : "fixed", o.copies,
+                o.placed, o.interlocked, o.planned, o.cut_off, o.trays, o.density, o.own_box, o.height, o.seconds,
+                o.cpu_seconds, o.busy, o.load, o.voxelize, o.search, o.refine, o.disassemble, o.reinsert, o.peak_memory,
+                csv_field(o.program), csv_field(o.commit), csv_field(o.machine), o.date, csv_field(o.command));
         }
     }
     return text;
@@ -95,8 +99,17 @@ std::string csv(const std::vector<RanRow>& rows) {
 std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
     std::string text = "# " + table.title + "\n\n";
     if (!table.note.empty()) text += table.note + "\n\n";
-    std::vector<std::string> head{"set", "setting", "tray: placed", "density", "of its own box", "seconds (processor)",
-                                  "fixed set: placed", "height or trays", "density", "seconds (processor)", "the paper"};
+    std::vector<std::string> head{"set",
+                                  "setting",
+                                  "tray: placed",
+                                  "density",
+                                  "of its own box",
+                                  "seconds (processor)",
+                                  "fixed set: placed",
+                                  "height or trays",
+                                  "density",
+                                  "seconds (processor)",
+                                  "the paper"};
     const std::string phases = "load / voxels / search / refine / plan / put back, %";
     if (table.phases) add_words(head, {"tray: " + phases, "fixed: " + phases});
     text += line(head) + line(std::vector<std::string>(head.size(), "---"));
@@ -110,7 +123,8 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
             add_words(cells, {"", "", "", ""});
         }
         if (const auto& o = ran.fixed) {
-            add_words(cells, {copies_text(*o), fixed_text(*o), percent(o->trays == 1 ? o->own_box : o->density), seconds_text(*o)});
+            add_words(cells, {copies_text(*o), fixed_text(*o), percent(o->trays == 1 ? o->own_box : o->density),
+                              seconds_text(*o)});
         } else {
             add_words(cells, {"", "", "", ""});
         }
@@ -129,7 +143,9 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
             most = std::max(most, o.busy);
         }
     }
-    text += "\nThe paper's figures are for its own sets. A fixed set of one tray has the density of its own box. Made with:\n\n";
+    text +=
+        "\nThe paper's figures are for its own sets. A fixed set of one tray has the density of its own box. Made "
+        "with:\n\n";
     for (const auto& [stamp, load] : stamps) {
         text += fmt::format("- {}, load {:.1f} to {:.1f} as runs began\n", stamp, load.first, load.second);
     }

@@ -39,9 +39,14 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
 int BitTables::table_index(const Form& form) {
     if (form.level == 0) return 0;
     switch (form.axes) {
-        case 1: case 2: case 4: return 1 + form.axes / 2 * kLevels + form.level - 1;
-        case 3: return 1 + 3 * kLevels + form.level - kFirstPlate;
-        default: return 1 + 3 * kLevels + (form.axes - 4) * kPlates + form.level - kFirstPlate;
+        case 1:
+        case 2:
+        case 4:
+            return 1 + form.axes / 2 * kLevels + form.level - 1;
+        case 3:
+            return 1 + 3 * kLevels + form.level - kFirstPlate;
+        default:
+            return 1 + 3 * kLevels + (form.axes - 4) * kPlates + form.level - kFirstPlate;
     }
 }
 
@@ -87,7 +92,8 @@ void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelB
     }
 }
 
-/// to = from OR `moved` moved down by `by` voxels of dx along the axis, for the words of lo <= X < hi (margin included).
+/// to = from OR `moved` moved down by `by` voxels of dx along the axis, for the words of lo <= X < hi (margin
+/// included).
 void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
                        const VoxelIndex& hi) {
     const int rows = static_cast<int>(column_), layers = grid_.z + 2 * margin_;
@@ -117,8 +123,8 @@ void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, 
     }
 }
 
-/// to = from OR `from` moved down by `by` voxels of the layer (s to a voxel of dx) along the axis, for the voxels of the
-/// box.
+/// to = from OR `from` moved down by `by` voxels of the layer (s to a voxel of dx) along the axis, for the voxels of
+/// the box.
 void BitTables::dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box) {
     const int stride = axis == 0 ? 1 : axis == 1 ? s : s * s;  // from a part to the next along the axis
     for (int part = 0; part < part_count(s); ++part) {

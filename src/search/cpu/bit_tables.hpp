@@ -4,8 +4,8 @@
 ///
 /// Invariant, for every layer of occupancy O (a gap class's objects, or the walls):
 ///   bit X of the table of a form = OR over i in the form of O(X + i), O = 0 outside the grid,
-/// for X from -margin to extent + margin on each axis. Fine layers have voxels of dx / s: there X and i count fine voxels,
-/// and each part p of them (voxel/split.hpp) has its own tables, bit x of which is fine voxel s x + p.
+/// for X from -margin to extent + margin on each axis. Fine layers have voxels of dx / s: there X and i count fine
+/// voxels, and each part p of them (voxel/split.hpp) has its own tables, bit x of which is fine voxel s x + p.
 ///
 /// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring
 /// words are a tile of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight
@@ -21,7 +21,7 @@ namespace spectralpack {
 
 /// The voxels from 0 to 2^level - 1 along some of the axes, 0 along the others: a run, a plate, a cube.
 struct Form {
-    int axes = 1;   ///< bit a: along axis a; never 0
+    int axes = 1;  ///< bit a: along axis a; never 0
     int level = 0;
 
     int size(int axis) const { return axes >> axis & 1 ? 1 << level : 1; }
@@ -31,8 +31,8 @@ struct Form {
 
 class BitTables {
   public:
-    static constexpr int kLevels = 5;                         ///< of runs: at most 2^kLevels voxels
-    static constexpr int kFirstPlate = 2, kLastPlate = 4;     ///< levels of plates and cubes
+    static constexpr int kLevels = 5;                      ///< of runs: at most 2^kLevels voxels
+    static constexpr int kFirstPlate = 2, kLastPlate = 4;  ///< levels of plates and cubes
     static constexpr int kPlates = kLastPlate - kFirstPlate + 1;
     static constexpr int kTables = 1 + 3 * kLevels + 4 * kPlates;
 
@@ -41,8 +41,8 @@ class BitTables {
     /// `fine_layers` in voxels of dx / detail come first, then `coarse_layers`; grid and margin are in voxels of dx.
     BitTables(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers);
 
-    /// Makes the tables of `layer` right after its occupancy changed within the voxels of dx `changed`; O(words that can
-    /// differ). `parts`: of a fine layer all its parts, of a coarse layer one grid.
+    /// Makes the tables of `layer` right after its occupancy changed within the voxels of dx `changed`; O(words that
+    /// can differ). `parts`: of a fine layer all its parts, of a coarse layer one grid.
     void refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed);
 
     bool operator==(const BitTables& other) const { return words_ == other.words_; }
@@ -74,8 +74,8 @@ class BitTables {
         int table = 0;
         VoxelIndex at;
     };
-    /// Where a piece of that form (runs of up to 2^kLevels, plates and cubes of kFirstPlate .. kLastPlate) with its corner
-    /// at displacement d lies from a tile; d in the layer's own voxels, not before the margin on any axis.
+    /// Where a piece of that form (runs of up to 2^kLevels, plates and cubes of kFirstPlate .. kLastPlate) with its
+    /// corner at displacement d lies from a tile; d in the layer's own voxels, not before the margin on any axis.
     Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
     Place place(const Spot& spot) const;
     Spot spot(int layer, const Form& form, const VoxelIndex& d) const;
@@ -87,8 +87,8 @@ class BitTables {
     const std::uint64_t* column(int table, int w, int z) const {
         return words_.data() + table * table_ + (static_cast<std::int64_t>(z) * columns_ + w) * column_;
     }
-    /// visit(table, form, box) for each table of a layer and the box, counted from the margin's corner, in which it may differ
-    /// once the occupancy changed within the voxels of dx `changed`.
+    /// visit(table, form, box) for each table of a layer and the box, counted from the margin's corner, in which it may
+    /// differ once the occupancy changed within the voxels of dx `changed`.
     template <class Visit>
     void for_each_table(int layer, const VoxelBox& changed, const Visit& visit) const {
         const VoxelBox box = in_tables(changed);
@@ -140,7 +140,8 @@ class BitTables {
     /// Where a form's table may differ when the plain one does in `changed`.
     VoxelBox reach(int layer, const Form& form, VoxelBox changed) const;
     void refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed);
-    void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo, const VoxelIndex& hi);
+    void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
+                const VoxelIndex& hi);
     void dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box);
     void refresh_form(int layer, const Form& form, const VoxelBox& changed);
 

@@ -32,8 +32,7 @@ void BlockMinima::update(const DistanceGrid& phi, const VoxelBox& changed, const
                         min_rows(least.data(), least.data(), phi.row(y, z) + lo, least.size());
                     }
                 }
-                std::uint16_t* out =
-                    values_.data() + offset({0, by, bz});
+                std::uint16_t* out = values_.data() + offset({0, by, bz});
                 for (int bx = first; bx <= last; ++bx) {
                     const auto from = least.begin() + (bx - first) * block_;
                     out[bx] = *std::min_element(from, std::min(from + block_, least.end()));
@@ -137,8 +136,7 @@ CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& 
         const std::int64_t drop = (cell.distance + cell.voxels - 1) / cell.voxels + (apart ? 1 : 0);
         seen += cell.voxels;
         const VoxelIndex at{cell.centre.x / block, cell.centre.y / block, cell.centre.z / block};
-        plan.cells.push_back({at, minima.offset(at),
-                              static_cast<std::uint32_t>(cell.voxels),
+        plan.cells.push_back({at, minima.offset(at), static_cast<std::uint32_t>(cell.voxels),
                               static_cast<std::uint16_t>(std::min<std::int64_t>(drop, 65535)),
                               static_cast<float>(seen) / static_cast<float>(solid.voxels)});
     }

@@ -68,8 +68,9 @@ std::vector<Fits> all_fits(const BitGrid& solid) {
         if (!fits_in(form)) continue;
         BitGrid corners;
         if (axes == 7) {  // a cube holds plates
-            const auto plates = std::ranges::find_if(
-                result, [](const Fits& f) { return f.form == Form{3, BitTables::kFirstPlate}; });
+            const auto plates = std::ranges::find_if(result, [](const Fits& f) {
+                return f.form == Form{3, BitTables::kFirstPlate};
+            });
             if (plates == result.end()) continue;
             corners = plates->corners;
             for (int by = 1; by < form.size(2); by *= 2) {

@@ -46,10 +46,9 @@ class CpuSearch final : public PlacementSearch {
                 const auto k = static_cast<std::size_t>(i);
                 const OrientedShape& oriented = shape.orientations[k];
                 if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
-                runs[k] = turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes,
-                                            tables_)
-                                 : make_runs(oriented, tray.detail(),
-                                             tray.detail() == 1 ? tables_.apart() : covers, tables_);
+                runs[k] =
+                    turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes, tables_)
+                           : make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
             });
         };
         make(false);
@@ -57,8 +56,8 @@ class CpuSearch final : public PlacementSearch {
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
             if (entry.states[k].count().empty()) return;
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], static_cast<int>(i),
-                                          shape.orientations[k], shape.admits));
+            searches[k].emplace(
+                make_task(context, entry.states[k], runs[k], static_cast<int>(i), shape.orientations[k], shape.admits));
         });
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.
@@ -71,8 +70,7 @@ class CpuSearch final : public PlacementSearch {
             for (std::size_t i = 0; i < count; ++i) {
                 const int layers = entry.states[i].bricks().z;
                 if (searches[i] && begin < layers) {
-                    tasks.push_back(
-                        {&*searches[i], begin, std::min(layers, begin + kLayersPerTask)});
+                    tasks.push_back({&*searches[i], begin, std::min(layers, begin + kLayersPerTask)});
                 }
             }
         }
@@ -92,13 +90,11 @@ class CpuSearch final : public PlacementSearch {
         const std::optional<Placed> best = context.incumbent.get();
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
-        return {with_neighbours(*best, runs[winner].solid,
-                                shape.orientations[winner].solid->extent().z, context),
+        return {with_neighbours(*best, runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
                 false};
     }
 
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override {
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
         FreeTiles tiles(tray, dilated(tray), query, shape.orientations[static_cast<std::size_t>(index)].solid);
         FreePositions result{tiles.origin(), BitGrid(tiles.extent())};
         const Extent& e = tiles.extent();
@@ -118,7 +114,7 @@ class CpuSearch final : public PlacementSearch {
     }
 
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
-                                             const FreeQuery& query) override {
+                                               const FreeQuery& query) override {
         return std::make_unique<FreeTiles>(tray, dilated(tray), query, std::move(solid));
     }
 
@@ -156,8 +152,7 @@ class CpuSearch final : public PlacementSearch {
             VoxelIndex q = best.position;
             q[i / 2] += i % 2 == 0 ? -1 : 1;
             result.neighbours[static_cast<std::size_t>(i)] =
-                cost_of(context.model, q.z, layers, context.reference_layers,
-                        proximity_at(tables_, solid, q));
+                cost_of(context.model, q.z, layers, context.reference_layers, proximity_at(tables_, solid, q));
         }
         return result;
     }
@@ -170,8 +165,7 @@ class CpuSearch final : public PlacementSearch {
 
 }  // namespace
 
-std::unique_ptr<PlacementSearch> make_cpu_search(const CpuOptions& options,
-                                                 const Workers& workers) {
+std::unique_ptr<PlacementSearch> make_cpu_search(const CpuOptions& options, const Workers& workers) {
     return std::make_unique<CpuSearch>(options, workers);
 }
 

@@ -39,9 +39,9 @@ CrowdTables::CrowdTables(const BitTables& bits)
 
 BitTables::Place CrowdTables::place(const BitTables::Spot& spot) const {
     const int x = spot.at.x / kBlock;
-    const std::int64_t offset =
-        (spot.table - first_table_) * table_ +
-        (static_cast<std::int64_t>(spot.at.z / kBlock) * columns_ + x / kTileX) * column_ + spot.at.y / kBlock;
+    const std::int64_t offset = (spot.table - first_table_) * table_ +
+                                (static_cast<std::int64_t>(spot.at.z / kBlock) * columns_ + x / kTileX) * column_ +
+                                spot.at.y / kBlock;
     return {static_cast<std::int32_t>(offset), x % kTileX};
 }
 
@@ -74,7 +74,8 @@ void CrowdTables::refresh_table(const BitTables& bits, int table, const VoxelBox
                     all_after &= row_after[static_cast<std::size_t>(k)];
                 }
                 const Word none = beyond(w, voxels_.x);
-                const Word crowded = all_of_reach(all | none, all_after | beyond(w + 1, voxels_.x)) & every_fourth(~none);
+                const Word crowded =
+                    all_of_reach(all | none, all_after | beyond(w + 1, voxels_.x)) & every_fourth(~none);
                 to[y] = (to[y] & ~(Word{0xFFFF} << shift)) | crowded << shift;
             }
         }

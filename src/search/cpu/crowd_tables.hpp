@@ -4,7 +4,8 @@
 /// rules out nearly all.
 ///
 /// Invariant, for each table T of the bit tables that it holds, whose voxels (margin included) begin at 0:
-///   bit Q of the crowd table = AND over i in [0, 7)^3 of T(4 Q + i), T = 1 beyond its end, where no piece of a candidate lies.
+///   bit Q of the crowd table = AND over i in [0, 7)^3 of T(4 Q + i), T = 1 beyond its end, where no piece of a
+///   candidate lies.
 /// Seven, because a piece at displacement 4 D + r of the positions 4 B + [0, 4)^3 lies at 4 (B + D) + r + [0, 4)^3.
 ///
 /// Words hold 64 blocks along x; they lie in the order y, x, z with y fastest, as in the bit tables.
@@ -22,8 +23,8 @@ class CrowdTables {
   public:
     static constexpr int kBlock = 4;
     static constexpr int kTileX = 64, kTileY = 8;  ///< blocks
-    /// Only of forms that are large enough to meet something nearly everywhere in a crowd; and with s > 1 not of the fine
-    /// layers, since eight or more tables for each form take longer to keep right than they save.
+    /// Only of forms that are large enough to meet something nearly everywhere in a crowd; and with s > 1 not of the
+    /// fine layers, since eight or more tables for each form take longer to keep right than they save.
     bool holds(int layer, const Form& form) const { return layer >= first_layer_ && form.voxels() >= 8; }
 
     CrowdTables() = default;  ///< that hold nothing
@@ -49,7 +50,7 @@ class CrowdTables {
   private:
     void refresh_table(const BitTables& bits, int table, const VoxelBox& changed);
 
-    Extent voxels_;            // of a bit table
+    Extent voxels_;  // of a bit table
     int first_layer_ = std::numeric_limits<int>::max(), first_table_ = 0;
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y

@@ -11,8 +11,8 @@ namespace spectralpack {
 
 inline constexpr int kDeepest = 63;
 
-/// For each of `runs`, within the solid's grid, the sum over its voxels of delta(x) = min(kDeepest, Manhattan distance from x
-/// to the nearest voxel outside `solid`). `solid_runs` are the solid's own. O(voxels of the solid's grid).
+/// For each of `runs`, within the solid's grid, the sum over its voxels of delta(x) = min(kDeepest, Manhattan distance
+/// from x to the nearest voxel outside `solid`). `solid_runs` are the solid's own. O(voxels of the solid's grid).
 std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_runs, const Runs& runs);
 
 }  // namespace spectralpack

@@ -1,6 +1,6 @@
 #pragma once
-/// Omega_move dilated along x, a layer at a time and only where someone looks (paper, sections 4.1 and 4.3): a walk that
-/// stays near its start touches few layers, and a copy that leaves or comes changes few.
+/// Omega_move dilated along x, a layer at a time and only where someone looks (paper, sections 4.1 and 4.3): a walk
+/// that stays near its start touches few layers, and a copy that leaves or comes changes few.
 
 #include <atomic>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace spectralpack {
 
-/// The tables of one layer, or of some neighbouring rows of it: for 1, 2, 4 .. 64 voxels along x. Words of 64 voxels lie in
-/// the order row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
+/// The tables of one layer, or of some neighbouring rows of it: for 1, 2, 4 .. 64 voxels along x. Words of 64 voxels
+/// lie in the order row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
 struct DilatedRows {
     using Word = BitGrid::Word;
     static constexpr int kLevels = 7;
@@ -40,16 +40,17 @@ class DilatedLayers {
 
     const Extent& extent() const { return extent_; }
     std::uint64_t instance() const { return instance_; }
-    int words() const { return words_; }          ///< of a row's table: bits 0 .. extent.x + kShift - 1
-    int columns() const { return words_ + 2; }    ///< with a zero before and after them
+    int words() const { return words_; }        ///< of a row's table: bits 0 .. extent.x + kShift - 1
+    int columns() const { return words_ + 2; }  ///< with a zero before and after them
 
-    /// Bit X + kShift of table k: something in voxels X .. X + 2^k - 1 of the row. `tray` as it was followed last. Several
-    /// threads may ask at once. O(words of the layer) when first asked for.
+    /// Bit X + kShift of table k: something in voxels X .. X + 2^k - 1 of the row. `tray` as it was followed last.
+    /// Several threads may ask at once. O(words of the layer) when first asked for.
     const DilatedRows& layer(const Tray& tray, int z);
 
     /// Words that the tables of so many rows take.
     std::size_t table_words(int rows) const;
-    /// The tables of layer z of `voxels`, whose rows are those from first_row on; in `words`, table_words() zeros before.
+    /// The tables of layer z of `voxels`, whose rows are those from first_row on; in `words`, table_words() zeros
+    /// before.
     DilatedRows dilate(const BitGrid& voxels, int z, int first_row, Word* words) const;
 
     std::int64_t bytes() const;

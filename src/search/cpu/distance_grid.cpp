@@ -10,8 +10,8 @@ namespace {
 
 /// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what
 /// changed.
-void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y,
-                   int z, int& lo, int& hi) {
+void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y, int z, int& lo,
+                   int& hi) {
     const BitGrid::Word* bits = solid.row(y, z);
     for (int w = 0; w < solid.words_per_row(); ++w) {
         for (BitGrid::Word word = bits[w]; word != 0;) {
@@ -55,8 +55,7 @@ DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
     }
     values_.assign(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})), 0);
     for (int z = 0; z < extent.z; ++z) {
-        const int above =
-            ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
+        const int above = ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
         for (int y = 0; y < extent.y; ++y) {
             const int other = std::min({above, z + 1, y + 1, extent.y - y});
             std::uint16_t* values = row(y, z);
@@ -83,8 +82,7 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
     changed.hi.x = 0;
     for (int z = box.lo.z; z < box.hi.z; ++z) {
         for (int y = box.lo.y; y < box.hi.y; ++y) {
-            lower_along_x(row(y, z), extent_.x, solid, at, y - at.y, z - at.z, changed.lo.x,
-                          changed.hi.x);
+            lower_along_x(row(y, z), extent_.x, solid, at, y - at.y, z - at.z, changed.lo.x, changed.hi.x);
         }
     }
     if (changed.lo.x >= changed.hi.x) return {};
@@ -96,9 +94,7 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
     workers.for_ranges(box.hi.z - box.lo.z, 4, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const int z = box.lo.z + static_cast<int>(i);
-            const auto lower = [&](int y, int from) {
-                return lower_row(row(y, z) + lo, row(from, z) + lo, width);
-            };
+            const auto lower = [&](int y, int from) { return lower_row(row(y, z) + lo, row(from, z) + lo, width); };
             const int up = sweep(box.lo.y + 1, box.hi.y - 1, 1, extent_.y, lower);
             const int down = sweep(std::min(up, extent_.y) - 2, box.lo.y, -1, extent_.y, lower);
             reach[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.y)};
@@ -114,9 +110,7 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
     workers.for_ranges(changed.hi.y - changed.lo.y, 8, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const int y = changed.lo.y + static_cast<int>(i);
-            const auto lower = [&](int z, int from) {
-                return lower_row(row(y, z) + lo, row(y, from) + lo, width);
-            };
+            const auto lower = [&](int z, int from) { return lower_row(row(y, z) + lo, row(y, from) + lo, width); };
             const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, extent_.z, lower);
             const int down = sweep(std::min(up, extent_.z) - 2, box.lo.z, -1, extent_.z, lower);
             height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.z)};

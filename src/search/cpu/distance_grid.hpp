@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "voxel/voxel_box.hpp"
 #include "voxel/distance_field.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
@@ -41,8 +41,7 @@ class DistanceGrid {
 
   private:
     std::size_t offset(int y, int z) const {
-        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) +
-                static_cast<std::size_t>(y)) *
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(stride_);
     }
 

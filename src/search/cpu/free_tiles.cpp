@@ -16,10 +16,10 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sets in `blocked` the positions of a tile, whose corner is position (64 word, y, z), that some look finds to collide.
-/// True when it ended early because all that is `wanted` collides.
-bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>& layers, int words, int word, int y, int z,
-               const std::uint64_t* wanted, std::uint64_t* blocked) {
+/// Sets in `blocked` the positions of a tile, whose corner is position (64 word, y, z), that some look finds to
+/// collide. True when it ended early because all that is `wanted` collides.
+bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>& layers, int words, int word, int y,
+               int z, const std::uint64_t* wanted, std::uint64_t* blocked) {
     constexpr int kRows = FreeTileReader::kRows;
     constexpr std::size_t kLooksPerCheck = 4;
     const hn::CappedTag<std::uint64_t, kRows> d;
@@ -118,7 +118,8 @@ std::vector<TileLook> FreeTiles::looks_for(const BitGrid& voxels) const {
             const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), kLevels) - 1;
             const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
             const auto look = [&](int bit) {
-                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level * columns + 1, bit >> 6, bit & 63};
+                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level * columns + 1, bit >> 6,
+                                bit & 63};
             };
             looks.push_back({look(begin), look(begin + length - (1 << level))});
         }
@@ -159,7 +160,8 @@ FreeTileReader::Told FreeTiles::tell(int i, int j, int z, const Rows& wanted) {
     std::fill_n(blocked.begin(), rows, bits == 64 ? 0 : ~std::uint64_t{0} << bits);
     if (looks_.empty()) looks_ = looks_for(*solid_);
     make_layers(z + origin_.z, z + origin_.z + solid_->extent().z);
-    const bool early = HWY_DYNAMIC_DISPATCH(BlockTile)(looks_, layers_, shared_->words(), i, y, z, wanted.data(), blocked.data());
+    const bool early =
+        HWY_DYNAMIC_DISPATCH(BlockTile)(looks_, layers_, shared_->words(), i, y, z, wanted.data(), blocked.data());
     if (early) {
         told.known = blocked;
         return told;

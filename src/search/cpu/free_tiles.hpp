@@ -28,10 +28,10 @@ struct TileLayer {
     int begin = std::numeric_limits<int>::max(), end = 0;
 };
 
-/// A run of 2^k voxels or more, up to twice as many, is two look-ups in the tray's layers dilated by 2^k, for eight rows of
-/// positions at once. They are made in an order that spreads over the solid and end as soon as all that is wanted is known
-/// to collide: in a full tray most tiles take a few of them. A walk that asks about one position of a tile soon asks about
-/// most of its rows.
+/// A run of 2^k voxels or more, up to twice as many, is two look-ups in the tray's layers dilated by 2^k, for eight
+/// rows of positions at once. They are made in an order that spreads over the solid and end as soon as all that is
+/// wanted is known to collide: in a full tray most tiles take a few of them. A walk that asks about one position of a
+/// tile soon asks about most of its rows.
 class FreeTiles final : public FreeTileReader {
   public:
     /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent; origin = -(a - 1) - padding per axis, extent
@@ -62,9 +62,9 @@ class FreeTiles final : public FreeTileReader {
     std::shared_ptr<const BitGrid> solid_;
     std::vector<TileLook> looks_;    // empty: not yet made. Many readers are made of whom few are asked
     std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
-    VoxelBox around_;                // of the object that is out, and rows beside it that are read together; empty: none
-    BitGrid voxels_without_;         // Omega_move in that box
-    std::vector<Without> without_;   // by z from around_.lo.z on
+    VoxelBox around_;               // of the object that is out, and rows beside it that are read together; empty: none
+    BitGrid voxels_without_;        // Omega_move in that box
+    std::vector<Without> without_;  // by z from around_.lo.z on
 };
 
 }  // namespace spectralpack

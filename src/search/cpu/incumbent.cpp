@@ -37,8 +37,7 @@ std::int64_t proximity_limit(const CostModel& model, int z, int layers, int refe
         const Cost cost = cost_of(model, z, layers, reference_layers, rho);
         return index > best->index ? cost < best->cost : cost <= best->cost;
     };
-    constexpr std::int64_t kMost = std::int64_t{1}
-                                   << 52;  // above any rho: 2^31 voxels of 16 bits each
+    constexpr std::int64_t kMost = std::int64_t{1} << 52;  // above any rho: 2^31 voxels of 16 bits each
     if (!could_win(0)) return -1;
     if (could_win(kMost)) return kNoLimit;
     // Rounding apart, the limit is the difference of the costs: look there first.
@@ -46,8 +45,7 @@ std::int64_t proximity_limit(const CostModel& model, int z, int layers, int refe
     const std::int64_t guess = std::clamp(
         model.height_at == HeightAt::top
             ? best->cost.secondary
-            : static_cast<std::int64_t>(best->cost.primary -
-                                        cost_of(model, z, layers, reference_layers, 0).primary),
+            : static_cast<std::int64_t>(best->cost.primary - cost_of(model, z, layers, reference_layers, 0).primary),
         std::int64_t{1}, kMost - 2);
     for (const std::int64_t near : {guess - 1, guess, guess + 1}) {
         (could_win(near) ? yes : no) = near;

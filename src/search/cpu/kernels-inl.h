@@ -39,8 +39,7 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
     for (std::size_t i = 0; i < 16; i += hn::MaxLanes(d)) {
         std::uint8_t part[8] = {};
         hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + i), bound), part);
-        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8)
-                 << i;
+        above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << i;
     }
     return ~above & 0xFFFFu;
 #endif
@@ -98,8 +97,8 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
                 sums[v] = hn::Add(sums[v], hn::Mul(hn::PromoteTo(d32, value), weight));
             }
         }
-        const auto hopeless = hn::Set(
-            d32, static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room)));
+        const auto hopeless =
+            hn::Set(d32, static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room)));
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
         for (std::size_t v = 0; v < kVectors; ++v) {
             done = hn::And(done, hn::Or(hn::Gt(sums[v], most), hn::Lt(sums[v], hopeless)));

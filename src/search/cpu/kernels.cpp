@@ -13,8 +13,7 @@ namespace HWY_NAMESPACE {
 
 // Plain loops, which the compiler turns into vectors for each instruction set.
 
-bool LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT from,
-              std::size_t count) {
+bool LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
     std::uint16_t changed = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto reach = static_cast<std::uint16_t>(from[i] + 1);
@@ -32,15 +31,13 @@ void LowerBytes(std::uint8_t* HWY_RESTRICT row, const std::uint8_t* HWY_RESTRICT
     }
 }
 
-void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* HWY_RESTRICT b,
-             std::size_t count) {
+void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* HWY_RESTRICT b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = static_cast<std::uint16_t>(a[i] + b[i]);
     }
 }
 
-void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
-             std::size_t count) {
+void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = std::min(a[i], b[i]);
     }
@@ -90,13 +87,11 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
     HWY_DYNAMIC_DISPATCH(LowerBytes)(row, from, by, count);
 }
 
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
-              std::size_t count) {
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(AddRows)(out, a, b, count);
 }
 
-void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
-              std::size_t count) {
+void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(MinRows)(out, a, b, count);
 }
 

@@ -16,12 +16,10 @@ bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count)
 void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count);
 
 /// out[i] = a[i] + b[i] modulo 2^16.
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
-              std::size_t count);
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
 
 /// out[i] = min(a[i], b[i]); out may be a.
-void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
-              std::size_t count);
+void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
 
 /// out[i] = min(out[i], from[i] - floor), the difference modulo 2^16.
 void min_rows_above(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::size_t count);

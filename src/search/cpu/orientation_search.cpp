@@ -65,7 +65,7 @@ class Pass {
     struct Survivor {
         std::uint32_t bound = 0;
         int bx = 0, by = 0;
-        bool sifted = false;  // in this search: the first batches need not be repeated
+        bool sifted = false;                // in this search: the first batches need not be repeated
         std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
@@ -86,8 +86,7 @@ class Pass {
         for (int i = 0; i < kBrickZ; ++i) {
             const int z = kBrickZ * bz + i;
             limits_[i] = z < state_.count().z && context_.model.allows(t_.index, z)
-                             ? proximity_limit(context_.model, z, t_.layers,
-                                               context_.reference_layers, best, t_.index)
+                             ? proximity_limit(context_.model, z, t_.layers, context_.reference_layers, best, t_.index)
                              : -1;
             most_ = std::max(most_, limits_[i]);
         }
@@ -113,8 +112,8 @@ class Pass {
         return false;
     }
 
-    /// Clears the blocks of a tile of the crowd tables that have no room. Where the first look-ups find no crowd at all, the
-    /// others are spared.
+    /// Clears the blocks of a tile of the crowd tables that have no room. Where the first look-ups find no crowd at
+    /// all, the others are spared.
     void SiftBlocks(int i, int j, int bz, std::uint64_t* room) const {
         const CrowdTables& crowd = context_.tables.crowd();
         const LookupPlan& plan = t_.collision.of_blocks;
@@ -144,9 +143,8 @@ class Pass {
             --rows_to_skip_;
             return 0xFFFFFFFFu;
         }
-        const std::uint32_t near =
-            WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells,
-                        LaneLimit(most_), kPatience);
+        const std::uint32_t near = WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells,
+                                               LaneLimit(most_), kPatience);
         vain_rows_ = near == 0xFFFFFFFFu ? std::min(vain_rows_ + 1, kMostSkipped) : 0;
         rows_to_skip_ = vain_rows_;
         return near;
@@ -230,8 +228,7 @@ class Pass {
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
-    void Block(std::size_t begin, std::size_t end, int bx, int by, int z,
-               std::uint64_t* words) const {
+    void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.collision.of_positions;
         const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
@@ -258,9 +255,8 @@ class Pass {
             unknown |= static_cast<std::uint32_t>(wanted);
         }
         if (unknown == 0) return;
-        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
-                 t_.coarse.loads.data(), t_.coarse.batches.data(), t_.coarse.batches.size(),
-                 least, LaneLimit(most_), kPatience, sums);
+        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz), t_.coarse.loads.data(),
+                 t_.coarse.batches.data(), t_.coarse.batches.size(), least, LaneLimit(most_), kPatience, sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
         }
@@ -280,16 +276,16 @@ class Pass {
         }
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
-            SettleTile(bx, by, kBrickZ * bz + i, sifted ? kSiftBatches : 0, limits_[i],
-                       live + kBrickY * i, before, near, after);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted ? kSiftBatches : 0, limits_[i], live + kBrickY * i, before,
+                       near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
         }
     }
 
-    void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit,
-                    std::uint64_t* live, const Bounds& before, const std::uint16_t* near, Bounds& after) {
+    void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit, std::uint64_t* live,
+                    const Bounds& before, const std::uint16_t* near, Bounds& after) {
         // Positions of blocks within the limit are settled, the others keep their block's bound.
         alignas(64) std::uint64_t free[kBrickY];
         alignas(64) std::uint64_t chosen[kBlocksY];
@@ -391,8 +387,8 @@ class Pass {
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
-        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(),
-                 t_.exact.batches.data(), t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
+        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(), t_.exact.batches.data(),
+                 t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
@@ -424,9 +420,7 @@ class Pass {
     int vain_rows_ = 0, rows_to_skip_ = 0;
 };
 
-void SearchLayers(OrientationTask& task, int begin, int end) {
-    Pass(task).Run(begin, end);
-}
+void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace spectralpack
@@ -437,8 +431,8 @@ namespace spectralpack {
 
 HWY_EXPORT(SearchLayers);
 
-OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const OrientedShape& shape, const Admits& admits) {
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs, int index,
+                          const OrientedShape& shape, const Admits& admits) {
     const TrayTables& tables = context.tables;
     return {context,
             state,
@@ -452,9 +446,7 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             admits ? &admits : nullptr};
 }
 
-void search_layers(OrientationTask& task, int begin, int end) {
-    HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end);
-}
+void search_layers(OrientationTask& task, int begin, int end) { HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end); }
 
 std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
     const DistanceGrid& phi = tables.phi();

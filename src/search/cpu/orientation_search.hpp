@@ -1,7 +1,7 @@
 #pragma once
 /// The search over one orientation's positions, brick layer by brick layer: leave out what lies in a crowd (a few
-/// look-ups for many blocks) or in the open (a few values of phi a block), sift (a few look-ups everywhere), bound (pooled
-/// phi on blocks), settle what is left (the remaining look-ups, then the exact rho).
+/// look-ups for many blocks) or in the open (a few values of phi a block), sift (a few look-ups everywhere), bound
+/// (pooled phi on blocks), settle what is left (the remaining look-ups, then the exact rho).
 
 #include <cstdint>
 #include <vector>
@@ -28,13 +28,13 @@ struct OrientationTask {
     CollisionPlan collision;
     SumPlan exact, coarse;
     const CellPlan& cells;
-    int index = 0;   ///< in Shape::orientations
-    int layers = 0;  ///< the solid's extent along z
+    int index = 0;                   ///< in Shape::orientations
+    int layers = 0;                  ///< the solid's extent along z
     const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate
 };
 
-OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          int index, const OrientedShape& shape, const Admits& admits);
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs, int index,
+                          const OrientedShape& shape, const Admits& admits);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

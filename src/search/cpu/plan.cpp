@@ -15,7 +15,7 @@ constexpr std::int64_t kSumRange = 65535;   // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
-constexpr std::size_t kMostOfBlocks = 64;   // look-ups for whole blocks
+constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 
 struct Lookup {
     BitTables::Spot spot;
@@ -25,9 +25,7 @@ struct Lookup {
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
 constexpr int kRanks = BitTables::kLevels + 2;
-int rank_of(const Form& form) {
-    return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1;
-}
+int rank_of(const Form& form) { return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1; }
 
 /// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
 /// from another start, so that each stretch of about `stretch` is spread over all and yet walks
@@ -53,8 +51,7 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
 /// What `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far
 /// apart.
 template <class T, class Level>
-std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
-                        const Level& level) {
+std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch, const Level& level) {
     std::vector<std::vector<T>> shelves(levels);
     for (const T& item : items) {
         shelves[static_cast<std::size_t>(level(item))].push_back(item);
@@ -62,8 +59,7 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
     std::vector<T> result;
     result.reserve(items.size());
     for (auto shelf = shelves.rbegin(); shelf != shelves.rend(); ++shelf) {
-        for_each_spread(shelf->size(), stretch,
-                        [&](std::size_t i) { result.push_back((*shelf)[i]); });
+        for_each_spread(shelf->size(), stretch, [&](std::size_t i) { result.push_back((*shelf)[i]); });
     }
     return result;
 }
@@ -90,8 +86,8 @@ void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPl
     for (const BitTables::Place& place : places) {
         plan.offsets[static_cast<std::size_t>(begin[static_cast<std::size_t>(place.shift)]++)] = place.offset;
     }
-    plan.batches.push_back({first_group, static_cast<std::int32_t>(plan.groups.size()),
-                            static_cast<std::int32_t>(pieces.size())});
+    plan.batches.push_back(
+        {first_group, static_cast<std::int32_t>(plan.groups.size()), static_cast<std::int32_t>(pieces.size())});
 }
 
 /// Clears bits [begin, end) of a row.
@@ -251,8 +247,8 @@ int overhang(const Shape& shape, int detail) {
         for (const auto& widened : oriented.widened) {
             for (int axis = 0; axis < 3; ++axis) {
                 const int last = ceil_div(widened->voxels.extent()[axis] + widened->offset[axis], detail);
-                most = std::max({most, -floor_div(widened->offset[axis], detail),
-                                 last - oriented.solid->extent()[axis]});
+                most =
+                    std::max({most, -floor_div(widened->offset[axis], detail), last - oriented.solid->extent()[axis]});
             }
         }
     }
@@ -315,9 +311,7 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
     std::int64_t summed = 0;
-    const auto halvings = [](const Weighed& of) {
-        return std::bit_width(static_cast<unsigned>(of.run.length));
-    };
+    const auto halvings = [](const Weighed& of) { return std::bit_width(static_cast<unsigned>(of.run.length)); };
     for (const auto& [run, least] : by_level(weighed, 33, kLoadsPerBatch, halvings)) {
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);
@@ -339,8 +333,7 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
             plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
             plan.least += part;
             summed += length;
-            plan.batches.back().share =
-                static_cast<float>(summed) / static_cast<float>(runs.voxels);
+            plan.batches.back().share = static_cast<float>(summed) / static_cast<float>(runs.voxels);
             room -= length;
             ++count;
             done += length;

@@ -39,8 +39,8 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
 /// one with these runs with the axes exchanged. O(runs log runs).
 OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables);
 
-/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with s = 1
-/// phi >= 1 on every voxel of the solid.
+/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with
+/// s = 1 phi >= 1 on every voxel of the solid.
 bool covers_solid(const Shape& shape);
 
 /// Voxels of dx by which the widened shapes reach beyond the solid on any side.

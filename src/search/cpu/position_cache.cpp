@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t kSpareStates = 64;
 
 Extent brick_count(const Extent& count) {
-    return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY,
-            (count.z + kBrickZ - 1) / kBrickZ};
+    return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY, (count.z + kBrickZ - 1) / kBrickZ};
 }
 
 }  // namespace
@@ -66,9 +65,8 @@ void PositionState::open(int bx, int by, int bz, const std::uint32_t (&alive)[kB
 
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     // Position q meets the box where q < hi and q + extent > lo.
-    const VoxelBox touched = intersection(
-        {changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi},
-        whole(count_));
+    const VoxelBox touched =
+        intersection({changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi}, whole(count_));
     if (touched.empty()) return;
     constexpr int kBlock = TrayTables::kBlock;
     for (int z = touched.lo.z / kBlock; z <= (touched.hi.z - 1) / kBlock; ++z) {
@@ -97,10 +95,8 @@ std::int64_t PositionState::bytes_for(const Extent& count) {
 void PositionCache::make_room(std::int64_t bytes) {
     while (bytes_ + bytes > budget_ && !entries_.empty()) {
         const auto less_useful = [](const auto& a, const auto& b) {
-            const double worth_a =
-                static_cast<double>(a.second.hits) / static_cast<double>(a.second.bytes + 1);
-            const double worth_b =
-                static_cast<double>(b.second.hits) / static_cast<double>(b.second.bytes + 1);
+            const double worth_a = static_cast<double>(a.second.hits) / static_cast<double>(a.second.bytes + 1);
+            const double worth_b = static_cast<double>(b.second.hits) / static_cast<double>(b.second.bytes + 1);
             return worth_a != worth_b ? worth_a < worth_b : a.second.last_use < b.second.last_use;
         };
         const auto gone = std::min_element(entries_.begin(), entries_.end(), less_useful);
@@ -123,8 +119,7 @@ void PositionCache::forget_all() {
     bytes_ = 0;
 }
 
-PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray,
-                                        const TrayTables& tables) {
+PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
         forget_all();

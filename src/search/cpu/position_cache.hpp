@@ -36,9 +36,7 @@ class PositionState {
     const Extent& bricks() const { return bricks_; }
 
     /// The brick's 4 tiles of 8 words.
-    std::uint64_t* live(int bx, int by, int bz) {
-        return live_.get() + brick(bx, by, bz) * (kBrickY * kBrickZ);
-    }
+    std::uint64_t* live(int bx, int by, int bz) { return live_.get() + brick(bx, by, bz) * (kBrickY * kBrickZ); }
     /// The bounds of row `block_y` of blocks in brick layer bz, from brick bx on.
     std::uint32_t* bound(int bx, int block_y, int bz) {
         return bound_.get() +
@@ -66,14 +64,12 @@ class PositionState {
 
   private:
     std::size_t brick(int bx, int by, int bz) const {
-        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) +
-                static_cast<std::size_t>(by)) *
+        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) + static_cast<std::size_t>(by)) *
                    static_cast<std::size_t>(bricks_.x) +
                static_cast<std::size_t>(bx);
     }
     std::size_t pair(int bx, int by, int bz) const {
-        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) +
-                static_cast<std::size_t>(by)) *
+        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) + static_cast<std::size_t>(by)) *
                    static_cast<std::size_t>(pairs_) +
                static_cast<std::size_t>(bx / kPair);
     }

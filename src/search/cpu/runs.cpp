@@ -56,8 +56,7 @@ std::vector<std::int64_t> count_runs(const BitGrid& bits) {
             for (int w = 0; w < bits.words_per_row(); ++w) {
                 if (bits.row(y, z)[w] == 0) continue;
                 for (int axis = 0; axis < 3; ++axis) {
-                    count[static_cast<std::size_t>(axis)] +=
-                        std::popcount(run_starts(bits, axis, w, y, z));
+                    count[static_cast<std::size_t>(axis)] += std::popcount(run_starts(bits, axis, w, y, z));
                 }
             }
         }
@@ -71,8 +70,7 @@ Runs runs_along(const BitGrid& bits, int axis) {
     for (int z = 0; z < bits.extent().z; ++z) {
         for (int y = 0; y < bits.extent().y; ++y) {
             for (int w = 0; w < bits.words_per_row(); ++w) {
-                for (Word starts = run_starts(bits, axis, w, y, z); starts != 0;
-                     starts &= starts - 1) {
+                for (Word starts = run_starts(bits, axis, w, y, z); starts != 0; starts &= starts - 1) {
                     const VoxelIndex start{64 * w + std::countr_zero(starts), y, z};
                     const int length = run_length(bits, axis, start);
                     result.runs.push_back({start, length});
@@ -88,8 +86,7 @@ Runs fewest_runs(const BitGrid& bits) {
     const std::vector<std::int64_t> count = count_runs(bits);
     int best = 0;
     for (int axis = 1; axis < 3; ++axis) {
-        if (count[static_cast<std::size_t>(axis)] < count[static_cast<std::size_t>(best)])
-            best = axis;
+        if (count[static_cast<std::size_t>(axis)] < count[static_cast<std::size_t>(best)]) best = axis;
     }
     return runs_along(bits, best);
 }

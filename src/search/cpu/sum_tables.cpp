@@ -60,11 +60,8 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
         const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
         std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
         std::vector<std::uint16_t> least(width + static_cast<std::size_t>(block_));
-        const auto layer_row = [&](int y) {
-            return layer.data() + width * static_cast<std::size_t>(y - box.lo.y);
-        };
-        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end);
-             ++z) {
+        const auto layer_row = [&](int y) { return layer.data() + width * static_cast<std::size_t>(y - box.lo.y); };
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.lo.y + rows; ++y) {
                 std::uint16_t* out = layer_row(y);
                 std::fill_n(out, width, std::numeric_limits<std::uint16_t>::max());
@@ -113,8 +110,7 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
         }
     };
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end);
-             ++z) {
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
                 std::uint16_t* out = along_x + row(y, z);
                 const std::uint16_t* from = pooled_row(phi, y, z);
@@ -123,16 +119,14 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             for (int y = box.lo.y; y < grid_.y; ++y) {
                 std::uint16_t* out = along_y + row(y, z);
                 const std::uint16_t* from = pooled_row(phi, y, z);
-                for_each_stretch(
-                    [&](int i) { add_rows(out + stride_ + i, out + i, from + i, count); });
+                for_each_stretch([&](int i) { add_rows(out + stride_ + i, out + i, from + i, count); });
             }
         }
     });
     workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t up = row(0, 1);
         for (int z = box.lo.z; z < grid_.z; ++z) {
-            for (int y = box.lo.y + static_cast<int>(begin); y < box.lo.y + static_cast<int>(end);
-                 ++y) {
+            for (int y = box.lo.y + static_cast<int>(begin); y < box.lo.y + static_cast<int>(end); ++y) {
                 std::uint16_t* out = along_z + row(y, z);
                 const std::uint16_t* from = pooled_row(phi, y, z);
                 for_each_stretch([&](int i) { add_rows(out + up + i, out + i, from + i, count); });

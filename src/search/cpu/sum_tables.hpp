@@ -44,18 +44,14 @@ class SumTables {
 
     /// The element of position (block bx, y, z) in table 0; displacements are added to it as
     /// offsets.
-    const std::uint16_t* base(int bx, int y, int z) const {
-        return values_.data() + row(y, z) + bx;
-    }
+    const std::uint16_t* base(int bx, int y, int z) const { return values_.data() + row(y, z) + bx; }
     /// Where displacement d along `axis` lies from a base; d >= 0.
     std::int32_t offset(int axis, const VoxelIndex& d) const {
         return static_cast<std::int32_t>(axis * table_ + row(d.y, d.z) + within(d.x));
     }
 
   private:
-    std::int64_t row(int y, int z) const {
-        return (static_cast<std::int64_t>(z) * (grid_.y + 1) + y) * stride_;
-    }
+    std::int64_t row(int y, int z) const { return (static_cast<std::int64_t>(z) * (grid_.y + 1) + y) * stride_; }
     int within(int x) const { return x % block_ * phase_ + x / block_; }
     const std::uint16_t* pooled_row(const DistanceGrid& phi, int y, int z) const {
         return block_ == 1 ? phi.row(y, z) : pooled_.data() + row(y, z);
@@ -70,8 +66,7 @@ class SumTables {
     int stride_ = 0;  // elements of a row
     std::int64_t table_ = 0;
     std::vector<std::uint16_t> values_;
-    std::vector<std::uint16_t>
-        pooled_;  // phi_P, laid out as a table; empty for P = 1, where phi is it
+    std::vector<std::uint16_t> pooled_;  // phi_P, laid out as a table; empty for P = 1, where phi is it
 };
 
 }  // namespace spectralpack

@@ -1,6 +1,7 @@
 #pragma once
-/// Everything the engine derives from a tray, brought up to date from the tray's journal: bit tables and crowd tables, phi,
-/// its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin, starts afresh.
+/// Everything the engine derives from a tray, brought up to date from the tray's journal: bit tables and crowd tables,
+/// phi, its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin, starts
+/// afresh.
 
 #include <cstdint>
 #include <vector>

@@ -11,9 +11,7 @@
 namespace spectralpack {
 
 /// `index` modulo `length`, in [0, length).
-inline int wrapped(int index, int length) {
-    return ((index % length) + length) % length;
-}
+inline int wrapped(int index, int length) { return ((index % length) + length) % length; }
 
 /// Calls visit(x) for every set bit of a row, by ascending x.
 template <class Visit>
@@ -26,9 +24,7 @@ void for_each_bit(const BitGrid::Word* row, int words, const Visit& visit) {
 }
 
 /// 2-norm of s, the indicator function of `bits`.
-inline double norm_of_bits(const BitGrid& bits) {
-    return std::sqrt(static_cast<double>(bits.count()));
-}
+inline double norm_of_bits(const BitGrid& bits) { return std::sqrt(static_cast<double>(bits.count())); }
 
 /// FFT(s) of `bits` with their voxel 0 at `at`, modulo the plan's grid. A grid shorter than `bits`
 /// holds sums, which is what a circular correlation means.
@@ -41,8 +37,7 @@ void put_spectrum(FourierBuffer<Real>& buffer, const FourierPlan<Real>& plan, co
     for (int z = 0; z < e.z; ++z) {
         for (int y = 0; y < e.y; ++y) {
             Real* row = buffer.row(wrapped(y + at.y, grid.y), wrapped(z + at.z, grid.z));
-            for_each_bit(bits.row(y, z), bits.words_per_row(),
-                         [&](int x) { row[wrapped(x + at.x, grid.x)] += 1; });
+            for_each_bit(bits.row(y, z), bits.words_per_row(), [&](int x) { row[wrapped(x + at.x, grid.x)] += 1; });
         }
     }
     plan.forward(buffer);
@@ -51,8 +46,7 @@ void put_spectrum(FourierBuffer<Real>& buffer, const FourierPlan<Real>& plan, co
 /// sum += conj(a) * omega, spectrum by spectrum: the correlation's, before the inverse transform.
 /// By hand, as std::complex's product looks for infinities.
 template <class Real>
-void add_correlation(FourierBuffer<Real>& sum, const FourierBuffer<Real>& a,
-                     const FourierBuffer<Real>& omega) {
+void add_correlation(FourierBuffer<Real>& sum, const FourierBuffer<Real>& a, const FourierBuffer<Real>& omega) {
     std::complex<Real>* s = sum.spectrum();
     const std::complex<Real>*p = a.spectrum(), *q = omega.spectrum();
     for (std::int64_t i = 0; i < sum.spectrum_size(); ++i) {

@@ -16,13 +16,11 @@ namespace {
 template <class Real>
 class ReferenceSearch final : public PlacementSearch {
   public:
-    ReferenceSearch(const ReferenceOptions& options, const Workers& workers)
-        : options_(options), workers_(workers) {}
+    ReferenceSearch(const ReferenceOptions& options, const Workers& workers) : options_(options), workers_(workers) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index,
-                                 const FreeQuery& query) override;
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override;
     const char* name() const override { return "reference"; }
     std::int64_t memory() const override;
 
@@ -35,13 +33,11 @@ class ReferenceSearch final : public PlacementSearch {
 
     void plan_for(const Tray& tray, const Shape& shape);
     void make_lanes(int orientations, const Extent& tray);
-    std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray,
-                                                     const OrientedShape& shape, int index,
-                                                     const CostModel& model,
-                                                     const Admits& admits) const;
+    std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray, const OrientedShape& shape,
+                                                     int index, const CostModel& model, const Admits& admits) const;
     void find_free(Lane& lane, const OrientedShape& shape, int detail, const Extent& candidates) const;
-    std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape,
-                                        const VoxelIndex& q, const CostModel& model) const;
+    std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape, const VoxelIndex& q,
+                                        const CostModel& model) const;
     void check_rounding(const Extent& grid, double norms, int terms) const;
 
     ReferenceOptions options_;
@@ -91,15 +87,14 @@ template <class Real>
 void ReferenceSearch<Real>::make_lanes(int orientations, const Extent& tray) {
     const int most = options_.lanes > 0 ? options_.lanes : workers_.threads();
     while (static_cast<int>(lanes_.size()) < std::min(most, orientations)) {
-        lanes_.push_back({FourierBuffer<Real>(plan_->grid()), FourierBuffer<Real>(plan_->grid()),
-                          BitGrid(tray)});
+        lanes_.push_back({FourierBuffer<Real>(plan_->grid()), FourierBuffer<Real>(plan_->grid()), BitGrid(tray)});
     }
 }
 
 /// Algorithm 1.
 template <class Real>
-SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape& shape,
-                                                   const CostModel& model, const StopToken& stop) {
+SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                                   const StopToken& stop) {
     const int orientations = static_cast<int>(shape.orientations.size());
     plan_for(tray, shape);
     spectra_.update(tray, *plan_);
@@ -109,12 +104,11 @@ SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape
     std::vector<std::optional<BestPlacement>> bests(shape.orientations.size());
     std::atomic<bool> stopped = stop.stopped();
     workers_.for_each(lanes, [&](std::int64_t lane) {
-        for (auto i = static_cast<std::size_t>(lane); i < bests.size();
-             i += static_cast<std::size_t>(lanes)) {
+        for (auto i = static_cast<std::size_t>(lane); i < bests.size(); i += static_cast<std::size_t>(lanes)) {
             if (stop.stopped()) stopped = true;
             if (stopped) return;
-            bests[i] = best_of_orientation(lanes_[static_cast<std::size_t>(lane)], tray,
-                                           shape.orientations[i], static_cast<int>(i), model, shape.admits);
+            bests[i] = best_of_orientation(lanes_[static_cast<std::size_t>(lane)], tray, shape.orientations[i],
+                                           static_cast<int>(i), model, shape.admits);
         }
     });
     if (stopped) return {std::nullopt, true};
@@ -131,9 +125,10 @@ SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape
 }
 
 template <class Real>
-std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
-    Lane& lane, const Tray& tray, const OrientedShape& shape, int index,
-    const CostModel& model, const Admits& admits) const {
+std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(Lane& lane, const Tray& tray,
+                                                                        const OrientedShape& shape, int index,
+                                                                        const CostModel& model,
+                                                                        const Admits& admits) const {
     // Circular correlations tell of every displacement; those where the object clips out of the
     // tray are discarded (appendix A.1).
     const Extent count = tray.candidates(shape.size);
@@ -157,8 +152,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
                 // Rounded to the nearest; rho is never negative.
                 const auto rho = static_cast<std::int64_t>(row[x] * scale + 0.5);
-                const Cost cost =
-                    cost_of(model, z, shape.solid->extent().z, tray.reference_layers(), rho);
+                const Cost cost = cost_of(model, z, shape.solid->extent().z, tray.reference_layers(), rho);
                 if (best && !(cost < best->cost)) return;
                 if (admits && !admits(index, {x, y, z})) return;
                 best = BestPlacement{index, {x, y, z}, rho, cost, {}};
@@ -221,8 +215,7 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
             const Real* row = lane.sum.row(y, z);
             BitGrid::Word* words = lane.free.row(y, z);
             for (int x = 0; x < candidates.x; ++x) {
-                words[x / BitGrid::kWordBits] |= BitGrid::Word{row[x] < half}
-                                                 << (x % BitGrid::kWordBits);
+                words[x / BitGrid::kWordBits] |= BitGrid::Word{row[x] < half} << (x % BitGrid::kWordBits);
             }
         }
     }
@@ -231,10 +224,8 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
 /// Section 3.2's discrete gradient needs sigma beside the winner, also where it collides or
 /// overhangs.
 template <class Real>
-std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray,
-                                                           const OrientedShape& shape,
-                                                           const VoxelIndex& q,
-                                                           const CostModel& model) const {
+std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, const OrientedShape& shape,
+                                                           const VoxelIndex& q, const CostModel& model) const {
     const Extent& a = shape.solid->extent();
     std::array<Cost, 6> costs;
     for (int i = 0; i < 6; ++i) {
@@ -251,8 +242,7 @@ std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray,
                 }
             }
         }
-        costs[static_cast<std::size_t>(i)] =
-            cost_of(model, at.z, a.z, tray.reference_layers(), rho);
+        costs[static_cast<std::size_t>(i)] = cost_of(model, at.z, a.z, tray.reference_layers(), rho);
     }
     return costs;
 }
@@ -281,8 +271,7 @@ FreePositions ReferenceSearch<Real>::free_positions(const Tray& tray, const Shap
     const int padding = query.padding;
     FreePositions result;
     result.origin = VoxelIndex{-padding, -padding, -padding} - more;
-    result.free = BitGrid(
-        {n.x + more.x + 2 * padding, n.y + more.y + 2 * padding, n.z + more.z + 2 * padding});
+    result.free = BitGrid({n.x + more.x + 2 * padding, n.y + more.y + 2 * padding, n.z + more.z + 2 * padding});
     result.free.fill(true);  // what is beyond the positions that can overlap the grid
     const Real half = static_cast<Real>(0.5 * static_cast<double>(grid.count()));
     for (int z = -more.z; z < n.z; ++z) {
@@ -302,9 +291,8 @@ void ReferenceSearch<Real>::check_rounding(const Extent& grid, double norms, int
     if (options_.single_precision) return;
     const double bound = correlation_error_bound(grid, norms, terms, 0x1p-53);
     if (bound < 0.5) return;
-    throw ResourceError(
-        "the reference engine cannot answer exactly in a tray of this size: its error may reach " +
-        std::to_string(bound) + " where 0.5 is the limit");
+    throw ResourceError("the reference engine cannot answer exactly in a tray of this size: its error may reach " +
+                        std::to_string(bound) + " where 0.5 is the limit");
 }
 
 template <class Real>
@@ -319,8 +307,7 @@ std::int64_t ReferenceSearch<Real>::memory() const {
 
 }  // namespace
 
-std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options,
-                                                       const Workers& workers) {
+std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers) {
     if (options.single_precision) return std::make_unique<ReferenceSearch<float>>(options, workers);
     return std::make_unique<ReferenceSearch<double>>(options, workers);
 }

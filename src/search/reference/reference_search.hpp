@@ -28,8 +28,7 @@ struct ReferenceOptions {
 /// tell them apart (correlation_error_bound() reaches 0.5), and where there is no memory. Results
 /// do not depend on the number of workers or lanes. What is kept of a tray is for the last one
 /// only.
-std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options,
-                                                       const Workers& workers);
+std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers);
 
 /// What decides the memory of a reference engine.
 struct ReferenceMemory {

@@ -90,8 +90,7 @@ void FourierBuffer<Real>::clear() {
 
 template <class Real>
 std::int64_t FourierBuffer<Real>::bytes(const Extent& grid) {
-    return checked_product(
-        {2 * static_cast<std::int64_t>(sizeof(Real)), grid.x / 2 + 1, grid.y, grid.z});
+    return checked_product({2 * static_cast<std::int64_t>(sizeof(Real)), grid.x / 2 + 1, grid.y, grid.z});
 }
 
 template <class Real>
@@ -114,16 +113,13 @@ struct FourierPlan<Real>::Plans {
 };
 
 template <class Real>
-FourierPlan<Real>::FourierPlan(const Extent& grid, bool measure)
-    : grid_(grid), plans_(std::make_unique<Plans>()) {
+FourierPlan<Real>::FourierPlan(const Extent& grid, bool measure) : grid_(grid), plans_(std::make_unique<Plans>()) {
     FourierBuffer<Real> buffer(grid);  // measuring overwrites it
     const unsigned flags = measure ? FFTW_MEASURE : FFTW_ESTIMATE;
     Real* values = buffer.row(0, 0);
     const std::lock_guard lock(planner());
-    plans_->forward =
-        Fftw<Real>::plan_forward(grid.z, grid.y, grid.x, values, fftw_spectrum(buffer), flags);
-    plans_->inverse =
-        Fftw<Real>::plan_inverse(grid.z, grid.y, grid.x, fftw_spectrum(buffer), values, flags);
+    plans_->forward = Fftw<Real>::plan_forward(grid.z, grid.y, grid.x, values, fftw_spectrum(buffer), flags);
+    plans_->inverse = Fftw<Real>::plan_inverse(grid.z, grid.y, grid.x, fftw_spectrum(buffer), values, flags);
     if (!plans_->forward || !plans_->inverse) {
         throw ResourceError("FFTW has no plan for a transform of this tray");
     }

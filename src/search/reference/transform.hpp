@@ -24,13 +24,9 @@ class FourierBuffer {
   public:
     explicit FourierBuffer(const Extent& grid);
 
-    Real* row(int y, int z) {
-        return reals_.get() + 2 * row_length_ * (static_cast<std::int64_t>(z) * extent_y_ + y);
-    }
+    Real* row(int y, int z) { return reals_.get() + 2 * row_length_ * (static_cast<std::int64_t>(z) * extent_y_ + y); }
     std::complex<Real>* spectrum() { return reinterpret_cast<std::complex<Real>*>(reals_.get()); }
-    const std::complex<Real>* spectrum() const {
-        return reinterpret_cast<const std::complex<Real>*>(reals_.get());
-    }
+    const std::complex<Real>* spectrum() const { return reinterpret_cast<const std::complex<Real>*>(reals_.get()); }
     std::int64_t spectrum_size() const { return spectrum_size_; }
     void clear();
 

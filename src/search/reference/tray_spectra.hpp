@@ -18,7 +18,8 @@ struct TraySpectrum {
     double norm = 0;
 };
 
-/// Equation (2)'s s_Omega, apart by what it is tested with (gap class and part of the fine voxels), and equation (3)'s phi.
+/// Equation (2)'s s_Omega, apart by what it is tested with (gap class and part of the fine voxels), and equation (3)'s
+/// phi.
 template <class Real>
 class TraySpectra {
   public:
