@@ -136,6 +136,18 @@ TEST_F(Bench, OnlyRowsThatAreAskedFor) {
     EXPECT_EQ(sets, (std::map<std::string, int>{{"pieces", 2}, {"locks", 2}}));
 }
 
+TEST_F(Bench, ToriOnAWideBaseStandWholeHoweverTheyAreKeptFromLocking) {
+    const Ran ran = bench("1", {"--rows", "tori"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const auto all = rows("1");
+    ASSERT_EQ(all.size(), 6u);  // off, place and post at two voxel sizes
+    for (const auto& row : all) {
+        EXPECT_EQ(row.at("kind"), "fixed");
+        EXPECT_EQ(row.at("placed"), row.at("copies")) << row.at("setting");
+        EXPECT_EQ(row.at("planned"), row.at("setting").starts_with("off") ? "0" : "1") << row.at("setting");
+    }
+}
+
 TEST_F(Bench, LettersAndToriRun) {
     const Ran letters = bench("letters");
     EXPECT_EQ(letters.status, 0) << letters.err;
