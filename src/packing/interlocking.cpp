@@ -147,9 +147,9 @@ class Untangling {
             if (plan.out(static_cast<int>(i))) all.push_back({static_cast<int>(i), parts[i].object.solid->count()});
         }
         std::ranges::stable_sort(all, std::ranges::greater{}, &Out::voxels);
-        for (const Out& out : all) {
-            if (stop_.stopped()) return;
-            plan.let_back(out.part);
+        for (std::size_t k = 0; k < all.size() && !stop_.stopped(); ++k) {
+            plan.let_back(all[k].part);
+            setup_.to_put_back(static_cast<int>(all.size() - k - 1), static_cast<int>(all.size()));
         }
     }
 

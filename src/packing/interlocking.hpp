@@ -19,10 +19,12 @@ struct InterlockSetup : StandingSetup {
     ShapeStore* shapes = nullptr;  ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
-    std::vector<PackItem> order;     ///< in which copies are put back
-    std::vector<PackItem> waiting;   ///< had found no place; are tried again where others were taken out
-    Disassembler::Left left;         ///< told while planning
-    Disassembler::Left to_put_back;  ///< told how many copies are still to be tried, while putting back
+    std::vector<PackItem> order;    ///< in which copies are put back
+    std::vector<PackItem> waiting;  ///< had found no place; are tried again where others were taken out
+    Disassembler::Left left;        ///< told while planning
+    /// Told how many copies are still to be tried, while letting them back where they stood, then anew while putting
+    /// them back elsewhere.
+    Disassembler::Left to_put_back;
 };
 
 /// What was done about interlocking, for the record.

@@ -158,7 +158,11 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     setup.interlock = Interlock::post;
     setup.take_out = TakeOut::lightest;
     setup.left = [](int, int) {};
-    setup.to_put_back = [&](int, int) { stop.request(StopReason::cancelled); };  // after the first
+    int tried = 0;
+    setup.to_put_back = [&](int, int) {
+        // Both where they stood, then the first elsewhere.
+        if (++tried == 3) stop.request(StopReason::cancelled);
+    };
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
     TrayFiller filler(
         setup, *search,
