@@ -65,7 +65,8 @@ void ProgressDisplay::on_progress(const Progress& progress) {
         fmt::print(stderr,
                    R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}}})"
                    "\n",
-                   phase_name(progress.phase), progress.done, progress.total, progress.density, elapsed,
+                   phase_name(progress.phase), progress.done, progress.total,
+                   progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
                    left < 0 ? "null" : fmt::format("{:.3f}", left), orders);
     } else {
         draw(progress, left);
@@ -78,7 +79,9 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     bar.resize(kBarWidth, '.');
     std::string line =
         fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar, progress.done, progress.total);
-    if (progress.phase == Phase::search) line += fmt::format("  density {}", percent_text(progress.density));
+    if (progress.phase == Phase::search && progress.density) {
+        line += fmt::format("  density {}", percent_text(*progress.density));
+    }
     if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));
     fmt::print(stderr, "{}", line);

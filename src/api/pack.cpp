@@ -200,13 +200,14 @@ class Run {
                 volume += loaded_.parts[static_cast<std::size_t>(item.part)].volume;
                 settled_effort += effort(item);
             }
-            const double density = volume / (container * static_cast<double>(trays.trays.size()));
+            std::optional<double> density;
+            if (!is_open(options)) density = volume / (container * static_cast<double>(trays.trays.size()));
             // What one tray leaves over the next one tries again.
             const std::int64_t sure = limit.trays == 1 ? static_cast<std::int64_t>(done) : settled;
             // How many copies will fill the tray is not known before.
             const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(items.size());
-            const double work =
-                options.fill ? density : (limit.trays == 1 ? efforts[done] : settled_effort) / efforts.back();
+            const double work = options.fill ? density.value_or(0)
+                                             : (limit.trays == 1 ? efforts[done] : settled_effort) / efforts.back();
             tell({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
         tell({Phase::search, 0, static_cast<std::int64_t>(items.size()), 0, 0});

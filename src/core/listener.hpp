@@ -2,6 +2,7 @@
 /// How the library talks while it works: it never prints. All calls come from the thread that called in.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace spectralpack {
@@ -12,7 +13,8 @@ struct Progress {
     Phase phase = Phase::load;
     std::int64_t done = 0;
     std::int64_t total = 0;
-    double density = 0;         ///< of the packing so far, 0..1; only in Phase::search
+    /// Of the packing so far, 0..1; only in Phase::search. None where the container has no ceiling to fill up to.
+    std::optional<double> density = 0;
     double work = 0;            ///< share of the phase's expected work that is done, 0..1
     int order = 0, orders = 0;  ///< where several orders are packed in: which, from 1, of how many
 };

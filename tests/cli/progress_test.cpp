@@ -44,6 +44,36 @@ TEST(Progress, EveryLineIsJsonAndPhasesComeInOrder) {
     EXPECT_EQ(errors, 1);
 }
 
+TEST(Progress, WithoutACeilingThereIsNoDensity) {
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& search : {std::vector<std::string>{}, {"--beam", "2"}}) {
+        std::vector<std::string> call{"pack",
+                                      (samples() / "samples.csv").string(),
+                                      "--tray",
+                                      "100x100",
+                                      "--voxel",
+                                      "4",
+                                      "--open-height",
+                                      "--progress",
+                                      "json",
+                                      "-o",
+                                      (folder / "b.json").string()};
+        call.insert(call.end(), search.begin(), search.end());
+        const Ran ran = spectralpack(call);
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        int told = 0;
+        std::istringstream lines(ran.err);
+        for (std::string line; std::getline(lines, line);) {
+            const json entry = json::parse(line, nullptr, false);
+            ASSERT_TRUE(entry.is_object()) << line;
+            if (entry.value("phase", "") != "search" || entry["done"] == 0) continue;
+            EXPECT_TRUE(entry["density"].is_null()) << line;
+            ++told;
+        }
+        EXPECT_GT(told, 0) << ran.err;
+    }
+}
+
 TEST(Progress, TheSearchOfSeveralTraysIsOne) {
     const TemporaryFolder folder;
     const Ran ran = spectralpack({"pack", (samples() / "samples.csv").string(), "--tray", "110x85x70", "--voxel", "4",

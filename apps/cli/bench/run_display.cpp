@@ -13,13 +13,13 @@ std::optional<PackProgress> parse_progress(const std::string& line) {
     PackProgress progress;
     char phase[16];
     double left = 0;
-    const int read =
-        std::sscanf(line.c_str(),
-                    R"({"phase": "%15[a-z]", "done": %lld, "total": %lld, "density": %lf, "seconds": %lf, "left": %lf)",
-                    phase, &progress.done, &progress.total, &progress.density, &progress.seconds, &left);
-    if (read < 5) return std::nullopt;
+    const int read = std::sscanf(
+        line.c_str(),
+        R"({"phase": "%15[a-z]", "done": %lld, "total": %lld, "density": %*[^,], "seconds": %lf, "left": %lf)", phase,
+        &progress.done, &progress.total, &progress.seconds, &left);
+    if (read < 4) return std::nullopt;
     progress.phase = phase;
-    if (read == 6) progress.left = left;  // else it is null
+    if (read == 5) progress.left = left;  // else it is null
     return progress;
 }
 

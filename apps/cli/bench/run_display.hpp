@@ -11,7 +11,6 @@ namespace spectralpack::cli {
 struct PackProgress {
     std::string phase;
     long long done = 0, total = 0;
-    double density = 0;
     double seconds = 0;          ///< since the phase began
     std::optional<double> left;  ///< seconds
 };
