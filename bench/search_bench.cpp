@@ -157,7 +157,7 @@ void run(const Arguments& arguments) {
                 make_shape(static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)], rotations,
                            arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
         },
-        workers, [](double) {});
+        workers);
     shapes.start_tray(items);
 
     const auto engine = make_cpu_search({arguments.cache}, workers);

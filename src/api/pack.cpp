@@ -177,7 +177,7 @@ class Run {
                 }
                 return shape;
             },
-            workers_, [&](double seconds) { seconds_.voxelize += seconds; }, plan_.keep, plan_.ahead);
+            workers_, plan_.keep, plan_.ahead);
         TraysLimit limit{options.trays, options.try_per_tray};
         if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
         const double container = volume_of(container_);
@@ -211,7 +211,8 @@ class Run {
             tell({Phase::search, sure, total, density, std::min(work, 1.0)});
         };
         tell({Phase::search, 0, static_cast<std::int64_t>(items.size()), 0, 0});
-        const auto refined = [&] {
+        const auto note = [&] {
+            seconds_.voxelize += shapes.seconds();
             seconds_.refine += filler.refine_seconds();
             untangling_ += filler.untangle_seconds();
             trays.least_gap = filler.least_gap();
@@ -225,10 +226,10 @@ class Run {
                 fill_trays(items, limit, filler, shapes, item_done, stop, trays);
             }
         } catch (...) {
-            refined();
+            note();
             throw;
         }
-        refined();
+        note();
     }
 
     /// Packs on one base after the other and keeps the packing whose own box is least. What a stop cuts short counts

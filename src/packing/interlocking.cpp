@@ -74,13 +74,14 @@ class Untangling {
         const std::vector<PlacedItem> removed = disassemble();
         result_.report.disassemble_seconds = seconds_since(start);
         const auto reinserting = Clock::now();
+        const double voxelizing = setup_.shapes->seconds();
         if (!removed.empty()) {
             put_back(removed);
             if (open && height() > before + setup_.voxel_size) pack_anew_if_lower();
             result_.report.changed = true;
             result_.report.least_gap = least_gap();
         }
-        result_.report.reinsert_seconds = seconds_since(reinserting);
+        result_.report.reinsert_seconds = seconds_since(reinserting) - (setup_.shapes->seconds() - voxelizing);
         return std::move(result_);
     }
 

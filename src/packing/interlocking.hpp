@@ -32,7 +32,8 @@ struct InterlockReport {
     InterlockCounts counts;
     bool changed = false;             ///< copies were removed, or all packed anew
     std::optional<double> least_gap;  ///< between two copies, mm, in the end; only where changed
-    double disassemble_seconds = 0, reinsert_seconds = 0;
+    double disassemble_seconds = 0;
+    double reinsert_seconds = 0;  ///< without making voxels
 };
 
 struct Untangled {

@@ -29,12 +29,8 @@ int ShapeStore::ahead(std::size_t orientations) {
         std::clamp<std::size_t>(kOrientationsAhead / std::max<std::size_t>(1, orientations), 1, kAhead));
 }
 
-ShapeStore::ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep, int ahead)
-    : make_(std::move(make)),
-      workers_(workers),
-      timed_(std::move(timed)),
-      keep_(keep),
-      ahead_(static_cast<std::size_t>(ahead)) {}
+ShapeStore::ShapeStore(Make make, const Workers& workers, std::int64_t keep, int ahead)
+    : make_(std::move(make)), workers_(workers), keep_(keep), ahead_(static_cast<std::size_t>(ahead)) {}
 
 void ShapeStore::start_tray(const std::vector<PackItem>& items) {
     items_ = items;
@@ -71,7 +67,7 @@ const Shape& ShapeStore::at(std::size_t i) {
             const int part = batch[static_cast<std::size_t>(k)];
             shapes_[static_cast<std::size_t>(part)] = make_(part);
         });
-        timed_(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     return *wanted;
 }

@@ -18,9 +18,6 @@ class ShapeStore {
     /// Makes the shape of a part; called from several threads at once for different parts.
     using Make = std::function<std::shared_ptr<const Shape>(int part)>;
 
-    /// Told how long each batch of shapes took to make, for the record.
-    using Timed = std::function<void(double seconds)>;
-
     /// Parts made at a time at most: enough to keep the threads busy, few enough to hold.
     static constexpr int kAhead = 32;
     /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all
@@ -28,7 +25,7 @@ class ShapeStore {
     static int ahead(std::size_t orientations);
 
     /// `keep`: bytes of shapes that may be held from one tray to the next. `ahead`: parts made at a time.
-    ShapeStore(Make make, const Workers& workers, Timed timed, std::int64_t keep = 0, int ahead = kAhead);
+    ShapeStore(Make make, const Workers& workers, std::int64_t keep = 0, int ahead = kAhead);
 
     /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
     void start_tray(const std::vector<PackItem>& items);
@@ -40,13 +37,15 @@ class ShapeStore {
     /// items[i] is done with, `placed` or left over; the shape goes with the part's last copy.
     void release(std::size_t i, bool placed);
 
+    double seconds() const { return seconds_; }  ///< spent making shapes, for the record
+
   private:
     void drop(std::size_t part);
 
     std::vector<PackItem> items_;
     Make make_;
     Workers workers_;
-    Timed timed_;
+    double seconds_ = 0;
     std::int64_t keep_;  // bytes that may still be held for later trays
     std::size_t ahead_;
     std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next three

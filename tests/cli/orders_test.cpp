@@ -22,7 +22,9 @@ class Orders : public testing::Test {
         err_ = ran.err;
         const Ran checked = spectralpack({"check", at("build.json")});
         EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-        return read_json(folder_ / "build.json");
+        const json packing = read_json(folder_ / "build.json");
+        expect_phases_apart(packing);
+        return packing;
     }
 
     json on_grid(std::vector<std::string> options, const std::string& tray = "80x70x50") {

@@ -33,7 +33,9 @@ class PackModes : public testing::Test {
         err_ = ran.err;
         const Ran checked = spectralpack({"check", at(name)});
         EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
-        return read_json(folder_ / name);
+        const json packing = read_json(folder_ / name);
+        expect_phases_apart(packing);
+        return packing;
     }
 
     TemporaryFolder folder_;

@@ -28,6 +28,17 @@ inline void expect_refused(const std::vector<std::vector<std::string>>& wrong, c
 
 inline nlohmann::json read_json(const std::filesystem::path& path) { return nlohmann::json::parse(read_text(path)); }
 
+/// The phases are apart, and take no longer than the whole.
+inline void expect_phases_apart(const nlohmann::json& packing) {
+    const nlohmann::json& seconds = packing["metrics"]["seconds"];
+    double sum = 0;
+    for (const auto& [phase, taken] : seconds.items()) {
+        EXPECT_GE(taken, 0) << seconds;
+        if (phase != "total") sum += taken.get<double>();
+    }
+    EXPECT_LE(sum, seconds["total"].get<double>() + 1e-6) << seconds;
+}
+
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace spectralpack::test

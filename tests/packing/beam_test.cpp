@@ -53,7 +53,7 @@ class BeamSearch : public testing::TestWithParam<int> {
                 return std::make_shared<const Shape>(
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, 0, {0}, workers));
             },
-            workers, [](double) {});
+            workers);
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);

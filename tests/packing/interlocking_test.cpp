@@ -58,7 +58,7 @@ class Interlocking : public testing::Test {
     Tray tray_;
     std::vector<Mat3> orientations_{Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}};
     std::vector<Mesh> meshes_;
-    ShapeStore shapes_{[this](int part) { return shape(part); }, Workers(1), [](double) {}};
+    ShapeStore shapes_{[this](int part) { return shape(part); }, Workers(1)};
     std::vector<PlacedItem> placed_;
     PartSurfaces surfaces_{[this](int part) {
                                return ScaledPart{std::make_shared<const Mesh>(meshes_[static_cast<std::size_t>(part)]),

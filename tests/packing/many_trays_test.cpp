@@ -15,7 +15,7 @@ class ManyTrays : public testing::Test {
   protected:
     ManyTrays()
         : shapes_([this](int part) { return test::box_shape(static_cast<std::uint64_t>(part), part + 1, &made_); },
-                  Workers(1), [](double) {}, 1 << 20) {
+                  Workers(1), 1 << 20) {
         setup_.tray.size = {4, 4, 2};
         setup_.tray.voxel_size = 1;
         setup_.container.size = {4, 4, 2};
@@ -149,7 +149,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
                                                         meshes[static_cast<std::size_t>(part)], upright, 1, 1, 0, {0},
                                                         Workers(1)));
     };
-    ShapeStore shapes(shape_of, Workers(1), [](double) {});
+    ShapeStore shapes(shape_of, Workers(1));
     StopSource stop;
     FillSetup setup;
     setup.tray.size = {32, 26, 26};

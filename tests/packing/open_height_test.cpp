@@ -45,7 +45,7 @@ class OpenHeight : public testing::Test {
                 return std::make_shared<const Shape>(
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, gap, {gap}, workers));
             },
-            workers, [](double) {});
+            workers);
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);

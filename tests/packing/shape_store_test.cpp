@@ -18,7 +18,7 @@ std::vector<PackItem> one_each(int parts) {
 TEST(ShapeStore, MakesSoManyPartsAheadAndNoMore) {
     std::atomic<int> made{0};
     ShapeStore shapes([&](int part) { return test::box_shape(static_cast<std::uint64_t>(part), 2, &made); }, Workers(2),
-                      [](double) {}, 0, 3);
+                      0, 3);
     shapes.start_tray(one_each(7));
     for (std::size_t i = 0; i < 7; ++i) {
         EXPECT_EQ(shapes.at(i).id, i);
@@ -45,8 +45,7 @@ TEST(ShapeStore, KeepsWhatATrayLeftOverAsFarAsItsBytesGo) {
         return made_shape;
     };
     const std::int64_t bytes = BitGrid(Extent{16, 16, 16}).bytes();
-    ShapeStore shapes(
-        shape, Workers(1), [](double) {}, 2 * bytes, 1);  // one part's, less than two's
+    ShapeStore shapes(shape, Workers(1), 2 * bytes, 1);  // one part's, less than two's
     shapes.start_tray(one_each(2));
     for (std::size_t i = 0; i < 2; ++i) {
         shapes.at(i);
