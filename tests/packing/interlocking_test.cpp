@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "disassembly/scenes.hpp"
+#include "packing/open_height.hpp"
+#include "packing/removable_packing.hpp"
 
 namespace spectralpack {
 namespace {
@@ -211,6 +213,23 @@ TEST_F(Interlocking, TheLastCopyToLeaveStillHasFixedOnesToPass) {
     expect_complete(result);
     ASSERT_EQ(result.plan.steps.size(), 1u);
     EXPECT_FALSE(result.plan.steps.front().path.empty());
+}
+
+TEST_F(Interlocking, WaysOutAreLookedForInTheTrayAsHighAsItHasGrown) {
+    tray_ = Tray(TraySetup{{40, 40, 10}, 1, 1, {0}, Ceiling::open, 0, {}, false});
+    StandingParts standing(setup_, tray_, placed_, *search_, {});
+    RemovablePacking packing(standing, {});
+    tray_ = grown(tray_, 50);
+    // Above the grid as it was: a chest with a hole in a corner of its lid, and a cube in the opposite corner.
+    const Mesh lid = test::merged(test::box_mesh({0, 0, 24}, {26, 14, 26}), test::box_mesh({0, 14, 24}, {14, 26, 26}));
+    put(test::merged(test::chest_mesh(26, 2, true), lid), 0, {5, 5, 12});
+    EXPECT_TRUE(packing.admit(placed_.back()));
+    put(test::cube_mesh(8), 0, {8, 8, 16});
+    EXPECT_TRUE(packing.admit(placed_.back()));
+    const std::vector<RemovalStep> steps = packing.steps();
+    ASSERT_EQ(steps.size(), 2u);
+    EXPECT_EQ(steps.front().placements, std::vector<int>{1});
+    EXPECT_GT(steps.front().path.size(), 1u) << "not straight out";
 }
 
 TEST_F(Interlocking, AStopLeavesAnIncompletePlan) {
