@@ -136,6 +136,22 @@ TEST_F(Bench, OnlyRowsThatAreAskedFor) {
     EXPECT_EQ(sets, (std::map<std::string, int>{{"pieces", 2}, {"locks", 2}}));
 }
 
+TEST_F(Bench, AllTablesAreOneCallAndOneFile) {
+    const Ran ran = bench("all", {"--rows", "tori, off", "--rows", "tori, least box"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(rows("1").size(), 2u);
+    EXPECT_EQ(rows("tori").size(), 1u);
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "table-2.md")) << "no row of it was wanted";
+    // What another call adds stands beside it.
+    ASSERT_EQ(bench("4", {"--rows", "pieces"}).status, 0);
+    const std::string text = read_text(folder_ / "out" / "benchmarks.md");
+    const std::size_t first = text.find("(Table 1)"), fourth = text.find("(Table 4)"), tori = text.find("(Fig. 22)");
+    EXPECT_LT(first, fourth);
+    EXPECT_LT(fourth, tori);
+    EXPECT_NE(tori, std::string::npos);
+    EXPECT_EQ(bench("all", {"--rows", "no such row"}).status, 2);
+}
+
 TEST_F(Bench, ToriOnAWideBaseStandWholeHoweverTheyAreKeptFromLocking) {
     const Ran ran = bench("1", {"--rows", "tori"});
     ASSERT_EQ(ran.status, 0) << ran.err;

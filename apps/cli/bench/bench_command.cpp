@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "../commands.hpp"
@@ -52,9 +53,27 @@ void keep_wanted(Table& table, const std::vector<std::string>& wanted) {
         return std::none_of(wanted.begin(), wanted.end(),
                             [&](const std::string& text) { return columns.find(text) != std::string::npos; });
     });
-    if (table.rows.empty()) {
-        throw UsageError(fmt::format("table {} has no row with the text of --rows in 'set, setting'", table.name));
+}
+
+/// The tables to run, with their wanted rows. `letters`: for make_table().
+std::vector<Table> wanted_tables(const BenchArguments& arguments, Scale scale,
+                                 const std::function<std::string()>& letters) {
+    const bool all = std::ranges::find(arguments.tables, "all") != arguments.tables.end();
+    std::vector<Table> tables;
+    for (const std::string& name : all ? table_names() : arguments.tables) {
+        if (std::ranges::find(table_names(), name) == table_names().end()) {
+            throw UsageError(fmt::format("there is no table '{}'; all, or one of {}", printable(name), all_tables()));
+        }
+        Table table = make_table(name, scale, name == "letters" ? letters() : "");
+        keep_wanted(table, arguments.rows);
+        if (!table.rows.empty()) {
+            tables.push_back(std::move(table));
+        } else if (!all) {
+            throw UsageError(fmt::format("table {} has no row with the text of --rows in 'set, setting'", name));
+        }
     }
+    if (tables.empty()) throw UsageError("no table has a row with the text of --rows in 'set, setting'");
+    return tables;
 }
 
 int run_bench(const BenchArguments& arguments) {
@@ -64,13 +83,8 @@ int run_bench(const BenchArguments& arguments) {
         peers.push_back(peer_of(peer));
     }
     int runs = 0;
-    for (const std::string& name : arguments.tables) {
-        if (std::find(table_names().begin(), table_names().end(), name) == table_names().end()) {
-            throw UsageError(fmt::format("there is no table '{}'; one of {}", printable(name), all_tables()));
-        }
-        Table table = make_table(name, scale, "");
-        keep_wanted(table, arguments.rows);
-        const int programs = name == "4" ? 1 + static_cast<int>(peers.size()) : 1;
+    for (const Table& table : wanted_tables(arguments, scale, [] { return ""; })) {
+        const int programs = table.name == "4" ? 1 + static_cast<int>(peers.size()) : 1;
         for (const Row& row : table.rows) {
             runs += ((row.tray ? 1 : 0) + (row.fixed ? 1 : 0)) * programs;
         }
@@ -84,21 +98,20 @@ int run_bench(const BenchArguments& arguments) {
     BenchSets sets(folder / "sets", arguments.sets, arguments.mesh_dir, scale);
     RunDisplay display(runs);
     Runner runner(store, sets, options, display, interrupts.token());
-    for (const std::string& name : arguments.tables) {
-        Table table = make_table(name, scale, name == "letters" ? sets.letters().string() : "");
-        keep_wanted(table, arguments.rows);
+    for (const Table& table : wanted_tables(arguments, scale, [&] { return sets.letters().string(); })) {
         std::vector<RanRow> rows;
         const auto add = [&](RanRow row) {
             if (row.tray || row.fixed) rows.push_back(std::move(row));
         };
         for (const Row& row : table.rows) {
             add(runner.run(row));
-            if (name == "4") {
+            if (table.name == "4") {
                 for (const Peer& peer : peers) {
                     add(runner.run(peer, row));
                 }
             }
             write_table(table, rows, folder);
+            write_all_tables(folder);
         }
         fmt::print("{}\n", markdown(table, rows));
     }
@@ -121,6 +134,7 @@ Command add_bench_command(CLI::App& app) {
         "letters    mixtures in the letters of SIGGRAPH (Fig. 14)\n"
         "tori       48 distorted tori (Fig. 22)\n"
         "polyhedra  80 and 77 of them at fine voxels, in steps of 30 degrees (Fig. 17)\n"
+        "all        all of these, which takes most of a day on two cores\n"
         "\n"
         "  spectralpack bench --table order --scale quick -o bench/\n"
         "  spectralpack bench --table 1 --table 2 --sets DATA/sets --mesh-dir DATA/meshes -o bench/\n"
@@ -133,7 +147,8 @@ Command add_bench_command(CLI::App& app) {
         "ends:\n"
         "the same call goes on where it was cut off, and what has the same command, program and inputs is not run "
         "again.\n"
-        "Writes DIR/table-NAME.md, .csv and .svg; packings and logs stay in DIR/runs. The sets are generated with seed "
+        "Writes DIR/table-NAME.md, .csv and .svg, and DIR/benchmarks.md with all of them; packings and logs stay in "
+        "DIR/runs. The sets are generated with seed "
         "0, or come\n"
         "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or "
         "sixthousand.csv),\n"
@@ -141,7 +156,10 @@ Command add_bench_command(CLI::App& app) {
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");
     auto arguments = std::make_shared<BenchArguments>();
     BenchArguments& a = *arguments;
-    sub->add_option("--table", a.tables, "which, repeatable: " + all_tables())->required()->expected(1)->take_all();
+    sub->add_option("--table", a.tables, "which, repeatable: all, or " + all_tables())
+        ->required()
+        ->expected(1)
+        ->take_all();
     sub->add_option("-o,--output", a.folder, "folder for tables, sets and runs")->required();
     sub->add_option("--rows", a.rows, "only rows with this text in 'set, setting', repeatable: '2 mm', 'pieces, post'")
         ->expected(1)

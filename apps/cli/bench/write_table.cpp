@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "../text.hpp"
@@ -166,6 +168,20 @@ void write_table(const Table& table, const std::vector<RanRow>& rows, const fs::
     }
     const std::string plot = svg_plot(curves, "copies placed", "ms a copy");
     if (!plot.empty()) write_whole(folder / ("table-" + table.name + ".svg"), plot);
+}
+
+void write_all_tables(const fs::path& folder) {
+    std::string text;
+    for (const std::string& name : table_names()) {
+        const std::string stem = "table-" + name;
+        std::ifstream table(folder / (stem + ".md"));
+        if (!table) continue;
+        text += std::string(std::istreambuf_iterator<char>(table), {}) + "\n";
+        if (fs::exists(folder / (stem + ".svg"))) {
+            text += fmt::format("![Milliseconds a copy against copies placed]({}.svg)\n\n", stem);
+        }
+    }
+    write_whole(folder / "benchmarks.md", text);
 }
 
 }  // namespace spectralpack::cli

@@ -14,4 +14,7 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows);
 /// Writes table-NAME.md, .csv and, where some run took long enough to see how its time grows, .svg.
 void write_table(const Table& table, const std::vector<RanRow>& rows, const std::filesystem::path& folder);
 
+/// Writes benchmarks.md: all tables that are in the folder, whenever they were made, and their plots.
+void write_all_tables(const std::filesystem::path& folder);
+
 }  // namespace spectralpack::cli
