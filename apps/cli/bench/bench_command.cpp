@@ -148,11 +148,10 @@ Command add_bench_command(CLI::App& app) {
         "the same call goes on where it was cut off, and what has the same command, program and inputs is not run "
         "again.\n"
         "Writes DIR/table-NAME.md, .csv and .svg, and DIR/benchmarks.md with all of them; packings and logs stay in "
-        "DIR/runs. The sets are generated with seed "
-        "0, or come\n"
-        "from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv (or tori48.csv), large.csv (or "
-        "sixthousand.csv),\n"
-        "polyhedra.csv.\n"
+        "DIR/runs.\n"
+        "The sets are generated with seed 0, or come from a folder with pieces.csv, mixtures.csv, locks.csv, tori.csv "
+        "(or\n"
+        "tori48.csv), large.csv (or sixthousand.csv), polyhedra.csv.\n"
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");
     auto arguments = std::make_shared<BenchArguments>();
     BenchArguments& a = *arguments;
