@@ -80,8 +80,7 @@ Command add_check_command(CLI::App& app) {
     auto* sub = app.add_subcommand("check", "Verify a packing from its meshes alone");
     sub->footer(
         "Decides containment, overlap, nesting, gaps, transforms and the stated density on the exact\n"
-        "triangles, and replays the disassembly plan, sharing no code with the packer. Exit status 1 when something is "
-        "wrong.");
+        "triangles, and replays the disassembly plan, sharing no code with the packer. Exit status 1 when something is wrong.");
     auto arguments = std::make_shared<CheckArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");

@@ -457,9 +457,9 @@ Command add_pack_command(CLI::App& app) {
         ->group(search);
     sub->add_option("--height-penalty", a.height_penalty, "how much height costs: auto, or p of p z^3 [auto]")
         ->group(search);
-    sub->add_option("--height-at", a.height_at,
-                    "where height counts: bottom, or top (before proximity: lower, in half the time) [bottom; top "
-                    "without a ceiling]")
+    sub->add_option(
+           "--height-at", a.height_at,
+           "where height counts: bottom, or top (before proximity: lower, in half the time) [bottom; top without a ceiling]")
         ->group(search);
     sub->add_option(
            "--order", a.order,

@@ -146,8 +146,7 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
         }
     }
     text +=
-        "\nThe paper's figures are for its own sets. A fixed set of one tray has the density of its own box. Made "
-        "with:\n\n";
+        "\nThe paper's figures are for its own sets. A fixed set of one tray has the density of its own box. Made with:\n\n";
     for (const auto& [stamp, load] : stamps) {
         text += fmt::format("- {}, load {:.1f} to {:.1f} as runs began\n", stamp, load.first, load.second);
     }
