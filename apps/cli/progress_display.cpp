@@ -77,16 +77,13 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line =
-        fmt::format("\r\033[K{:<11} [{}] {}/{}", phase_name(progress.phase), bar, progress.done, progress.total);
+    std::string line = fmt::format("{:<11} [{}] {}/{}", phase_name(progress.phase), bar, progress.done, progress.total);
     if (progress.phase == Phase::search && progress.density) {
         line += fmt::format("  density {}", percent_text(*progress.density));
     }
     if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));
-    fmt::print(stderr, "{}", line);
-    std::fflush(stderr);
-    drawn_ = true;
+    line_.draw(line);
 }
 
 void ProgressDisplay::on_warning(const std::string& message) {
@@ -105,11 +102,6 @@ void ProgressDisplay::on_error(const std::string& message) {
     } else {
         fmt::print(stderr, "spectralpack: {}\n", printable(message));
     }
-}
-
-void ProgressDisplay::finish() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
-    drawn_ = false;
 }
 
 }  // namespace spectralpack::cli

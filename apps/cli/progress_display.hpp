@@ -8,6 +8,8 @@
 
 #include <spectralpack/spectralpack.hpp>
 
+#include "status_line.hpp"
+
 namespace spectralpack::cli {
 
 enum class ProgressStyle { automatic, bar, json, none };
@@ -16,7 +18,6 @@ enum class ProgressStyle { automatic, bar, json, none };
 class ProgressDisplay : public Listener {
   public:
     explicit ProgressDisplay(ProgressStyle style);
-    ~ProgressDisplay() override { finish(); }
 
     void on_progress(const Progress& progress) override;
     void on_warning(const std::string& message) override;
@@ -25,7 +26,7 @@ class ProgressDisplay : public Listener {
     void on_error(const std::string& message);
 
     /// Ends the bar's line, so that other output starts on a fresh one.
-    void finish();
+    void finish() { line_.clear(); }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -43,7 +44,7 @@ class ProgressDisplay : public Listener {
     std::map<Phase, Run> runs_;
     std::optional<Phase> phase_;
     Clock::time_point last_ = {};
-    bool drawn_ = false;
+    StatusLine line_;
 };
 
 }  // namespace spectralpack::cli

@@ -16,22 +16,6 @@ std::string size_text(const Vec3& size) {
     return fmt::format("{} x {} x {} mm", length_text(size.x), length_text(size.y), length_text(size.z));
 }
 
-const char* reason_text(UnplacedReason reason) {
-    switch (reason) {
-        case UnplacedReason::tray_full:
-            return "no free place left";
-        case UnplacedReason::too_large:
-            return "too large";
-        case UnplacedReason::interlocked:
-            return "interlocked";
-        case UnplacedReason::unusable:
-            return "unusable";
-        case UnplacedReason::stopped:
-            return "not tried";
-    }
-    return "";
-}
-
 void print_left_over(const Packing& packing) {
     if (packing.unplaced.empty()) return;
     // Copies of one part for one reason in one entry, in the order in which they were given up.
@@ -51,7 +35,7 @@ void print_left_over(const Packing& packing) {
     for (std::size_t i = 0; i < entries.size() && i < kMostListed; ++i) {
         const Entry& entry = entries[i];
         fmt::print("    {} x {}: {}\n", entry.copies,
-                   printable(packing.parts[static_cast<std::size_t>(entry.part)].name), reason_text(entry.reason));
+                   printable(packing.parts[static_cast<std::size_t>(entry.part)].name), in_words(entry.reason));
     }
     if (entries.size() > kMostListed) {
         fmt::print("    and {} more parts; the packing file lists them all\n", entries.size() - kMostListed);

@@ -1,7 +1,6 @@
 #include "spectralpack/pack.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -22,6 +21,7 @@
 #include "api/order_measures.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"
+#include "core/stopwatch.hpp"
 #include "packing/least_box.hpp"
 #include "packing/many_trays.hpp"
 #include "packing/order_search.hpp"
@@ -29,10 +29,6 @@
 
 namespace spectralpack {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Parts that are the same mesh at the same size with the same gap and orientations share an id, and so the engines'
 /// caches.
@@ -67,7 +63,7 @@ class Run {
         : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
 
     PackResult run() {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         load();
         plan_ = make_plan(loaded_, container_, options_, workers_);
         kept_.resize(loaded_.parts.size());
@@ -78,7 +74,7 @@ class Run {
             }
         }
         PackResult result;
-        seconds_.load = seconds_since(start);
+        seconds_.load = watch.seconds();
 
         TraysResult trays;
         try {
@@ -93,7 +89,7 @@ class Run {
         result.stopped = stop_.reason();
         result.packing =
             packing_of({loaded_, container_, options_, plan_, trays, base_, seconds_, verified_, orders_}, workers_);
-        result.packing.metrics.seconds.total = seconds_since(start);
+        result.packing.metrics.seconds.total = watch.seconds();
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
         return result;
@@ -126,9 +122,9 @@ class Run {
             verifying = both.get();
             engine = std::move(both);
         }
-        const auto start = Clock::now();
+        const Stopwatch watch;
         const auto finish = [&] {
-            seconds_.search = seconds_since(start) - seconds_.voxelize - seconds_.refine - untangling_;
+            seconds_.search = watch.seconds() - seconds_.voxelize - seconds_.refine - untangling_;
             if (verifying) verified_ = verifying->verified();
         };
         try {
@@ -236,7 +232,7 @@ class Run {
     /// only where there is nothing else.
     void search_least_box(PlacementSearch& engine, TraysResult& best) {
         // One base after the other wants the same voxels; the memory plan has room for so many parts'.
-        keep_shapes_ = static_cast<int>(loaded_.parts.size()) <= 2 * plan_.ahead;
+        keep_shapes_ = static_cast<int>(loaded_.parts.size()) <= plan_.held();
         std::optional<BoxScore> least;
         std::int64_t searches = 0;
         const auto count = [&] { best.trays.front().searches = searches; };

@@ -142,7 +142,7 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
                          static_cast<std::int64_t>(plan.turned_sizes[i].size()));
     }
     const std::size_t held =
-        std::min<std::size_t>(shapes.size(), all ? shapes.size() : 2 * static_cast<std::size_t>(plan.ahead));
+        std::min<std::size_t>(shapes.size(), all ? shapes.size() : static_cast<std::size_t>(plan.held()));
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
                       std::greater<>());
     for (std::size_t i = 0; i < held; ++i) {

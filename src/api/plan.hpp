@@ -25,10 +25,11 @@ struct Plan {
     std::int64_t memory = 0;                      ///< bytes the run needs without caches, meshes included
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
     std::int64_t memory_limit = 0;
-    std::int64_t cache = 0;  ///< bytes left for caches
-    std::int64_t keep = 0;   ///< bytes of voxels that may be held from one tray to the next
-    int ahead = 1;           ///< parts whose voxels are made at a time
-    bool keeps_all = false;  ///< there is memory for the voxels of all parts at once
+    std::int64_t cache = 0;                 ///< bytes left for caches
+    std::int64_t keep = 0;                  ///< bytes of voxels that may be held from one tray to the next
+    int ahead = 1;                          ///< parts whose voxels are made at a time
+    int held() const { return 2 * ahead; }  ///< parts whose voxels are held at once: new ones, and some that wait
+    bool keeps_all = false;                 ///< there is memory for the voxels of all parts at once
     double box_ratio = 0, volume_ratio = 0;
 };
 

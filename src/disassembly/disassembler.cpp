@@ -154,17 +154,16 @@ class Disassembler::Yard {
     /// one that leaves only pockets count, which its leaving opens again where it touches them.
     bool leave_by_flood() {
         for (std::size_t passed = 0; passed < turns_.size();) {
+            if (owner_.setup_.stop.stopped()) return false;
             std::vector<std::size_t> turns;  // of those tried, from turn_ on
+            std::vector<Company::Flood> floods;
             for (std::size_t k = 0; passed + k < turns_.size() && turns.size() < kFloods; ++k) {
                 const std::size_t i = turns_[(turn_ + k) % turns_.size()];
-                if (company_.movable(i) && !pockets_[i]) turns.push_back(k);
+                if (!company_.movable(i) || pockets_[i]) continue;  // closed, and nothing that closed it has left since
+                turns.push_back(k);
+                floods.push_back(company_.flood(i));
             }
-            if (turns.empty()) break;  // closed, all of them, and nothing that closed them has left since
-            if (owner_.setup_.stop.stopped()) return false;
-            std::vector<Company::Flood> floods;
-            for (const std::size_t k : turns) {
-                floods.push_back(company_.flood(turns_[(turn_ + k) % turns_.size()]));
-            }
+            if (floods.empty()) break;
             std::vector<Company::Flooded> flooded(floods.size());
             owner_.setup_.workers.for_each(static_cast<std::int64_t>(floods.size()), [&](std::int64_t k) {
                 const auto at = static_cast<std::size_t>(k);

@@ -49,22 +49,6 @@ std::vector<PartOutcome> outcomes_of(const Packing& packing) {
     return outcomes;
 }
 
-const char* in_words(UnplacedReason reason) {
-    switch (reason) {
-        case UnplacedReason::tray_full:
-            return "no free place left";
-        case UnplacedReason::too_large:
-            return "too large";
-        case UnplacedReason::interlocked:
-            return "interlocked";
-        case UnplacedReason::unusable:
-            return "unusable";
-        case UnplacedReason::stopped:
-            return "not tried";
-    }
-    return "";
-}
-
 std::string joined(const std::vector<std::string>& texts) {
     std::string line;
     for (const std::string& text : texts) {

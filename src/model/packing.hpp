@@ -71,6 +71,23 @@ struct TrayPacking {
 
 enum class UnplacedReason { tray_full, too_large, interlocked, unusable, stopped };
 
+/// For people.
+inline const char* in_words(UnplacedReason reason) {
+    switch (reason) {
+        case UnplacedReason::tray_full:
+            return "no free place left";
+        case UnplacedReason::too_large:
+            return "too large";
+        case UnplacedReason::interlocked:
+            return "interlocked";
+        case UnplacedReason::unusable:
+            return "unusable";
+        case UnplacedReason::stopped:
+            return "not tried";
+    }
+    return "";
+}
+
 struct Unplaced {
     int part = 0;
     int copy = 0;

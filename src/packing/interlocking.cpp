@@ -1,12 +1,12 @@
 #include "packing/interlocking.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 #include <unordered_set>
 #include <utility>
 
+#include "core/stopwatch.hpp"
 #include "disassembly/growing_plan.hpp"
 #include "disassembly/remaining_steps.hpp"
 #include "packing/reachable_search.hpp"
@@ -16,12 +16,8 @@
 namespace spectralpack {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // SelectRemove of Algorithm 4: until their boxes are more than this share of all.
 constexpr double kShareToRemove = 0.1;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Those of `set`, which hold each other, that are taken out before trying again. Fixed copies stay.
 std::vector<int> select_remove(const std::vector<int>& set, const std::vector<StandingPart>& parts, TakeOut rule) {
@@ -68,12 +64,12 @@ class Untangling {
           standing_(setup, tray, placed, search, stop) {}
 
     Untangled run() {
-        const auto start = Clock::now();
+        const Stopwatch disassembling;
         const bool open = tray_.setup().ceiling == Ceiling::open;
         const double before = open ? height() : 0;
         const std::vector<PlacedItem> removed = disassemble();
-        result_.report.disassemble_seconds = seconds_since(start);
-        const auto reinserting = Clock::now();
+        result_.report.disassemble_seconds = disassembling.seconds();
+        const Stopwatch reinserting;
         const double voxelizing = setup_.shapes->seconds();
         if (!removed.empty()) {
             put_back(removed);
@@ -81,7 +77,7 @@ class Untangling {
             result_.report.changed = true;
             result_.report.least_gap = least_gap();
         }
-        result_.report.reinsert_seconds = seconds_since(reinserting) - (setup_.shapes->seconds() - voxelizing);
+        result_.report.reinsert_seconds = reinserting.seconds() - (setup_.shapes->seconds() - voxelizing);
         return std::move(result_);
     }
 

@@ -43,7 +43,7 @@ void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, Tra
             placed.insert(copy.item);
         }
         remaining = without(remaining, placed);
-        stopped = !tray.untried.empty() || stop.stopped();
+        stopped = stop.stopped();
         // What a next tray would have been tried for has not been tried to the end.
         result.left_over = stopped && next ? std::vector<PackItem>{} : without(tray.left_over, placed);
         const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());

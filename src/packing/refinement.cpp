@@ -1,8 +1,9 @@
 #include "packing/refinement.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <utility>
+
+#include "core/stopwatch.hpp"
 
 namespace spectralpack {
 
@@ -17,7 +18,7 @@ Refinement::Refinement(const RefineSetup& setup, double voxel_size, int detail, 
       refiner_(setup) {}
 
 Standing Refinement::settle(const PackItem& item, const Shape& shape, const BestPlacement& best) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best.index)];
     Standing standing = stand_on_grid(shape, best, voxel_size_, detail_, setup_.wall_gap);
     if (last_ != TurnedPart{item.part, oriented.orientation}) {
@@ -33,7 +34,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     standing.object = fine_object(std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, detail_,
                                   shape.gap_class);
     refiner_.add(std::move(refined));
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    seconds_ += watch.seconds();
     return standing;
 }
 

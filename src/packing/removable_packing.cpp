@@ -21,11 +21,9 @@ void RemovablePacking::make(const std::vector<StandingPart>& placed, const std::
 }
 
 bool RemovablePacking::admit(const PlacedItem& item) {
-    if (!standing_.grid_holds()) {
-        // The tray is higher than it was.
+    if (standing_.follow_tray()) {
         fills_ = fills();
         const std::vector<RemovalStep> steps = plan_->steps();
-        standing_.renew_grid();
         std::vector<StandingPart> placed = standing_.placed();
         placed.pop_back();
         make(placed, steps);

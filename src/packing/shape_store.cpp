@@ -1,8 +1,9 @@
 #include "packing/shape_store.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
+
+#include "core/stopwatch.hpp"
 
 namespace spectralpack {
 namespace {
@@ -53,7 +54,7 @@ void ShapeStore::start_tray(const std::vector<PackItem>& items) {
 const Shape& ShapeStore::at(std::size_t i) {
     auto& wanted = shapes_[static_cast<std::size_t>(items_[i].part)];
     if (!wanted) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         std::vector<int> batch;
         std::vector<bool> listed(shapes_.size(), false);
         for (std::size_t j = i; j < items_.size() && batch.size() < ahead_; ++j) {
@@ -67,7 +68,7 @@ const Shape& ShapeStore::at(std::size_t i) {
             const int part = batch[static_cast<std::size_t>(k)];
             shapes_[static_cast<std::size_t>(part)] = make_(part);
         });
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        seconds_ += watch.seconds();
     }
     return *wanted;
 }

@@ -15,7 +15,7 @@ StandingParts::StandingParts(const StandingSetup& setup, const Tray& tray, const
     : setup_(setup), tray_(tray), placed_(placed) {
     disassembly_.search = &search;
     disassembly_.corner = setup.walls ? setup.walls->corner : Vec3{setup.wall_gap, setup.wall_gap, setup.wall_gap};
-    renew_grid();
+    disassembly_.grid = setup.walls ? setup.walls->grid : finest_setup(tray.setup());
     disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
     disassembly_.on_grid = [this](int i) {
         const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
@@ -26,10 +26,10 @@ StandingParts::StandingParts(const StandingSetup& setup, const Tray& tray, const
     disassembly_.stop = stop;
 }
 
-bool StandingParts::grid_holds() const { return setup_.walls || disassembly_.grid.size.z >= tray_.setup().size.z; }
-
-void StandingParts::renew_grid() {
-    disassembly_.grid = setup_.walls ? setup_.walls->grid : finest_setup(tray_.setup());
+bool StandingParts::follow_tray() {
+    if (setup_.walls || disassembly_.grid.size.z >= tray_.setup().size.z) return false;
+    disassembly_.grid = finest_setup(tray_.setup());
+    return true;
 }
 
 /// An object of the tray in the grid that ways out are looked for in.

@@ -29,9 +29,9 @@ class StandingParts {
 
     /// Names are indices into `placed`.
     const DisassemblySetup& disassembly() const { return disassembly_; }
-    /// Whether the tray's grid is still the one that ways out are looked for in: under an open ceiling it grows.
-    bool grid_holds() const;
-    void renew_grid();
+    /// Under an open ceiling the tray grows. Makes the grid that ways out are looked for in as high; true where it was
+    /// not.
+    bool follow_tray();
 
     StandingPart of(const PlacedItem& item) const;
     std::vector<StandingPart> placed() const;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 
 #include "../commands.hpp"
@@ -55,16 +54,15 @@ void keep_wanted(Table& table, const std::vector<std::string>& wanted) {
     });
 }
 
-/// The tables to run, with their wanted rows. `letters`: for make_table().
-std::vector<Table> wanted_tables(const BenchArguments& arguments, Scale scale,
-                                 const std::function<std::string()>& letters) {
+/// The tables to run, with their wanted rows.
+std::vector<Table> wanted_tables(const BenchArguments& arguments, Scale scale) {
     const bool all = std::ranges::find(arguments.tables, "all") != arguments.tables.end();
     std::vector<Table> tables;
     for (const std::string& name : all ? table_names() : arguments.tables) {
         if (std::ranges::find(table_names(), name) == table_names().end()) {
             throw UsageError(fmt::format("there is no table '{}'; all, or one of {}", printable(name), all_tables()));
         }
-        Table table = make_table(name, scale, name == "letters" ? letters() : "");
+        Table table = make_table(name, scale);
         keep_wanted(table, arguments.rows);
         if (!table.rows.empty()) {
             tables.push_back(std::move(table));
@@ -83,7 +81,8 @@ int run_bench(const BenchArguments& arguments) {
         peers.push_back(peer_of(peer));
     }
     int runs = 0;
-    for (const Table& table : wanted_tables(arguments, scale, [] { return ""; })) {
+    const std::vector<Table> tables = wanted_tables(arguments, scale);
+    for (const Table& table : tables) {
         const int programs = table.name == "4" ? 1 + static_cast<int>(peers.size()) : 1;
         for (const Row& row : table.rows) {
             runs += ((row.tray ? 1 : 0) + (row.fixed ? 1 : 0)) * programs;
@@ -98,7 +97,7 @@ int run_bench(const BenchArguments& arguments) {
     BenchSets sets(folder / "sets", arguments.sets, arguments.mesh_dir, scale);
     RunDisplay display(runs);
     Runner runner(store, sets, options, display, interrupts.token());
-    for (const Table& table : wanted_tables(arguments, scale, [&] { return sets.letters().string(); })) {
+    for (const Table& table : tables) {
         std::vector<RanRow> rows;
         const auto add = [&](RanRow row) {
             if (row.tray || row.fixed) rows.push_back(std::move(row));

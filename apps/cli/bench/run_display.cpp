@@ -29,7 +29,7 @@ void RunDisplay::begins(const std::string& what) {
     ++run_;
     what_ = fmt::format("run {} of {}: {}", run_, runs_, what);
     if (terminal_) {
-        draw("");
+        line_.draw(printable(what_));
     } else {
         tell(what_);
     }
@@ -37,25 +37,14 @@ void RunDisplay::begins(const std::string& what) {
 
 void RunDisplay::at(const PackProgress& progress) {
     if (!terminal_) return;
-    std::string where = fmt::format("  {} {}/{}", progress.phase, progress.done, progress.total);
-    if (progress.left && *progress.left > 0) where += fmt::format("  about {} left", duration_text(*progress.left));
-    draw(where);
+    std::string line = fmt::format("{}  {} {}/{}", printable(what_), progress.phase, progress.done, progress.total);
+    if (progress.left && *progress.left > 0) line += fmt::format("  about {} left", duration_text(*progress.left));
+    line_.draw(line);
 }
 
 void RunDisplay::tell(const std::string& line) {
-    clear();
+    line_.clear();
     fmt::print(stderr, "{}\n", printable(line));
-}
-
-void RunDisplay::draw(const std::string& where) {
-    fmt::print(stderr, "\r\033[K{}{}", printable(what_), where);
-    std::fflush(stderr);
-    drawn_ = true;
-}
-
-void RunDisplay::clear() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
-    drawn_ = false;
 }
 
 }  // namespace spectralpack::cli

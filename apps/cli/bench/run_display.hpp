@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "../status_line.hpp"
+
 namespace spectralpack::cli {
 
 /// A line of `pack --progress json`; others are none.
@@ -20,9 +22,6 @@ std::optional<PackProgress> parse_progress(const std::string& line);
 class RunDisplay {
   public:
     explicit RunDisplay(int runs);
-    ~RunDisplay() { clear(); }
-    RunDisplay(const RunDisplay&) = delete;
-    RunDisplay& operator=(const RunDisplay&) = delete;
 
     void begins(const std::string& what);  ///< the next of the runs
     void passed() { ++run_; }              ///< the next had been run before
@@ -30,13 +29,11 @@ class RunDisplay {
     void tell(const std::string& line);
 
   private:
-    void draw(const std::string& where);
-    void clear();
-
     int runs_;
     int run_ = 0;
-    bool terminal_, drawn_ = false;
+    bool terminal_;
     std::string what_;
+    StatusLine line_;
 };
 
 }  // namespace spectralpack::cli

@@ -147,7 +147,9 @@ std::optional<Outcome> Runner::run(const std::string& what, const Task& task, co
     const SetOnDisk& set = sets_.at(task.set);
     std::vector<std::string> words{"pack", set.file.string()};
     if (!set.mesh_dir.empty()) words.insert(words.end(), {"--mesh-dir", set.mesh_dir});
-    for (const std::vector<std::string>& more : {task.container, options, options_.pack}) {
+    std::vector<std::string> into = task.container;
+    if (!task.letter.empty()) into = {"--container", sets_.letters().string() + "/letter-" + task.letter + ".stl"};
+    for (const std::vector<std::string>& more : {into, options, options_.pack}) {
         words.insert(words.end(), more.begin(), more.end());
     }
     if (options_.time_limit) words.insert(words.end(), {"--time-limit", fmt::format("{}", *options_.time_limit)});

@@ -12,6 +12,7 @@ namespace spectralpack::cli {
 struct Task {
     std::string set;                     ///< a set's name; "pieces:500" for its first 500 copies
     std::vector<std::string> container;  ///< options that say what is packed into
+    std::string letter = "";             ///< of the generated ones, which is the container instead
 };
 
 /// Two kinds of quality, because a tray that overflows is the denser the more hollow parts are left out.
@@ -35,7 +36,7 @@ enum class Scale { quick, full };
 /// "1" to "5", "order", "height", "letters", "tori", "polyhedra": the tables there are.
 const std::vector<std::string>& table_names();
 
-/// `name` is one of table_names(). `letters`: the folder of the containers of that table.
-Table make_table(const std::string& name, Scale scale, const std::string& letters);
+/// `name` is one of table_names().
+Table make_table(const std::string& name, Scale scale);
 
 }  // namespace spectralpack::cli

@@ -241,7 +241,7 @@ Table heights(const Sizes& s) {
     return table;
 }
 
-Table letters_table(const Sizes& s, const std::string& letters) {
+Table letters_table(const Sizes& s) {
     Table table{
         "letters", "Mixtures in letters (Fig. 14)",
         "One orientation, no interlocking, as in the paper (appendix B.4), which takes 12.73 s a letter. No fixed "
@@ -250,7 +250,7 @@ Table letters_table(const Sizes& s, const std::string& letters) {
         table.rows.push_back({"mixtures",
                               letter,
                               {"--voxel", s.fine, "--rotations", "none", "--interlock", "off"},
-                              Task{"mixtures", {"--container", letters + "/letter-" + letter + ".stl"}},
+                              Task{"mixtures", {}, letter},
                               {},
                               ""});
     }
@@ -316,7 +316,7 @@ const std::vector<std::string>& table_names() {
     return names;
 }
 
-Table make_table(const std::string& name, Scale scale, const std::string& letters) {
+Table make_table(const std::string& name, Scale scale) {
     const Sizes& s = sizes(scale);
     if (name == "1") return interlocking(s);
     if (name == "2") return refinement(s);
@@ -325,7 +325,7 @@ Table make_table(const std::string& name, Scale scale, const std::string& letter
     if (name == "5") return angles(s);
     if (name == "order") return orders(s);
     if (name == "height") return heights(s);
-    if (name == "letters") return letters_table(s, letters);
+    if (name == "letters") return letters_table(s);
     if (name == "tori") return tori(s);
     return polyhedra(s);
 }
