@@ -23,7 +23,7 @@ namespace {
 struct PackArguments {
     std::vector<std::string> parts;
     std::string mesh_dir;
-    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, take_out,
+    std::optional<std::string> unit, tray, trays, container, printer, onto, rotations, interlock, links, take_out,
         height_penalty, height_at, order, engine, memory, verify_with, progress, report;
     std::optional<std::string> minimise;
     std::optional<double> max_density, max_layer_fill;
@@ -198,6 +198,9 @@ PackOptions override_options(PackOptions options, const PackArguments& a) {
         options.interlock =
             choose<Interlock>({{"off", Interlock::off}, {"post", Interlock::post}, {"place", Interlock::place}},
                               *a.interlock, "--interlock");
+    }
+    if (a.links) {
+        options.links = choose<Links>({{"allow", Links::allow}, {"avoid", Links::avoid}}, *a.links, "--links");
     }
     if (a.take_out) {
         options.take_out = choose<TakeOut>(
@@ -482,6 +485,10 @@ Command add_pack_command(CLI::App& app) {
     sub->add_flag("--no-refine", a.no_refine, "stay on the grid")->group(search);
     sub->add_option("--interlock", a.interlock,
                     "keep copies from locking: post (repair the packing), place (only where a way out is), off [post]")
+        ->group(search);
+    sub->add_option("--links", a.links,
+                    "with --interlock post, places where two copies hold each other by themselves, like links of a "
+                    "chain: avoid, allow (the paper's way: taken out again afterwards) [avoid]")
         ->group(search);
     sub->add_option(
            "--take-out", a.take_out,

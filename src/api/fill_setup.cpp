@@ -51,6 +51,7 @@ FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& l
     setup.max_density = options.max_density;
     setup.max_layer_fill = options.max_layer_fill;
     setup.interlock = options.interlock;
+    setup.links = options.links;
     setup.take_out = options.take_out;
     const auto telling = [&listener](Phase phase) {
         return [&listener, phase](int left, int all) {

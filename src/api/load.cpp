@@ -220,6 +220,7 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     hash.add(options.detail);
     hash.add(options.refine);
     hash.add(options.interlock);
+    hash.add(options.links);
     hash.add(options.take_out);
     hash.add(options.height_at ? static_cast<int>(*options.height_at) : -1);
     hash.add(options.open_height);

@@ -12,6 +12,7 @@
 #include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
 #include "packing/shape_store.hpp"
+#include "packing/unlinked_search.hpp"
 #include "search/tray.hpp"
 
 namespace spectralpack {
@@ -178,6 +179,10 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     // A beam has a tray and an engine for each of its states.
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers);
+    if (options.interlock == Interlock::post && options.links == Links::avoid) {
+        const std::int64_t voxels = grid.count() * part_count(options.detail);
+        bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptInSearch, voxels);
+    }
     if (options.verify_with) {
         bytes += engine_memory(resolve_engine(options.verify_with->engine), need, workers);
     }

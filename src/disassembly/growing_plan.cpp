@@ -64,6 +64,7 @@ class GrowingPlan::Letting {
     std::optional<Path> past(const Members& movers, Path path) const;
     bool leaves_before(const Step& planned);
     void go_on(const Step& planned, const Members& movers, std::optional<Path> path);
+    bool still_stuck();
     bool take_apart_those_waiting(bool instead);
 
     GrowingPlan& plan_;
@@ -258,7 +259,16 @@ std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members
         apart.discarded.emplace_back(member, disassembler.steps().size());
     }
     fills_ += disassembler.counts().fills;
-    if (!all) return std::nullopt;
+    if (!all) {
+        last_stuck_.clear();
+        for (const std::vector<int>& set : disassembler.stuck()) {
+            for (const int i : set) {
+                const std::size_t member = members[static_cast<std::size_t>(i)];
+                if (member != part) last_stuck_.push_back(member);
+            }
+        }
+        return std::nullopt;
+    }
     apart.steps = disassembler.steps();
     for (RemovalStep& step : apart.steps) {
         for (int& i : step.placements) {
@@ -365,8 +375,19 @@ void GrowingPlan::Letting::go_on(const Step& planned, const Members& movers, std
     if (path) keep({{planned.step.placements, std::move(*path)}, planned.number});
 }
 
+/// Whether the part is held by those that held the last one for which no plan was found: many copies are tried in the
+/// same hole, and a few of those around it are asked sooner than all that wait.
+bool GrowingPlan::Letting::still_stuck() {
+    Members few = plan_.last_stuck_;
+    if (few.empty() || !std::ranges::all_of(few, [&](std::size_t i) { return waits_[i]; })) return false;
+    few.push_back(part_);
+    std::sort(few.begin(), few.end());
+    return few.size() < waiting_.size() && !plan_.take_apart(few, part_, false);
+}
+
 /// By themselves, after all others have left.
 bool GrowingPlan::Letting::take_apart_those_waiting(bool instead) {
+    if (!instead && still_stuck()) return false;
     Members members = waiting_;
     std::sort(members.begin(), members.end());
     for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {

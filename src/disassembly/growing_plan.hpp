@@ -79,6 +79,7 @@ class GrowingPlan {
     std::vector<Step> steps_;
     std::vector<std::size_t> discarded_after_;
     std::size_t next_number_ = 0;
+    Members last_stuck_;  // held the last part that no plan was found with
     int fills_ = 0;
 
     // Those that stood when a way out was last asked for: most stand then as well when it is asked for again.

@@ -16,6 +16,7 @@ using Names = std::array<std::pair<std::string_view, Value>, N>;
 
 inline constexpr Names<Interlock, 3> kInterlockNames{
     {{"off", Interlock::off}, {"place", Interlock::place}, {"post", Interlock::post}}};
+inline constexpr Names<Links, 2> kLinksNames{{{"allow", Links::allow}, {"avoid", Links::avoid}}};
 inline constexpr Names<TakeOut, 3> kTakeOutNames{
     {{"smallest", TakeOut::smallest}, {"lightest", TakeOut::lightest}, {"thinnest", TakeOut::thinnest}}};
 inline constexpr Names<Order, 5> kOrderNames{{{"size", Order::size},

@@ -69,6 +69,7 @@ Json options_json(const PackOptions& o) {
             {"wall-gap", o.wall_gap},
             {"refine", o.refine},
             {"interlock", name_of(kInterlockNames, o.interlock)},
+            {"links", name_of(kLinksNames, o.links)},
             {"take-out", name_of(kTakeOutNames, o.take_out)},
             {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
             {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},

@@ -15,6 +15,9 @@ enum class Interlock { off, place, post };
 /// the paper's rule, the smallest boxes until they exceed a tenth of all; lightest: the one with the least material;
 /// thinnest: the one with the least material for its box (cages, rings and springs rather than what is in them).
 enum class TakeOut { smallest, lightest, thinnest };
+/// Whether copies may be placed that cannot be drawn apart even by themselves, like links of a chain: what then holds
+/// each other is found afterwards and taken out, as in the paper.
+enum class Links { allow, avoid };
 enum class Order { size, input, random, volume, mixed };
 enum class EngineKind { automatic, cpu, cuda, reference };
 enum class HeightReference { bottom, top };
@@ -40,7 +43,8 @@ struct PackOptions {
     double wall_gap = 0;                       ///< least distance to the container, mm
     bool refine = true;                        ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::post;     ///< section 4
-    TakeOut take_out = TakeOut::thinnest;      ///< with Interlock::post
+    Links links = Links::avoid;                ///< with Interlock::post
+    TakeOut take_out = TakeOut::thinnest;      ///< the same
     std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
     std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
     bool open_height = false;  ///< least height; the tray's z is the reference height (0: its longer side)

@@ -239,7 +239,8 @@ class Untangling {
     bool put_in(const PackItem& item, const Shape& shape, RemovablePacking& packing, ReachableSearch& reachable) {
         const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
-        for (PlacementSearch* search : {&search_, static_cast<PlacementSearch*>(&reachable)}) {
+        PlacementSearch& best = setup_.best ? *setup_.best : search_;
+        for (PlacementSearch* search : {&best, static_cast<PlacementSearch*>(&reachable)}) {
             const SearchResult found = find_place(tray_, *search, setup_.model, item, shape, setup_.limits, stop_);
             if (!found.best) return false;
             if (put_at(*found.best, item, shape, packing)) return true;

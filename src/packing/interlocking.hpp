@@ -16,7 +16,8 @@ namespace spectralpack {
 struct InterlockSetup : StandingSetup {
     double voxel_size = 2;  ///< mm
     CostModel model;
-    ShapeStore* shapes = nullptr;  ///< free to start a tray
+    PlacementSearch* best = nullptr;  ///< tells where copies are tried first; null: the one that all else is asked of
+    ShapeStore* shapes = nullptr;     ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
     std::vector<PackItem> order;    ///< in which copies are put back

@@ -33,7 +33,7 @@ CapSetup cap_setup(const FillSetup& setup) {
 }  // namespace
 
 TrayFiller::TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers)
-    : setup_(std::move(setup)), search_(search), part_of_(std::move(part_of)), workers_(workers) {
+    : setup_(std::move(setup)), search_(search), unlinked_(search), part_of_(std::move(part_of)), workers_(workers) {
     if (setup_.container.physical && setup_.interlock != Interlock::off) {
         physical_ = physical_walls(setup_.container, finest_setup(setup_.tray), setup_.wall_gap, workers_);
     }
@@ -103,7 +103,9 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
     };
     const GreedyLimits limits{caps ? &*caps : nullptr, setup_.most_layers, wanted.give_up_after};
     ReachableSearch reachable(search_, physical_ ? &*physical_ : nullptr);
-    PlacementSearch& search = setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable) : search_;
+    PlacementSearch& search = setup_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable)
+                              : avoids_links()                     ? static_cast<PlacementSearch&>(unlinked_)
+                                                                   : search_;
     pack(tray, search, settle, limits);
     double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
     refinement.reset();
@@ -124,6 +126,7 @@ void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector
     setup.surfaces = &surfaces;
     setup.fixed = std::move(fixed);
     setup.walls = physical_ ? &*physical_ : nullptr;
+    if (avoids_links()) setup.best = &unlinked_;
     setup.shapes = &shapes;
     setup.limits = limits;
     setup.take_out = setup_.take_out;

@@ -12,6 +12,7 @@
 #include "packing/greedy.hpp"
 #include "packing/interlocking.hpp"
 #include "packing/refinement.hpp"
+#include "packing/unlinked_search.hpp"
 
 namespace spectralpack {
 
@@ -35,6 +36,7 @@ struct FillSetup {
     std::optional<BeamSetup> beam;         ///< copies are not tried in one order; without refinement and caps only
     bool refine = false;                   ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
+    Links links = Links::avoid;
     TakeOut take_out = TakeOut::thinnest;
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
@@ -77,6 +79,7 @@ class TrayFiller {
     std::optional<double> least_gap() const { return least_gap_; }
 
   private:
+    bool avoids_links() const { return setup_.interlock == Interlock::post && setup_.links == Links::avoid; }
     /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
     /// are placed by; then makes what it packed come apart.
     template <class Pack>
@@ -89,6 +92,7 @@ class TrayFiller {
 
     FillSetup setup_;
     PlacementSearch& search_;
+    UnlinkedSearch unlinked_;
     PartSurfaces::PartOf part_of_;
     Workers workers_;
     std::vector<StandingCopy> walls_;        // for refinement

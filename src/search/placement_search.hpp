@@ -49,10 +49,11 @@ struct FreePositions {
 };
 
 struct FreeQuery {
-    std::optional<ObjectId> without;  ///< this object is out while asking
+    std::optional<ObjectId> without{};  ///< this object is out while asking
     /// Extra positions on every side beyond those whose voxels can overlap the grid; at least 1, so
     /// that the outermost positions are wholly outside it.
     int padding = 1;
+    bool once = false;  ///< of free_tiles(): nobody else is going to ask about this tray, so nothing need be kept of it
 };
 
 /// Free positions by tiles of 64 along x (bits of a word) and 8 along y, for who needs few of them: what

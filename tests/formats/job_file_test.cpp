@@ -80,6 +80,7 @@ TEST(JobFile, ReadsEveryKey) {
                            {"rotations", 45},
                            {"refine", false},
                            {"interlock", "off"},
+                           {"links", "allow"},
                            {"take-out", "smallest"},
                            {"order", "random"},
                            {"height-penalty", 4},
@@ -127,6 +128,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.detail, 3);
     EXPECT_EQ(s.options.rotations, "45");
     EXPECT_EQ(s.options.order, Order::random);
+    EXPECT_EQ(s.options.links, Links::allow);
     EXPECT_EQ(s.options.take_out, TakeOut::smallest);
     EXPECT_EQ(s.options.height_penalty, 4);
     EXPECT_EQ(s.options.height_at, HeightReference::top);

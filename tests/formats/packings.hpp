@@ -26,6 +26,7 @@ inline Packing small_packing() {
     packing.options.wall_gap = 1;
     packing.options.refine = true;
     packing.options.interlock = Interlock::place;
+    packing.options.links = Links::allow;
     packing.options.take_out = TakeOut::thinnest;
     packing.options.height_penalty = 1e8;
     packing.options.height_at = HeightReference::top;

@@ -156,6 +156,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     setup.tray.voxel_size = 1;
     setup.container.size = {32, 26, 26};
     setup.interlock = Interlock::post;
+    setup.links = Links::allow;
     setup.take_out = TakeOut::lightest;
     setup.left = [](int, int) {};
     int tried = 0;

@@ -115,7 +115,8 @@ class CpuSearch final : public PlacementSearch {
 
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                                const FreeQuery& query) override {
-        return std::make_unique<FreeTiles>(tray, dilated(tray), query, std::move(solid));
+        std::shared_ptr<DilatedLayers> layers = query.once ? std::make_shared<DilatedLayers>(tray) : dilated(tray);
+        return std::make_unique<FreeTiles>(tray, std::move(layers), query, std::move(solid));
     }
 
     const char* name() const override { return "cpu"; }

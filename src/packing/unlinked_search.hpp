@@ -1,0 +1,58 @@
+#pragma once
+/// Placement where no two copies hold each other: an engine whose best_placement() never answers with a position from
+/// which the copy could not be drawn away from some copy that stands even if nothing else stood. Such pairs, linked
+/// rings above all, are most of what is interlocked in a dense packing; what three or more copies do together is left
+/// to taking the tray apart.
+///
+/// Definition: a position q of an orientation is unlinked if, for every object b of the tray, link_sample(A) can be
+/// moved from q to where A is outside of b's box by single steps along x, y and z through positions where it does not
+/// meet b, all in the voxels that collisions are decided on (dx / s). The best unlinked placement is the best placement
+/// (conventions.md) among the candidates that are also unlinked.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+#include "search/placement_search.hpp"
+#include "voxel/outlines.hpp"
+
+namespace spectralpack {
+
+/// What stands for a solid where links are looked for: its rows along x with y + z a multiple of n, n growing with the
+/// voxels along it. What is as thick as n voxels, or half of that both ways, cannot slip between; what is thinner may,
+/// and a link be missed.
+BitGrid link_sample(const BitGrid& solid);
+
+class UnlinkedSearch final : public PlacementSearch {
+  public:
+    /// `engine` outlives it.
+    explicit UnlinkedSearch(PlacementSearch& engine) : engine_(engine) {}
+
+    /// Asks the engine, which asks back of each candidate that would be the best so far. Most can be drawn straight
+    /// away from every copy whose box they reach into, as outlines tell; for the others walks outwards answer, each
+    /// past one object, and are remembered while the engine searches.
+    SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                const StopToken& stop) override;
+    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
+        return engine_.free_positions(tray, shape, index, query);
+    }
+    std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
+                                               const FreeQuery& query) override {
+        return engine_.free_tiles(tray, std::move(solid), query);
+    }
+    const char* name() const override { return engine_.name(); }
+    std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
+
+    /// Bytes that are kept at most of what may be asked again: from search to search, and during one.
+    static constexpr std::int64_t kKept = std::int64_t{64} << 20, kKeptInSearch = std::int64_t{192} << 20;
+
+  private:
+    class Asking;
+
+    PlacementSearch& engine_;
+    std::uint64_t followed_ = 0;             // the tray whose objects these are
+    std::map<ObjectId, Outlines> outlines_;  // of those that have been asked for
+    std::int64_t outlines_bytes_ = 0;
+};
+
+}  // namespace spectralpack

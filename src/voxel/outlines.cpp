@@ -1,0 +1,108 @@
+#include "voxel/outlines.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace spectralpack {
+namespace {
+
+// Beyond all voxels, and far enough from what an int holds to be moved by any of them.
+constexpr int kFar = 1 << 29;
+
+/// Calls visit(x) for the voxels of `row` that are not in `seen` yet, and adds them to it.
+template <class Visit>
+void for_fresh(const BitGrid::Word* row, std::vector<BitGrid::Word>& seen, const Visit& visit) {
+    for (std::size_t w = 0; w < seen.size(); ++w) {
+        for (BitGrid::Word fresh = row[w] & ~seen[w]; fresh != 0; fresh &= fresh - 1) {
+            visit(static_cast<std::size_t>(64 * static_cast<int>(w) + std::countr_zero(fresh)));
+        }
+        seen[w] |= row[w];
+    }
+}
+
+}  // namespace
+
+Outlines::Outlines(const BitGrid& voxels) : extent_(voxels.extent()) {
+    const Extent& n = extent_;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto lines = static_cast<std::size_t>(n[across(axis)]) * static_cast<std::size_t>(n[up(axis)]);
+        along_[static_cast<std::size_t>(axis)] = {std::vector<int>(lines, kFar), std::vector<int>(lines, -kFar)};
+    }
+    const auto words = static_cast<std::size_t>(voxels.words_per_row());
+    Ends& x = along_[0];
+    for (int z = 0; z < n.z; ++z) {
+        for (int y = 0; y < n.y; ++y) {
+            const BitGrid::Word* row = voxels.row(y, z);
+            const auto line = static_cast<std::size_t>(z) * static_cast<std::size_t>(n.y) + static_cast<std::size_t>(y);
+            for (int w = 0; w < voxels.words_per_row(); ++w) {
+                if (row[w] == 0) continue;
+                x.first[line] = std::min(x.first[line], 64 * w + std::countr_zero(row[w]));
+                x.last[line] = 64 * w + 63 - std::countl_zero(row[w]);
+            }
+        }
+    }
+    // Along y in each layer, then along z over all rows, both ways: the first to be seen in a line is its end.
+    const auto see = [&](const BitGrid::Word* row, std::vector<BitGrid::Word>& seen, int* ends, int at) {
+        for_fresh(row, seen, [&](std::size_t i) { ends[i] = at; });
+    };
+    const auto width = static_cast<std::size_t>(n.x);
+    std::vector<BitGrid::Word> seen;
+    for (int z = 0; z < n.z; ++z) {
+        const std::size_t line = static_cast<std::size_t>(z) * width;
+        seen.assign(words, 0);
+        for (int y = 0; y < n.y; ++y)
+            see(voxels.row(y, z), seen, along_[1].first.data() + line, y);
+        seen.assign(words, 0);
+        for (int y = n.y - 1; y >= 0; --y)
+            see(voxels.row(y, z), seen, along_[1].last.data() + line, y);
+    }
+    for (int y = 0; y < n.y; ++y) {
+        const std::size_t line = static_cast<std::size_t>(y) * width;
+        seen.assign(words, 0);
+        for (int z = 0; z < n.z; ++z)
+            see(voxels.row(y, z), seen, along_[2].first.data() + line, z);
+        seen.assign(words, 0);
+        for (int z = n.z - 1; z >= 0; --z)
+            see(voxels.row(y, z), seen, along_[2].last.data() + line, z);
+    }
+}
+
+std::int64_t Outlines::bytes() const {
+    std::int64_t count = 0;
+    for (const Ends& ends : along_) {
+        count += static_cast<std::int64_t>(ends.first.size() + ends.last.size());
+    }
+    return count * static_cast<std::int64_t>(sizeof(int));
+}
+
+bool Outlines::leave(const Outlines& others, const VoxelIndex& at) const {
+    return leave_along(2, others, at) || leave_along(0, others, at) || leave_along(1, others, at);
+}
+
+bool Outlines::leave_along(int axis, const Outlines& others, const VoxelIndex& at) const {
+    const Ends& mine = along_[static_cast<std::size_t>(axis)];
+    const Ends& theirs = others.along_[static_cast<std::size_t>(axis)];
+    const int a = across(axis), u = up(axis);
+    // Of the lines that both have, by mine.
+    const int lo = std::max(0, -at[a]), hi = std::min(extent_[a], others.extent_[a] - at[a]);
+    bool ahead = false, behind = false;  // something is in the way
+    for (int j = std::max(0, -at[u]); j < std::min(extent_[u], others.extent_[u] - at[u]); ++j) {
+        const auto my_line = static_cast<std::ptrdiff_t>(j) * extent_[a];
+        const auto their_line = static_cast<std::ptrdiff_t>(j + at[u]) * others.extent_[a] + at[a];
+        const int* my_first = mine.first.data() + my_line;
+        const int* my_last = mine.last.data() + my_line;
+        const int* their_first = theirs.first.data() + their_line;
+        const int* their_last = theirs.last.data() + their_line;
+        int ahead_here = 0, behind_here = 0;
+        for (int i = lo; i < hi; ++i) {
+            ahead_here |= static_cast<int>(their_last[i] > my_first[i] + at[axis]);
+            behind_here |= static_cast<int>(their_first[i] < my_last[i] + at[axis]);
+        }
+        ahead = ahead || ahead_here != 0;
+        behind = behind || behind_here != 0;
+        if (ahead && behind) return false;
+    }
+    return true;
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,117 @@
+#include "packing/unlinked_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "disassembly/scenes.hpp"
+#include "packing/tray_filler.hpp"
+#include "search/brute_force.hpp"
+#include "search/cpu/cpu_search.hpp"
+#include "search/plain_region.hpp"
+#include "search/random_scene.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+/// Where `solid` does not meet `still`, with a rim outside of it.
+FreePositions free_beside(const BitGrid& still, const BitGrid& solid) {
+    const Extent &n = still.extent(), &a = solid.extent();
+    FreePositions result{{-a.x, -a.y, -a.z}, BitGrid({n.x + a.x + 1, n.y + a.y + 1, n.z + a.z + 1})};
+    for_each_voxel(result.free.extent(), [&](int x, int y, int z) {
+        result.free.set(x, y, z, !intersects(still, solid, result.origin + VoxelIndex{x, y, z}));
+    });
+    return result;
+}
+
+/// The best of the candidates from which there is a way past each object, no others being admitted.
+SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
+    const int s = tray.detail();
+    shape.admits = [&](int index, const VoxelIndex& q) {
+        const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
+        const BitGrid solid = link_sample(s == 1 ? *oriented.solid : *oriented.fine);
+        for (ObjectId id = 0; id < tray.object_count(); ++id) {
+            if (!tray.find(id)) continue;
+            const TrayObject object = on_finest(tray.object(id));
+            const FreePositions free = free_beside(*object.solid, solid);
+            const VoxelIndex at = VoxelIndex{s * q.x, s * q.y, s * q.z} - object.position - free.origin;
+            if (!free.free.extent().contains(at)) continue;
+            if (!plain_region(free).get(at.x, at.y, at.z)) return false;
+        }
+        return true;
+    };
+    return BruteForceSearch().best_placement(tray, shape, model, {});
+}
+
+void expect_the_best_of_what_is_unlinked(int detail, std::uint64_t scenes) {
+    const auto engine = make_cpu_search({}, Workers(2));
+    UnlinkedSearch unlinked(*engine);
+    int differs = 0, answers = 0;
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        SceneLimits limits;
+        limits.least = {6, 6, 5};
+        limits.most = {12, 9, 7};
+        limits.detail = detail;
+        limits.objects = 6;
+        Scene scene = random_scene(random, limits, 1 + 100 * seed);
+        for (int step = 0; step < 3; ++step) {
+            for (const Shape& shape : scene.shapes) {
+                const CostModel model = random_model(random);
+                const SearchResult answer = unlinked.best_placement(scene.tray, shape, model, {});
+                ASSERT_EQ(answer.best, plain_best(scene.tray, shape, model).best);
+                differs += answer.best != engine->best_placement(scene.tray, shape, model, {}).best;
+                answers += answer.best.has_value();
+                if (answer.best && one_in(random, 2)) place(scene, shape, answer.best->index, answer.best->position);
+            }
+            if (one_in(random, 2)) random_change(scene, random);
+        }
+    }
+    EXPECT_GT(answers, 50);
+    EXPECT_GT(differs, 5) << "scenes in which it matters";
+}
+
+TEST(UnlinkedSearch, AnswersTheBestOfWhatIsUnlinked) { expect_the_best_of_what_is_unlinked(1, 150); }
+
+TEST(UnlinkedSearch, DecidesInTheVoxelsThatCollisionsAreDecidedOn) { expect_the_best_of_what_is_unlinked(3, 60); }
+
+/// A chest whose lid has a hole, and a cube too large for that, which stands closest within.
+FilledTray chest_and_cube(Links links) {
+    const std::vector<Mat3> upright{Mat3{}};
+    const std::vector<Mesh> meshes{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})),
+                                   cube_mesh(14)};
+    ShapeStore shapes(
+        [&](int part) {
+            return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
+                                                            meshes[static_cast<std::size_t>(part)], upright, 1, 1, 0,
+                                                            {0}, Workers(1)));
+        },
+        Workers(1));
+    FillSetup setup;
+    setup.tray.size = {60, 26, 26};
+    setup.tray.voxel_size = 1;
+    setup.container.size = {60, 26, 26};
+    setup.interlock = Interlock::post;
+    setup.links = links;
+    setup.left = setup.to_put_back = [](int, int) {};
+    const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
+    TrayFiller filler(
+        setup, *search,
+        [&](int part) {
+            return ScaledPart{std::make_shared<const Mesh>(meshes[static_cast<std::size_t>(part)]), 0, &upright, 0};
+        },
+        Workers(1));
+    FilledTray result;
+    filler.fill(
+        {0, {{0, 0}, {1, 0}}, false, 0}, shapes, [](std::size_t) {}, {}, result);
+    EXPECT_EQ(result.placed.size(), 2u);
+    EXPECT_TRUE(result.plan && result.plan->complete);
+    return result;
+}
+
+TEST(UnlinkedSearch, SparesTakingOutWhatWouldBeHeld) {
+    EXPECT_EQ(chest_and_cube(Links::allow).report.counts.removed, 1);
+    EXPECT_EQ(chest_and_cube(Links::avoid).report.counts.removed, 0);
+}
+
+}  // namespace
+}  // namespace spectralpack::test
