@@ -38,7 +38,7 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_ru
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
-    const std::vector<std::uint8_t> outside(width, 0);
+    const std::vector<std::uint8_t> outside(layer, 0);
     const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row(y, z), from, 1, width); };
     if (solid_runs.axis != 0) {
         std::vector<std::uint8_t> spare;
@@ -55,14 +55,13 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_ru
         }
     }
     if (solid_runs.axis != 2) {
-        for (int z = 0; z < n.z; ++z) {
-            for (int y = 0; y < n.y; ++y)
-                lower(y, z, z > 0 ? row(y, z - 1) : outside.data());
-        }
-        for (int z = n.z - 1; z >= 0; --z) {
-            for (int y = 0; y < n.y; ++y)
-                lower(y, z, z + 1 < n.z ? row(y, z + 1) : outside.data());
-        }
+        const auto lower_layer = [&](int z, int from) {
+            lower_bytes(row(0, z), from >= 0 && from < n.z ? row(0, from) : outside.data(), 1, layer);
+        };
+        for (int z = 0; z < n.z; ++z)
+            lower_layer(z, z - 1);
+        for (int z = n.z - 1; z >= 0; --z)
+            lower_layer(z, z + 1);
     }
 
     std::vector<std::uint32_t> sums;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -52,14 +53,21 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
 /// apart.
 template <class T, class Level>
 std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch, const Level& level) {
-    std::vector<std::vector<T>> shelves(levels);
+    const auto shelf_of = [&](const T& item) { return levels - 1 - static_cast<std::size_t>(level(item)); };
+    std::vector<std::size_t> end(levels + 1, 0);
     for (const T& item : items) {
-        shelves[static_cast<std::size_t>(level(item))].push_back(item);
+        ++end[shelf_of(item) + 1];
+    }
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<std::uint32_t> shelved(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        shelved[end[shelf_of(items[i])]++] = static_cast<std::uint32_t>(i);
     }
     std::vector<T> result;
     result.reserve(items.size());
-    for (auto shelf = shelves.rbegin(); shelf != shelves.rend(); ++shelf) {
-        for_each_spread(shelf->size(), stretch, [&](std::size_t i) { result.push_back((*shelf)[i]); });
+    for (std::size_t shelf = 0, begin = 0; shelf < levels; begin = end[shelf++]) {
+        for_each_spread(end[shelf] - begin, stretch,
+                        [&](std::size_t i) { result.push_back(items[shelved[begin + i]]); });
     }
     return result;
 }
@@ -105,26 +113,31 @@ void clear_stretch(BitGrid::Word* row, int begin, int end) {
 }
 
 /// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
-/// direction. (Beyond 2^21 voxels along an axis it would be another order, and nothing but speed depends on it.)
+/// direction. By counting, an axis at a time: O(items + extents).
 template <class T, class Voxel>
 std::vector<std::uint32_t> by_place(const std::vector<T>& items, const Voxel& voxel) {
-    struct Key {
-        std::uint64_t place;
-        std::uint32_t index;
-    };
-    std::vector<Key> keys;
-    keys.reserve(items.size());
+    std::vector<VoxelIndex> voxels;
+    voxels.reserve(items.size());
+    VoxelIndex last{};
     for (const T& item : items) {
-        const VoxelIndex v = voxel(item);
-        keys.push_back({(static_cast<std::uint64_t>(v.z) << 42) | (static_cast<std::uint64_t>(v.y) << 21) |
-                            static_cast<std::uint64_t>(v.x),
-                        static_cast<std::uint32_t>(keys.size())});
+        voxels.push_back(voxel(item));
+        for (int axis = 0; axis < 3; ++axis) {
+            last[axis] = std::max(last[axis], voxels.back()[axis]);
+        }
     }
-    std::ranges::sort(keys, {}, [](const Key& key) { return std::pair(key.place, key.index); });
-    std::vector<std::uint32_t> order;
-    order.reserve(keys.size());
-    for (const Key& key : keys) {
-        order.push_back(key.index);
+    std::vector<std::uint32_t> order(items.size()), before(items.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<std::uint32_t> begin;
+    for (int axis = 0; axis < 3; ++axis) {
+        begin.assign(static_cast<std::size_t>(last[axis]) + 2, 0);
+        for (const VoxelIndex& v : voxels) {
+            ++begin[static_cast<std::size_t>(v[axis]) + 1];
+        }
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        before.swap(order);
+        for (const std::uint32_t i : before) {
+            order[begin[static_cast<std::size_t>(voxels[i][axis])]++] = i;
+        }
     }
     return order;
 }
