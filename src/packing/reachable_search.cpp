@@ -9,9 +9,6 @@
 namespace spectralpack {
 namespace {
 
-// What is admitted is another matter than what is free: to the engine these are shapes of their own.
-constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63;
-
 /// What is known of one orientation's positions.
 struct Known {
     std::mutex mutex;
@@ -35,7 +32,7 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         known[i].tiles = engine_.free_tiles(fine, solid, {});
     }
     Shape asked = shape;
-    asked.id |= kOwnIds;
+    asked.id |= kReachableIds;
     asked.admits = [&](int index, const VoxelIndex& q) {
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);

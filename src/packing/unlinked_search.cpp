@@ -11,9 +11,6 @@
 namespace spectralpack {
 namespace {
 
-// What is admitted is another matter than what is free: to the engine these are shapes of their own.
-constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 62;
-
 /// A tray that the object alone stands in, as large as its box.
 Tray tray_around(TrayObject object) {
     const Extent& box = object.solid->extent();
@@ -155,7 +152,7 @@ SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape
     }
     Asking asking(*this, tray, shape, stop);
     Shape asked = shape;
-    asked.id |= kOwnIds;
+    asked.id |= kUnlinkedIds;
     asked.admits = [&](int index, const VoxelIndex& q) { return asking.unlinked(index, q); };
     return engine_.best_placement(tray, asked, model, stop);
 }

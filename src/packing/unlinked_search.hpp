@@ -11,9 +11,8 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 
-#include "search/placement_search.hpp"
+#include "search/forwarding_search.hpp"
 #include "voxel/outlines.hpp"
 
 namespace spectralpack {
@@ -23,24 +22,16 @@ namespace spectralpack {
 /// and a link be missed.
 BitGrid link_sample(const BitGrid& solid);
 
-class UnlinkedSearch final : public PlacementSearch {
+class UnlinkedSearch final : public ForwardingSearch {
   public:
     /// `engine` outlives it.
-    explicit UnlinkedSearch(PlacementSearch& engine) : engine_(engine) {}
+    explicit UnlinkedSearch(PlacementSearch& engine) : ForwardingSearch(engine) {}
 
     /// Asks the engine, which asks back of each candidate that would be the best so far. Most can be drawn straight
     /// away from every copy whose box they reach into, as outlines tell; for the others walks outwards answer, each
     /// past one object, and are remembered while the engine searches.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
-    FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
-        return engine_.free_positions(tray, shape, index, query);
-    }
-    std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
-                                               const FreeQuery& query) override {
-        return engine_.free_tiles(tray, std::move(solid), query);
-    }
-    const char* name() const override { return engine_.name(); }
     std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
 
     /// Bytes that are kept at most of what may be asked again: from search to search, and during one.
@@ -49,7 +40,6 @@ class UnlinkedSearch final : public PlacementSearch {
   private:
     class Asking;
 
-    PlacementSearch& engine_;
     std::uint64_t followed_ = 0;             // the tray whose objects these are
     std::map<ObjectId, Outlines> outlines_;  // of those that have been asked for
     std::int64_t outlines_bytes_ = 0;

@@ -3,11 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "disassembly/scenes.hpp"
+#include "packing/best_admitted.hpp"
 #include "packing/tray_filler.hpp"
 #include "search/brute_force.hpp"
-#include "search/cpu/cpu_search.hpp"
 #include "search/plain_region.hpp"
-#include "search/random_scene.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -41,38 +40,22 @@ SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
     return BruteForceSearch().best_placement(tray, shape, model, {});
 }
 
-void expect_the_best_of_what_is_unlinked(int detail, std::uint64_t scenes) {
-    const auto engine = make_cpu_search({}, Workers(2));
-    UnlinkedSearch unlinked(*engine);
-    int differs = 0, answers = 0;
-    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
-        SCOPED_TRACE(seed);
-        RandomStream random(seed);
-        SceneLimits limits;
-        limits.least = {6, 6, 5};
-        limits.most = {12, 9, 7};
-        limits.detail = detail;
-        limits.objects = 6;
-        Scene scene = random_scene(random, limits, 1 + 100 * seed);
-        for (int step = 0; step < 3; ++step) {
-            for (const Shape& shape : scene.shapes) {
-                const CostModel model = random_model(random);
-                const SearchResult answer = unlinked.best_placement(scene.tray, shape, model, {});
-                ASSERT_EQ(answer.best, plain_best(scene.tray, shape, model).best);
-                differs += answer.best != engine->best_placement(scene.tray, shape, model, {}).best;
-                answers += answer.best.has_value();
-                if (answer.best && one_in(random, 2)) place(scene, shape, answer.best->index, answer.best->position);
-            }
-            if (one_in(random, 2)) random_change(scene, random);
-        }
-    }
-    EXPECT_GT(answers, 50);
-    EXPECT_GT(differs, 5) << "scenes in which it matters";
+SceneLimits scenes_in(int detail) {
+    SceneLimits limits;
+    limits.least = {6, 6, 5};
+    limits.most = {12, 9, 7};
+    limits.detail = detail;
+    limits.objects = 6;
+    return limits;
 }
 
-TEST(UnlinkedSearch, AnswersTheBestOfWhatIsUnlinked) { expect_the_best_of_what_is_unlinked(1, 150); }
+TEST(UnlinkedSearch, AnswersTheBestOfWhatIsUnlinked) {
+    expect_the_best_of_the_admitted<UnlinkedSearch>(scenes_in(1), 150, plain_best);
+}
 
-TEST(UnlinkedSearch, DecidesInTheVoxelsThatCollisionsAreDecidedOn) { expect_the_best_of_what_is_unlinked(3, 60); }
+TEST(UnlinkedSearch, DecidesInTheVoxelsThatCollisionsAreDecidedOn) {
+    expect_the_best_of_the_admitted<UnlinkedSearch>(scenes_in(3), 50, plain_best);
+}
 
 /// A chest whose lid has a hole, and a cube too large for that, which stands closest within.
 FilledTray chest_and_cube(Links links) {
