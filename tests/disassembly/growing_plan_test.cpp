@@ -137,6 +137,31 @@ TEST(GrowingPlan, RefusesWhatNeverComesOut) {
     planned.replay(plan);
 }
 
+TEST(GrowingPlan, RefusesASecondOneInTheSameHoleAndTakesOneBesideIt) {
+    // A chest stands on one half open, and what is in that leaves round a corner after the chest: all of them wait for
+    // it.
+    Planned planned({40, 40, 90});
+    planned.add(placed(test::chest_mesh(26, 2, false), {0, 0, 27}));
+    planned.add(test::merged(test::chest_mesh(26, 2, true), box_mesh({0, 0, 24}, {13, 26, 26})));
+    planned.add(placed(test::cube_mesh(8), {3, 8, 5}));
+    GrowingPlan plan = planned.disassemble(first_of);
+    const auto refused = [&](int name, const Mesh& mesh) {
+        AssemblyScene alone({40, 40, 90});
+        alone.add(mesh);
+        const int before = plan.fills();
+        EXPECT_FALSE(plan.let_in(name, alone.parts().front(), kAnyNumber));
+        return plan.fills() - before;
+    };
+    const int first = refused(3, placed(test::cube_mesh(8), {10, 10, 40}));
+    EXPECT_LE(refused(3, placed(test::cube_mesh(8), {5, 5, 40})), first);
+    planned.replay(plan);
+    const Mesh outside = placed(test::cube_mesh(8), {30, 30, 10});
+    AssemblyScene alone({40, 40, 90});
+    alone.add(outside);
+    EXPECT_TRUE(plan.let_in(3, alone.parts().front(), kAnyNumber));
+    planned.replay(plan, {outside});
+}
+
 TEST(GrowingPlan, PlansOfRandomScenesReplayWhoeverIsLetBack) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
