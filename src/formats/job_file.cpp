@@ -117,45 +117,14 @@ class JobReader {
     }
 
     void read_job_options(const Node& node) {
-        node.expect_keys({"tray",
-                          "trays",
-                          "gap",
-                          "try-per-tray",
-                          "printer",
-                          "onto",
-                          "wall-gap",
-                          "voxel",
-                          "rotations",
-                          "refine",
-                          "interlock",
-                          "order",
-                          "height-penalty",
-                          "height-at",
-                          "seed",
-                          "engine",
-                          "threads",
-                          "memory",
-                          "verify-with",
-                          "time-limit",
-                          "unit",
-                          "output",
-                          "report",
-                          "progress",
-                          "dry-run",
-                          "skip-unusable",
-                          "require-all",
-                          "json",
-                          "material-density",
-                          "detail",
-                          "links",
-                          "take-out",
-                          "open-height",
-                          "minimise",
-                          "fill",
-                          "max-density",
-                          "max-layer-fill",
-                          "restarts",
-                          "beam"});
+        node.expect_keys(
+            {"tray",           "trays",         "gap",         "try-per-tray", "printer",          "onto",
+             "wall-gap",       "voxel",         "rotations",   "refine",       "interlock",        "order",
+             "height-penalty", "height-at",     "seed",        "engine",       "threads",          "memory",
+             "verify-with",    "time-limit",    "unit",        "output",       "report",           "progress",
+             "dry-run",        "skip-unusable", "require-all", "json",         "material-density", "detail",
+             "take-out",       "open-height",   "minimise",    "fill",         "max-density",      "max-layer-fill",
+             "restarts",       "beam",          "links"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);

@@ -29,41 +29,35 @@ Outlines::Outlines(const BitGrid& voxels) : extent_(voxels.extent()) {
         along_[static_cast<std::size_t>(axis)] = {std::vector<int>(lines, kFar), std::vector<int>(lines, -kFar)};
     }
     const auto words = static_cast<std::size_t>(voxels.words_per_row());
-    Ends& x = along_[0];
+    Ends& rows = along_[0];
     for (int z = 0; z < n.z; ++z) {
         for (int y = 0; y < n.y; ++y) {
             const BitGrid::Word* row = voxels.row(y, z);
             const auto line = static_cast<std::size_t>(z) * static_cast<std::size_t>(n.y) + static_cast<std::size_t>(y);
             for (int w = 0; w < voxels.words_per_row(); ++w) {
                 if (row[w] == 0) continue;
-                x.first[line] = std::min(x.first[line], 64 * w + std::countr_zero(row[w]));
-                x.last[line] = 64 * w + 63 - std::countl_zero(row[w]);
+                rows.first[line] = std::min(rows.first[line], 64 * w + std::countr_zero(row[w]));
+                rows.last[line] = 64 * w + 63 - std::countl_zero(row[w]);
             }
         }
     }
-    // Along y in each layer, then along z over all rows, both ways: the first to be seen in a line is its end.
-    const auto see = [&](const BitGrid::Word* row, std::vector<BitGrid::Word>& seen, int* ends, int at) {
-        for_fresh(row, seen, [&](std::size_t i) { ends[i] = at; });
-    };
+    // Along y in each layer, along z over each row of it, both ways: the first to be seen in a line is its end.
     const auto width = static_cast<std::size_t>(n.x);
     std::vector<BitGrid::Word> seen;
-    for (int z = 0; z < n.z; ++z) {
-        const std::size_t line = static_cast<std::size_t>(z) * width;
-        seen.assign(words, 0);
-        for (int y = 0; y < n.y; ++y)
-            see(voxels.row(y, z), seen, along_[1].first.data() + line, y);
-        seen.assign(words, 0);
-        for (int y = n.y - 1; y >= 0; --y)
-            see(voxels.row(y, z), seen, along_[1].last.data() + line, y);
-    }
-    for (int y = 0; y < n.y; ++y) {
-        const std::size_t line = static_cast<std::size_t>(y) * width;
-        seen.assign(words, 0);
-        for (int z = 0; z < n.z; ++z)
-            see(voxels.row(y, z), seen, along_[2].first.data() + line, z);
-        seen.assign(words, 0);
-        for (int z = n.z - 1; z >= 0; --z)
-            see(voxels.row(y, z), seen, along_[2].last.data() + line, z);
+    for (int axis = 1; axis < 3; ++axis) {
+        Ends& ends = along_[static_cast<std::size_t>(axis)];
+        for (int j = 0; j < n[up(axis)]; ++j) {
+            const auto see = [&](int i, std::vector<int>& of) {
+                const BitGrid::Word* row = axis == 1 ? voxels.row(i, j) : voxels.row(j, i);
+                for_fresh(row, seen, [&](std::size_t x) { of[static_cast<std::size_t>(j) * width + x] = i; });
+            };
+            seen.assign(words, 0);
+            for (int i = 0; i < n[axis]; ++i)
+                see(i, ends.first);
+            seen.assign(words, 0);
+            for (int i = n[axis] - 1; i >= 0; --i)
+                see(i, ends.last);
+        }
     }
 }
 

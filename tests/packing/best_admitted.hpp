@@ -30,8 +30,8 @@ void expect_the_best_of_the_admitted(const SceneLimits& limits, std::uint64_t sc
             if (one_in(random, 2)) random_change(scene, random);
         }
     }
-    EXPECT_GT(answers, 50);
-    EXPECT_GT(differs, 5) << "scenes in which it matters";
+    EXPECT_GT(answers, 100);
+    EXPECT_GT(differs, 10) << "scenes in which it matters";
 }
 
 }  // namespace spectralpack::test

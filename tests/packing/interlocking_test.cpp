@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "disassembly/scenes.hpp"
+#include "packing/mesh_parts.hpp"
 #include "packing/open_height.hpp"
 #include "packing/removable_packing.hpp"
 
@@ -20,16 +21,10 @@ class Interlocking : public testing::Test {
         search_ = make_cpu_search({}, Workers(1));
     }
 
-    std::shared_ptr<const Shape> shape(int part) const {
-        return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
-                                                        meshes_[static_cast<std::size_t>(part)], orientations_, 1, 1, 0,
-                                                        {0}, Workers(1)));
-    }
-
     void put(Mesh mesh, int orientation, const VoxelIndex& position) {
-        meshes_.push_back(std::move(mesh));
-        const int part = static_cast<int>(meshes_.size()) - 1;
-        const auto made = shape(part);
+        parts_.meshes.push_back(std::move(mesh));
+        const int part = static_cast<int>(parts_.meshes.size()) - 1;
+        const auto made = parts_.shape(part);
         BestPlacement best;
         best.position = position;
         for (std::size_t i = 0; i < made->orientations.size(); ++i) {
@@ -58,15 +53,10 @@ class Interlocking : public testing::Test {
     }
 
     Tray tray_;
-    std::vector<Mat3> orientations_{Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}};
-    std::vector<Mesh> meshes_;
-    ShapeStore shapes_{[this](int part) { return shape(part); }, Workers(1)};
+    test::MeshParts parts_{{}, {Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}}};
+    ShapeStore shapes_{[this](int part) { return parts_.shape(part); }, Workers(1)};
     std::vector<PlacedItem> placed_;
-    PartSurfaces surfaces_{[this](int part) {
-                               return ScaledPart{std::make_shared<const Mesh>(meshes_[static_cast<std::size_t>(part)]),
-                                                 0, &orientations_, 0};
-                           },
-                           Workers(1)};
+    PartSurfaces surfaces_{[this](int part) { return parts_.scaled(part); }, Workers(1)};
     InterlockSetup setup_;
     std::unique_ptr<PlacementSearch> search_;
 };
@@ -119,7 +109,7 @@ TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterialForItsBoxAndPutsInWhatHadWai
     tray_ = Tray(TraySetup{{36, 34, 17}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::frame_mesh(26, 2, 2), 0, {0, 0, 7});
     put(test::lying(test::frame_mesh(16, 5, 6), 0), 0, {10, 17, 0});
-    meshes_.push_back(test::cube_mesh(12));
+    parts_.meshes.push_back(test::cube_mesh(12));
     setup_.take_out = TakeOut::thinnest;
     setup_.order = {{0, 0}, {2, 0}, {2, 1}, {1, 0}};
     setup_.waiting = {{2, 0}, {2, 1}};
@@ -156,7 +146,7 @@ TEST_F(Interlocking, PutsACopyWhereItsWayOpensLater) {
     put(test::cube_mesh(3), 0, {32, 3, 3});
     put(test::box_mesh({0, 0, 0}, {10, 17, 38}), 0, {29, 11, 0});
     setup_.model = {1e8, HeightAt::bottom};
-    meshes_.push_back(test::cube_mesh(8));
+    parts_.meshes.push_back(test::cube_mesh(8));
     setup_.order = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
     setup_.waiting = {{5, 0}};
     const Untangled result = untangle_all();

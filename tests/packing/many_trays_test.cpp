@@ -6,6 +6,7 @@
 
 #include "disassembly/scenes.hpp"
 #include "packing/first_fit.hpp"
+#include "packing/mesh_parts.hpp"
 
 namespace spectralpack {
 namespace {
@@ -140,16 +141,10 @@ TEST_F(ManyTrays, AStopAtTheEndOfTheOnlyTrayChangesNothing) {
 
 TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     // Two cubes in a chest whose lid has a hole too small for them, and no room beside it.
-    const std::vector<Mat3> upright{Mat3{}};
-    const std::vector<Mesh> meshes{
-        test::merged(test::chest_mesh(26, 2, true), test::placed(test::frame_mesh(26, 11, 2), {0, 0, 24})),
-        test::cube_mesh(8)};
-    const auto shape_of = [&](int part) {
-        return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
-                                                        meshes[static_cast<std::size_t>(part)], upright, 1, 1, 0, {0},
-                                                        Workers(1)));
-    };
-    ShapeStore shapes(shape_of, Workers(1));
+    const test::MeshParts parts{
+        {test::merged(test::chest_mesh(26, 2, true), test::placed(test::frame_mesh(26, 11, 2), {0, 0, 24})),
+         test::cube_mesh(8)}};
+    ShapeStore shapes([&](int part) { return parts.shape(part); }, Workers(1));
     StopSource stop;
     FillSetup setup;
     setup.tray.size = {32, 26, 26};
@@ -166,11 +161,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     };
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
     TrayFiller filler(
-        setup, *search,
-        [&](int part) {
-            return ScaledPart{std::make_shared<const Mesh>(meshes[static_cast<std::size_t>(part)]), 0, &upright, 0};
-        },
-        Workers(1));
+        setup, *search, [&](int part) { return parts.scaled(part); }, Workers(1));
     TraysResult result;
     fill_trays(
         {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(), result);

@@ -4,6 +4,7 @@
 
 #include "disassembly/scenes.hpp"
 #include "packing/best_admitted.hpp"
+#include "packing/mesh_parts.hpp"
 #include "packing/tray_filler.hpp"
 #include "search/brute_force.hpp"
 #include "search/plain_region.hpp"
@@ -57,18 +58,21 @@ TEST(UnlinkedSearch, DecidesInTheVoxelsThatCollisionsAreDecidedOn) {
     expect_the_best_of_the_admitted<UnlinkedSearch>(scenes_in(3), 50, plain_best);
 }
 
+TEST(LinkSample, IsRowsSpreadOverTheSolidWholeForSmallOnes) {
+    for (const int step : {1, 2, 4}) {
+        BitGrid solid({5, 30 * step + step - 1, 3});
+        solid.fill(true);
+        const BitGrid sample = link_sample(solid);
+        for_each_voxel(solid.extent(), [&](int x, int y, int z) {
+            ASSERT_EQ(sample.get(x, y, z), (y + z) % step == 0) << step << ": " << x << " " << y << " " << z;
+        });
+    }
+}
+
 /// A chest whose lid has a hole, and a cube too large for that, which stands closest within.
 FilledTray chest_and_cube(Links links) {
-    const std::vector<Mat3> upright{Mat3{}};
-    const std::vector<Mesh> meshes{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})),
-                                   cube_mesh(14)};
-    ShapeStore shapes(
-        [&](int part) {
-            return std::make_shared<const Shape>(make_shape(static_cast<std::uint64_t>(part) + 1,
-                                                            meshes[static_cast<std::size_t>(part)], upright, 1, 1, 0,
-                                                            {0}, Workers(1)));
-        },
-        Workers(1));
+    const MeshParts parts{{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})), cube_mesh(14)}};
+    ShapeStore shapes([&](int part) { return parts.shape(part); }, Workers(1));
     FillSetup setup;
     setup.tray.size = {60, 26, 26};
     setup.tray.voxel_size = 1;
@@ -78,11 +82,7 @@ FilledTray chest_and_cube(Links links) {
     setup.left = setup.to_put_back = [](int, int) {};
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
     TrayFiller filler(
-        setup, *search,
-        [&](int part) {
-            return ScaledPart{std::make_shared<const Mesh>(meshes[static_cast<std::size_t>(part)]), 0, &upright, 0};
-        },
-        Workers(1));
+        setup, *search, [&](int part) { return parts.scaled(part); }, Workers(1));
     FilledTray result;
     filler.fill(
         {0, {{0, 0}, {1, 0}}, false, 0}, shapes, [](std::size_t) {}, {}, result);
