@@ -5,23 +5,43 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
+#include <utility>
 
 namespace spectralpack {
 
 struct Workers::Pool {
-    explicit Pool(int threads) : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)) {
+    explicit Pool(int threads)
+        : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)),
+          spare(arena.max_concurrency(), 1, tbb::task_arena::priority::low) {
         if (threads > tbb::info::default_concurrency()) {
             allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
         }
         arena.initialize();
     }
+
+    /// What nobody has begun never will be.
+    ~Pool() {
+        if (arena.max_concurrency() == 1) return;
+        spare.execute([&] {
+            spare_tasks.cancel();
+            spare_tasks.wait();
+        });
+    }
+
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
     // More threads than the machine has are asked for here: once another library has started TBB with as many as it
     // has, TBB would warn on standard error and give no more.
     std::optional<tbb::global_control> allowed;
     tbb::task_arena arena;
+    tbb::task_arena spare;  // one place of it is for who asks
+    tbb::task_group spare_tasks;
 };
 
 Workers::Workers(int threads) : pool_(std::make_shared<Pool>(threads)) {}
@@ -39,6 +59,15 @@ void Workers::for_each(std::int64_t count, const std::function<void(std::int64_t
     pool_->arena.execute([&] { tbb::parallel_for(std::int64_t{0}, count, task); });
 }
 
+void Workers::for_each_in_order(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
+    std::atomic<std::int64_t> next = 0;
+    for_each(std::min<std::int64_t>(threads(), count), [&](std::int64_t) {
+        for (std::int64_t i = next++; i < count; i = next++) {
+            task(i);
+        }
+    });
+}
+
 void Workers::for_ranges(std::int64_t count, std::int64_t grain,
                          const std::function<void(std::int64_t, std::int64_t)>& task) const {
     if (count <= 0) return;
@@ -51,6 +80,11 @@ void Workers::for_ranges(std::int64_t count, std::int64_t grain,
         tbb::parallel_for(Range(0, count, static_cast<std::size_t>(std::max<std::int64_t>(1, grain))),
                           [&](const Range& range) { task(range.begin(), range.end()); });
     });
+}
+
+void Workers::spare(std::function<void()> task) const {
+    if (threads() == 1) return;
+    pool_->spare.execute([&] { pool_->spare_tasks.run(std::move(task)); });
 }
 
 }  // namespace spectralpack

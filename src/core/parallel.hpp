@@ -1,6 +1,7 @@
 #pragma once
 /// Parallel loops. Results must not depend on the number of threads: tasks write to places of their own.
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -19,13 +20,27 @@ class Workers {
     /// from a task ends the loop and is rethrown here.
     void for_each(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
 
+    /// The same, each i begun before those after it: where what is known by then spares the rest work.
+    void for_each_in_order(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
+
     /// Splits [0, count) into ranges of at least `grain` and calls task(begin, end) for each.
     void for_ranges(std::int64_t count, std::int64_t grain,
                     const std::function<void(std::int64_t, std::int64_t)>& task) const;
+
+    /// Has a thread that no loop needs run `task` some time, which must not throw; what none has begun when the last of
+    /// these workers goes is dropped. Where there is one thread only, nobody does.
+    void spare(std::function<void()> task) const;
 
   private:
     struct Pool;
     std::shared_ptr<Pool> pool_;
 };
+
+/// `least` becomes `value` where that is less, whoever else lowers it meanwhile.
+inline void lower(std::atomic<double>& least, double value) {
+    double known = least;
+    while (value < known && !least.compare_exchange_weak(known, value)) {
+    }
+}
 
 }  // namespace spectralpack

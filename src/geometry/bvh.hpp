@@ -13,6 +13,8 @@ namespace spectralpack {
 
 using Corners = std::array<Vec3, 3>;  ///< of one triangle, in its order
 
+inline Box bounding_box(const Corners& t) { return {min(t[0], min(t[1], t[2])), max(t[0], max(t[1], t[2]))}; }
+
 /// Immutable and shareable. About 60 bytes a triangle.
 class Bvh {
   public:

@@ -1,5 +1,8 @@
 #include "geometry/mesh_distance.hpp"
 
+#include <array>
+#include <vector>
+
 namespace spectralpack {
 
 namespace {
@@ -61,23 +64,25 @@ class Search {
         if (two.square < square) stack_.push_back(two);
     }
 
+    /// Two leaves' triangles, those too far apart left out by their boxes.
     void compare(const Bvh::Node& a, const Bvh::Node& b) {
+        std::array<Corners, Bvh::kLeafTriangles> others;
+        std::array<Box, Bvh::kLeafTriangles> boxes;
+        for (std::size_t j = 0; j < b.count; ++j) {
+            others[j] = b_.corners(b.first + j);
+            boxes[j] = bounding_box(others[j]);
+        }
         for (std::size_t i = a.first; i < a.first + a.count; ++i) {
             Corners one = a_.corners(i);
-            Box box;
             for (Vec3& corner : one) {
                 corner = corner + offset_;
-                box.add(corner);
             }
-            for (std::size_t j = b.first; j < b.first + b.count; ++j) {
-                const Corners two = b_.corners(j);
-                Box other;
-                for (const Vec3& corner : two) {
-                    other.add(corner);
-                }
-                if (square_distance(box, other) >= best_.distance * best_.distance) continue;
-                if (plane_separation(one, two, {}) >= best_.distance) continue;
-                const ClosestPoints found = closest_points(one, two);
+            const Box box = bounding_box(one);
+            if (square_distance(box, b.box) >= best_.distance * best_.distance) continue;
+            for (std::size_t j = 0; j < b.count; ++j) {
+                if (square_distance(box, boxes[j]) >= best_.distance * best_.distance) continue;
+                if (plane_separation(one, others[j], {}) >= best_.distance) continue;
+                const ClosestPoints found = closest_points(one, others[j]);
                 if (found.distance < best_.distance) best_ = found;
             }
         }

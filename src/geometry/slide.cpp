@@ -14,8 +14,10 @@
 
 #include "geometry/slide.hpp"
 
+#include <array>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "geometry/triangle_distance.hpp"
 
 namespace spectralpack {
@@ -24,35 +26,37 @@ namespace {
 
 constexpr int kNewtonSteps = 64;   ///< never reached but by noise; any step is a safe place to stop
 constexpr double kReached = 1e-8;  ///< mm: at gap 0, a distance that is contact
+constexpr double kFree = Box::kInfinity;
 
 /// A box in the move's own axes: `low`, `high` along it (growing in its direction), u and v across.
 struct Sweep {
     double low, high, u0, u1, v0, v1;
 };
 
+/// Along one axis.
+template <int kAxis>
 class Slide {
   public:
-    Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most)
+    Slide(const Bvh& moving, const Vec3& offset, const Bvh& still, int sign, double gap, double at_most,
+          std::atomic<double>& free)
         : moving_(moving),
           still_(still),
           offset_(offset),
-          axis_(direction.axis),
-          sign_(direction.sign),
+          sign_(sign),
           touching_(gap == 0),
           gap_(touching_ ? 0 : std::max(gap, kSlideSlack)),
-          best_(at_most),
+          at_most_(at_most),
+          free_(free),
           faces_known_(moving.faces_outwards() && still.faces_outwards()) {}
 
-    /// The free way.
-    double run() {
-        if (moving_.nodes().empty() || still_.nodes().empty() || !(best_ > 0)) return best_;
+    void run() {
+        if (moving_.nodes().empty() || still_.nodes().empty()) return;
         push(0, 0);
-        while (!stack_.empty() && best_ > 0) {
+        while (!stack_.empty() && best() > 0) {
             const Pair pair = stack_.back();
             stack_.pop_back();
-            if (pair.earliest < best_) visit(pair);
+            if (pair.earliest < best()) visit(pair);
         }
-        return best_;
     }
 
   private:
@@ -61,9 +65,12 @@ class Slide {
         double earliest;  ///< no contact before
     };
 
+    /// The way that is free as far as is known, here or to those who ask about others at the same time.
+    double best() const { return std::min(at_most_, free_.load(std::memory_order_relaxed)); }
+
     Sweep sweep(const Box& box, const Vec3& offset) const {
-        const int u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
-        const double low = box.min[axis_] + offset[axis_], high = box.max[axis_] + offset[axis_];
+        constexpr int u = (kAxis + 1) % 3, v = (kAxis + 2) % 3;
+        const double low = box.min[kAxis] + offset[kAxis], high = box.max[kAxis] + offset[kAxis];
         return {sign_ > 0 ? low : -high, sign_ > 0 ? high : -low, box.min[u] + offset[u],
                 box.max[u] + offset[u],  box.min[v] + offset[v],  box.max[v] + offset[v]};
     }
@@ -89,7 +96,7 @@ class Slide {
 
     void push(std::uint32_t a, std::uint32_t b) {
         const Pair pair = pair_of(a, b);
-        if (pair.earliest < best_) stack_.push_back(pair);
+        if (pair.earliest < best()) stack_.push_back(pair);
     }
 
     void visit(const Pair& pair) {
@@ -103,8 +110,8 @@ class Slide {
         Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
         Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
         if (one.earliest < two.earliest) std::swap(one, two);  // the earlier contact on top
-        if (one.earliest < best_) stack_.push_back(one);
-        if (two.earliest < best_) stack_.push_back(two);
+        if (one.earliest < best()) stack_.push_back(one);
+        if (two.earliest < best()) stack_.push_back(two);
     }
 
     static double extent(const Box& box) {
@@ -112,24 +119,25 @@ class Slide {
         return size.x + size.y + size.z;
     }
 
+    /// Two leaves' triangles, those out of each other's way left out by their boxes.
     void meet(const Bvh::Node& a, const Bvh::Node& b) {
+        std::array<Corners, Bvh::kLeafTriangles> ahead;
+        std::array<Sweep, Bvh::kLeafTriangles> sweeps;
+        for (std::size_t j = 0; j < b.count; ++j) {
+            ahead[j] = still_.corners(b.first + j);
+            sweeps[j] = sweep(bounding_box(ahead[j]), {});
+        }
+        const Sweep all = sweep(b.box, {});
         for (std::size_t i = a.first; i < a.first + a.count; ++i) {
             Corners one = moving_.corners(i);
-            Box box;
             for (Vec3& corner : one) {
                 corner = corner + offset_;
-                box.add(corner);
             }
-            const Sweep swept = sweep(box, {});
-            for (std::size_t j = b.first; j < b.first + b.count; ++j) {
-                const Corners two = still_.corners(j);
-                Box other;
-                for (const Vec3& corner : two) {
-                    other.add(corner);
-                }
-                const Sweep ahead = sweep(other, {});
-                if (earliest(swept, ahead) >= best_) continue;
-                best_ = std::min(best_, touching_ ? touch(one, two, swept, ahead) : approach(one, two));
+            const Sweep swept = sweep(bounding_box(one), {});
+            if (earliest(swept, all) >= best()) continue;
+            for (std::size_t j = 0; j < b.count; ++j) {
+                if (earliest(swept, sweeps[j]) >= best()) continue;
+                lower(free_, touching_ ? touch(one, ahead[j], swept, sweeps[j]) : approach(one, ahead[j]));
             }
         }
     }
@@ -137,7 +145,7 @@ class Slide {
     ClosestPoints closest(const Corners& a, const Corners& b, double way) const {
         Corners moved = a;
         for (Vec3& corner : moved) {
-            corner[axis_] += sign_ * way;
+            corner[kAxis] += sign_ * way;
         }
         return closest_points(moved, b);
     }
@@ -153,7 +161,7 @@ class Slide {
         for (int step = 0; step < kNewtonSteps; ++step) {
             const ClosestPoints now = closest(a, b, way);
             if (now.distance <= reached) return {true, way};
-            const double slope = heading * sign_ * now.apart()[axis_] / now.distance;
+            const double slope = heading * sign_ * now.apart()[kAxis] / now.distance;
             if (!(slope < 0)) return {false, way};
             way += heading * (now.distance - level) / -slope;
             if (heading * (end - way) <= 0) return {false, way};
@@ -161,25 +169,27 @@ class Slide {
         return {true, way};
     }
 
-    /// gap > 0: how far this pair lets the mesh go.
+    /// gap > 0: how far this pair lets the mesh go, where that is less than best(); or else kFree. What it says depends
+    /// on at_most_, never on what is known by now, so that the least of all is the same in any order.
     double approach(const Corners& a, const Corners& b) const {
         Vec3 sweep;
-        sweep[axis_] = sign_ * best_;
-        if (plane_separation(a, b, sweep) >= gap_ - kSlideTolerance / 2) return best_;
-        const Contact stop = first_contact(a, b, 0, best_, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
-        if (!stop.found) return best_;
+        const double best = this->best();
+        sweep[kAxis] = sign_ * best;
+        if (plane_separation(a, b, sweep) >= gap_ - kSlideTolerance / 2) return kFree;
+        const Contact stop = first_contact(a, b, 0, best, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
+        if (!stop.found) return kFree;
         const double now = closest(a, b, stop.way).distance;
         // The gap's own floor does not sink with repeated moves; that of a pair too near to begin
         // with follows it, a sixteenth for the iteration to end in.
         const double floor = std::min(gap_ - kSlideTolerance, now - kSlideTolerance / 8);
         if (floor <= 0) return 0;
-        const Contact fall = first_contact(a, b, stop.way, best_, floor, floor + kSlideTolerance / 16);
-        return fall.found ? stop.way : best_;
+        const Contact fall = first_contact(a, b, stop.way, at_most_, floor, floor + kSlideTolerance / 16);
+        return fall.found ? stop.way : kFree;
     }
 
     /// gap 0: likewise. `swept` and `ahead` are their boxes.
     double touch(const Corners& a, const Corners& b, const Sweep& swept, const Sweep& ahead) const {
-        if (overlap_across(a, b) <= kTouchTolerance) return best_;
+        if (overlap_across(a, b) <= kTouchTolerance) return kFree;
         if (ahead.low - swept.high > kRecovery) return first_touch(a, b);
         if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
         const double far = 1 + size_along(a, b);
@@ -190,18 +200,18 @@ class Slide {
         if (flat && faces_known_) {
             // Two faces on each other. If a trails with its face and b's looks after it, they part.
             // If they look at each other and have passed, it is overlapping a little already.
-            if (facing(a) < 0 && facing(b) > 0) return best_;
+            if (facing(a) < 0 && facing(b) > 0) return kFree;
             if (facing(a) > 0 && facing(b) < 0) return enter.way > 0 ? first_touch(a, b) : 0;
         }
         const bool behind = leave.way < -10 * kReached;
         const bool soon_behind = !flat && leave.way <= kRecovery;
-        return behind || soon_behind ? best_ : first_touch(a, b);
+        return behind || soon_behind ? kFree : first_touch(a, b);
     }
 
     double first_touch(const Corners& a, const Corners& b) const {
-        const Contact stop = first_contact(a, b, 0, best_, kSlideSlack / 2, kSlideSlack);
-        if (!stop.found) return best_;
-        return first_contact(a, b, stop.way, best_, 0, kReached).found ? stop.way : best_;
+        const Contact stop = first_contact(a, b, 0, best(), kSlideSlack / 2, kSlideSlack);
+        if (!stop.found) return kFree;
+        return first_contact(a, b, stop.way, at_most_, 0, kReached).found ? stop.way : kFree;
     }
 
     double size_along(const Corners& a, const Corners& b) const {
@@ -210,17 +220,17 @@ class Slide {
             box.add(a[static_cast<std::size_t>(i)]);
             box.add(b[static_cast<std::size_t>(i)]);
         }
-        return box.size()[axis_];
+        return box.size()[kAxis];
     }
 
     /// The normal's component in the direction of the move.
-    double facing(const Corners& t) const { return sign_ * cross(t[1] - t[0], t[2] - t[0])[axis_]; }
+    double facing(const Corners& t) const { return sign_ * cross(t[1] - t[0], t[2] - t[0])[kAxis]; }
 
     /// By how much two triangles overlap as seen along the move: the least way across it that would
     /// part them (negative or 0 when they do not overlap). Of flat polygons, so the directions to
     /// try are the normals of their edges.
     double overlap_across(const Corners& a, const Corners& b) const {
-        const int u = (axis_ + 1) % 3, v = (axis_ + 2) % 3;
+        constexpr int u = (kAxis + 1) % 3, v = (kAxis + 2) % 3;
         double least = Box::kInfinity;
         for (const Corners* t : {&a, &b}) {
             for (std::size_t i = 0; i < 3; ++i) {
@@ -245,19 +255,27 @@ class Slide {
     const Bvh& moving_;
     const Bvh& still_;
     Vec3 offset_;
-    int axis_, sign_;
+    int sign_;
     bool touching_;
     double gap_;
-    double best_;  ///< the way that is free as far as is known
+    double at_most_;
+    std::atomic<double>& free_;
     bool faces_known_;
     std::vector<Pair> stack_;
 };
 
 }  // namespace
 
-double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap,
-             double at_most) {
-    return Slide(moving, offset, still, direction, gap, at_most).run();
+void slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most,
+           std::atomic<double>& free) {
+    switch (direction.axis) {
+        case 0:
+            return Slide<0>(moving, offset, still, direction.sign, gap, at_most, free).run();
+        case 1:
+            return Slide<1>(moving, offset, still, direction.sign, gap, at_most, free).run();
+        default:
+            return Slide<2>(moving, offset, still, direction.sign, gap, at_most, free).run();
+    }
 }
 
 }  // namespace spectralpack

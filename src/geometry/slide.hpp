@@ -3,6 +3,8 @@
 /// (section 3.2): a continuous test, pair by pair of triangles, so nothing is tunnelled through
 /// however thin it is.
 
+#include <atomic>
+
 #include "geometry/bvh.hpp"
 
 namespace spectralpack {
@@ -19,8 +21,8 @@ inline constexpr double kSlideTolerance = 5e-10;  ///< sliding along may undercu
 inline constexpr double kTouchTolerance = 1e-5;   ///< at gap 0 surfaces may overlap sideways by
 inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave an overlap of up to
 
-/// The largest distance in [0, at_most] (but for the slack) by which `moving`, which stands
-/// `offset` away from `still`'s frame, may be moved along `direction`:
+/// Lowers `free` to the largest distance in [0, at_most] (but for the slack) by which `moving`, which
+/// stands `offset` away from `still`'s frame, may be moved along `direction`:
 ///  - gap > 0: for every pair of triangles, at every moment of the move, their distance is at least
 ///    min(gap, their distance at the start) - kSlideTolerance. So tangential moves at exactly the
 ///    gap and moves away are free, a mesh that starts too near may leave but not come nearer, and
@@ -36,8 +38,10 @@ inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave
 /// The distance of two triangles of which one is translated is a convex function of the way, so
 /// Newton's iteration from before the contact approaches it from before, never passes it, and can
 /// stop at any step (slide.cpp). Time: grows with the triangles whose swept boxes come within the
-/// gap. Preconditions: gap >= 0 and at_most >= 0, finite.
-double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap,
-             double at_most);
+/// gap. Of several that are asked about one move at the same time, from as many threads, each is
+/// spared what lies beyond `free`; what it comes to in the end depends neither on their order nor
+/// on their timing. Preconditions: gap >= 0 and at_most >= 0, finite.
+void slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most,
+           std::atomic<double>& free);
 
 }  // namespace spectralpack

@@ -57,14 +57,6 @@ bool meet(const Box& a, const Box& b) {
            b.min.z <= a.max.z;
 }
 
-Box box_of(const Corners& corners) {
-    Box box;
-    for (const Vec3& corner : corners) {
-        box.add(corner);
-    }
-    return box;
-}
-
 class Search {
   public:
     Search(const Mesh& mesh, double tolerance)
@@ -112,11 +104,11 @@ class Search {
     /// Triangle `i` against those of [begin, end).
     void test(std::uint32_t i, std::uint32_t begin, std::uint32_t end) {
         const Corners one = tree_.corners(i);
-        const Box box = box_of(one);
+        const Box box = bounding_box(one);
         for (std::uint32_t j = begin; j < end; ++j) {
             const Corners two = tree_.corners(j);
             if (!spend(1)) return;
-            if (!meet(box, box_of(two))) continue;
+            if (!meet(box, bounding_box(two))) continue;
             if (!spend(kStepsPerTest)) return;
             const auto place = crossing_point(one, two, tolerance_);
             if (!place) continue;

@@ -89,7 +89,7 @@ class Untangling {
         for (const StandingPart& part : parts) {
             refiner.add({part.surface, part.offset});
         }
-        return refiner.least_gap();
+        return refiner.least_gap(setup_.workers);
     }
 
     /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.

@@ -26,7 +26,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
         mesh_ = surfaces_.turned_mesh(item.part, oriented.orientation);
     }
     StandingCopy refined{surfaces_.at(item.part, oriented.orientation), standing.offset, surfaces_.part(item.part).gap};
-    const Vec3 slid = refiner_.refine(refined, descent(best.neighbours)).offset;
+    const Vec3 slid = refiner_.refine(refined, descent(best.neighbours), workers_).offset;
     if (may_stand_(item.part, oriented.orientation, slid)) refined.offset = slid;
     standing.offset = refined.offset;
     const Vec3 walls{setup_.wall_gap, setup_.wall_gap, setup_.wall_gap};

@@ -28,7 +28,7 @@ class Refinement {
     Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
 
     /// Least distance between the meshes of two copies, mm; none with fewer than two.
-    std::optional<double> least_gap() const { return refiner_.least_gap(); }
+    std::optional<double> least_gap() const { return refiner_.least_gap(workers_); }
 
     double seconds() const { return seconds_; }  ///< spent in settle(), for the record
 

@@ -1,7 +1,10 @@
 #include "refine/refiner.hpp"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "geometry/mesh_distance.hpp"
@@ -29,8 +32,8 @@ class Walk {
         double kept;  ///< min(gap, distance at the start)
     };
 
-    Walk(const RefineSetup& setup, const StandingCopy& copy, std::vector<Neighbour> neighbours)
-        : setup_(setup), start_(copy), at_(copy), neighbours_(std::move(neighbours)) {}
+    Walk(const RefineSetup& setup, const StandingCopy& copy, std::vector<Neighbour> neighbours, const Workers& workers)
+        : setup_(setup), start_(copy), at_(copy), neighbours_(std::move(neighbours)), workers_(workers) {}
 
     Refined run(const std::array<int, 3>& direction) {
         if (!measure()) return {start_.offset, 0, shortfall()};
@@ -50,6 +53,12 @@ class Walk {
     }
 
   private:
+    /// Who may be met on a move, and how far away along it its box is.
+    struct Reached {
+        double from;
+        const Neighbour* other;
+    };
+
     double distance_to(const Neighbour& other) const {
         return least_distance(*at_.surface, at_.offset, *other.copy->surface, other.copy->offset, other.gap).distance;
     }
@@ -57,11 +66,12 @@ class Walk {
     /// How much of the gaps is kept here; false when a surface is crossed. (At gap 0 there is
     /// nothing to keep, and crossing is up to slide().)
     bool measure() {
-        for (Neighbour& other : neighbours_) {
+        workers_.for_each(static_cast<std::int64_t>(neighbours_.size()), [&](std::int64_t i) {
+            Neighbour& other = neighbours_[static_cast<std::size_t>(i)];
             other.kept = other.gap > 0 ? distance_to(other) : 0;
-            if (other.gap > 0 && other.kept <= 0) return false;
-        }
-        return true;
+        });
+        return std::all_of(neighbours_.begin(), neighbours_.end(),
+                           [](const Neighbour& other) { return other.gap == 0 || other.kept > 0; });
     }
 
     double shortfall() const {
@@ -100,42 +110,57 @@ class Walk {
         if (!(way > kLeastMove)) return 0;
         Box swept = box;
         (direction.sign > 0 ? swept.max : swept.min)[axis] += direction.sign * way;
-        struct Reached {
-            double from;
-            const Neighbour* other;
-        };
-        std::vector<Reached> reached;
-        for (const Neighbour& other : neighbours_) {
-            const Box there = other.copy->box();
-            if (distance(swept, there) > other.kept + kSlideSlack) continue;
-            const double from = direction.sign > 0 ? there.min[axis] - box.max[axis] : box.min[axis] - there.max[axis];
-            reached.push_back({from, &other});
-        }
-        // Whoever is met first shortens the way for the others. The result is the least of all, in
-        // any order.
-        std::stable_sort(reached.begin(), reached.end(),
-                         [](const Reached& a, const Reached& b) { return a.from < b.from; });
-        for (const Reached& r : reached) {
-            way = slide(*at_.surface, at_.offset - r.other->copy->offset, *r.other->copy->surface, direction,
-                        r.other->kept, way);
-            if (!(way > kLeastMove)) return 0;
-        }
+        std::atomic<const Neighbour*>& stopper = stoppers_[static_cast<std::size_t>(axis)];
+        const std::vector<Reached> others = reached(swept, direction, stopper);
+        std::atomic<double> free = way;
+        workers_.for_each_in_order(std::ssize(others), [&](std::int64_t i) {
+            const double before = free;
+            if (!(before > kLeastMove)) return;
+            const Neighbour& other = *others[static_cast<std::size_t>(i)].other;
+            slide(*at_.surface, at_.offset - other.copy->offset, *other.copy->surface, direction, other.kept, way,
+                  free);
+            if (free < before) stopper = &other;
+        });
+        way = free;
+        if (!(way > kLeastMove)) return 0;
         at_.offset[axis] += direction.sign * way;
         way_ += way;
         return way;
     }
 
+    /// Those that a move through `swept` may meet. In front who seems to have stopped the last move along this axis and
+    /// so most likely stops this one too, then who is met first: that shortens the way for the others.
+    std::vector<Reached> reached(const Box& swept, AxisDirection direction, const Neighbour* stopper) const {
+        std::vector<Reached> all;
+        const Box box = at_.box();
+        const int axis = direction.axis;
+        for (const Neighbour& other : neighbours_) {
+            const Box there = other.copy->box();
+            if (distance(swept, there) > other.kept + kSlideSlack) continue;
+            const double from = direction.sign > 0 ? there.min[axis] - box.max[axis] : box.min[axis] - there.max[axis];
+            all.push_back({&other == stopper ? -Box::kInfinity : from, &other});
+        }
+        std::ranges::stable_sort(all, {}, &Reached::from);
+        return all;
+    }
+
     /// The end again, by distances alone.
     bool proved() const {
-        return way_ == 0 || std::all_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& other) {
-                   return other.gap == 0 || distance_to(other) >= other.kept - kProof;
-               });
+        if (way_ == 0) return true;
+        std::atomic<bool> kept = true;
+        workers_.for_each(static_cast<std::int64_t>(neighbours_.size()), [&](std::int64_t i) {
+            const Neighbour& other = neighbours_[static_cast<std::size_t>(i)];
+            if (other.gap > 0 && kept && distance_to(other) < other.kept - kProof) kept = false;
+        });
+        return kept;
     }
 
     const RefineSetup& setup_;
     const StandingCopy& start_;
     StandingCopy at_;
     std::vector<Neighbour> neighbours_;
+    const Workers& workers_;
+    std::array<std::atomic<const Neighbour*>, 3> stoppers_{};  // by axis; where threads meet, one that may be it
     double way_ = 0;
 };
 
@@ -195,7 +220,7 @@ const StandingCopy* Refiner::find(CopyId id) const {
     return copy ? &*copy : nullptr;
 }
 
-Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& direction) const {
+Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& direction, const Workers& workers) const {
     if (!std::isfinite(copy.gap) || copy.gap < 0) {
         throw UsageError("a gap must be a number of millimetres, 0 or more");
     }
@@ -208,7 +233,7 @@ Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& dire
         if (distance(around, other->box()) > 0) continue;
         neighbours.push_back({other, other->wall ? other->gap : std::max(copy.gap, other->gap), 0});
     }
-    return Walk(setup_, copy, std::move(neighbours)).run(direction);
+    return Walk(setup_, copy, std::move(neighbours), workers).run(direction);
 }
 
 template <class Counts>
@@ -235,15 +260,15 @@ double Refiner::clearance(const StandingCopy& copy, double upper_bound, std::opt
     return clearance_to(copy, upper_bound, [&](CopyId id) { return id != except; });
 }
 
-std::optional<double> Refiner::least_gap() const {
-    double least = Box::kInfinity;
-    for (CopyId id = 0; id < static_cast<CopyId>(copies_.size()); ++id) {
+std::optional<double> Refiner::least_gap(const Workers& workers) const {
+    std::atomic<double> least = Box::kInfinity;
+    workers.for_each(std::ssize(copies_), [&](std::int64_t id) {
         const StandingCopy* copy = find(id);
-        if (!copy || copy->wall) continue;
+        if (!copy || copy->wall) return;
         // Each pair once.
-        least = clearance_to(*copy, least, [&](CopyId other) { return other < id; });
-    }
-    return std::isfinite(least) ? std::optional(least) : std::nullopt;
+        lower(least, clearance_to(*copy, least, [&](CopyId other) { return other < id; }));
+    });
+    return std::isfinite(least) ? std::optional<double>(least) : std::nullopt;
 }
 
 }  // namespace spectralpack

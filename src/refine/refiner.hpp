@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/bvh.hpp"
 #include "search/cost.hpp"
@@ -68,13 +69,14 @@ class Refiner {
     /// is room; else `shortfall` tells. One that starts crossing another does not move.
     /// Deterministic; may be called from several threads at once. Time grows with the triangles
     /// near to the copy, not with the tray.
-    Refined refine(const StandingCopy& copy, const std::array<int, 3>& direction) const;
+    Refined refine(const StandingCopy& copy, const std::array<int, 3>& direction,
+                   const Workers& workers = Workers(1)) const;
 
     /// Least distance of the surface of `copy` to those of the others (walls and `except` left out), if it is
     /// below `upper_bound`; else upper_bound.
     double clearance(const StandingCopy& copy, double upper_bound, std::optional<CopyId> except = std::nullopt) const;
     /// Least distance between the surfaces of two copies that stand here, walls left out; none with fewer than two.
-    std::optional<double> least_gap() const;
+    std::optional<double> least_gap(const Workers& workers = Workers(1)) const;
 
   private:
     /// clearance() to those copies that `counts(id)` is true of.

@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
+
+#include "core/ahead.hpp"
+#include "support/eventually.hpp"
 
 namespace spectralpack {
 namespace {
@@ -21,9 +26,20 @@ TEST_P(ParallelLoops, VisitEachIndexOnce) {
             ++visits[static_cast<std::size_t>(i)];
         }
     });
+    workers.for_each_in_order(1000, [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
     for (const auto& count : visits) {
-        EXPECT_EQ(count, 2);
+        EXPECT_EQ(count, 3);
     }
+}
+
+TEST_P(ParallelLoops, InOrderBeginWhatComesBeforeFirst) {
+    const Workers workers(GetParam());
+    std::atomic<int> begun = 0;
+    workers.for_each_in_order(1000, [&](std::int64_t i) {
+        // Of those before it none is left but what other threads have just taken.
+        EXPECT_GE(++begun, i + 2 - GetParam());
+    });
+    EXPECT_EQ(begun, 1000);
 }
 
 TEST_P(ParallelLoops, MayBeNested) {
@@ -46,7 +62,60 @@ TEST_P(ParallelLoops, RethrowWhatATaskThrows) {
 TEST_P(ParallelLoops, OfNothingDoNothing) {
     const Workers workers(GetParam());
     workers.for_each(0, [](std::int64_t) { FAIL(); });
+    workers.for_each_in_order(0, [](std::int64_t) { FAIL(); });
     workers.for_ranges(-1, 4, [](std::int64_t, std::int64_t) { FAIL(); });
+}
+
+TEST(Workers, DropWhatNoneHasBegunWhenTheyGo) {
+    const auto held = std::make_shared<int>(0);
+    for (int round = 0; round < 20; ++round) {
+        const Workers workers(2);
+        for (int i = 0; i < 100; ++i) {
+            workers.spare([held] {});
+        }
+    }
+    EXPECT_EQ(held.use_count(), 1);
+}
+
+TEST(Ahead, IsMadeByASpareThreadOrNotAtAll) {
+    std::atomic<int> made = 0;
+    const auto make = [&made] { return ++made; };
+    Ahead<int> alone(Workers(1), make);
+    EXPECT_EQ(alone.take(), std::nullopt);
+    EXPECT_EQ(made, 0);
+    const Workers two(2);
+    Ahead<int> spare(two, make);
+    ASSERT_TRUE(test::eventually([&] { return made == 1; }));
+    EXPECT_EQ(spare.take(), 1);
+}
+
+TEST(Ahead, IsNeverMadeTwiceOrAfterItsEnd) {
+    const Workers two(2);
+    for (int i = 0; i < 1000; ++i) {
+        auto made = std::make_unique<std::atomic<int>>(0);
+        Ahead<int> value(two, [&made] { return ++*made; });
+        if (i % 2 == 0) {
+            const std::optional<int> taken = value.take();
+            EXPECT_EQ(taken.value_or(0), *made);
+        }
+        // Whoever runs it after this would write where nothing is.
+        {
+            const Ahead<int> dropped(two, [&made] { return ++*made; });
+        }
+        EXPECT_LE(*made, 2);
+        if (i % 2 == 1) value.take();
+    }
+}
+
+TEST(Ahead, RethrowsWhatMakingThrew) {
+    const Workers two(2);
+    std::atomic<bool> begun = false;
+    Ahead<int> value(two, [&begun]() -> int {
+        begun = true;
+        throw std::runtime_error("made");
+    });
+    ASSERT_TRUE(test::eventually([&] { return begun.load(); }));
+    EXPECT_THROW(value.take(), std::runtime_error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelLoops, testing::Values(1, 2, 3));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "core/random.hpp"
@@ -15,6 +16,14 @@ inline Vec3 along(AxisDirection d, double way) {
     Vec3 v;
     v[d.axis] = d.sign * way;
     return v;
+}
+
+/// How far `moving` may go as far as `still` is concerned.
+inline double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap,
+                    double at_most) {
+    std::atomic<double> free = at_most;
+    spectralpack::slide(moving, offset, still, direction, gap, at_most, free);
+    return free;
 }
 
 using Quad = __float128;

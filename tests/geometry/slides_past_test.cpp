@@ -14,6 +14,7 @@ namespace {
 
 using test::along;
 using test::Numbers;
+using test::slide;
 
 Bvh alone(const Corners& t) { return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}}); }
 

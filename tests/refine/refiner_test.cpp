@@ -166,7 +166,7 @@ std::vector<Mesh> shapes() {
 }
 
 /// Scatters copies that keep their gaps, refines each, and returns where they end.
-std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations) {
+std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations, const Workers& workers = Workers(1)) {
     RandomStream random(seed);
     std::vector<std::shared_ptr<const Bvh>> surfaces;
     for (const Mesh& mesh : shapes()) {
@@ -193,7 +193,7 @@ std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations) {
         for (int& d : direction) {
             d = static_cast<int>(random.below(3)) - 1;
         }
-        const Refined refined = refiner.refine(copy, direction);
+        const Refined refined = refiner.refine(copy, direction, workers);
         moved += refined.way > 0;
         copy.offset = refined.offset;
         if (expectations) {
@@ -223,12 +223,33 @@ TEST(Refiner, KeepsEveryGapAmongShapesOfEveryKind) {
     }
 }
 
-TEST(Refiner, GivesTheSameAgain) {
-    const std::vector<StandingCopy> one = scatter(5, false), two = scatter(5, false);
-    ASSERT_EQ(one.size(), two.size());
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        EXPECT_EQ(one[i].offset, two[i].offset);
+TEST(Refiner, GivesTheSameForAnyNumberOfThreads) {
+    const Workers three(3);
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const std::vector<StandingCopy> one = scatter(seed, false);
+        for (int again = 0; again < 3; ++again) {
+            const std::vector<StandingCopy> other = scatter(seed, false, three);
+            ASSERT_EQ(one.size(), other.size());
+            for (std::size_t i = 0; i < one.size(); ++i) {
+                EXPECT_EQ(one[i].offset, other[i].offset) << "seed " << seed << ", copy " << i;
+            }
+        }
     }
+}
+
+TEST(Refiner, LeastGapIsThatOfTheNearestPairForAnyNumberOfThreads) {
+    Refiner refiner(RefineSetup{{80, 70, 60}});
+    const std::vector<StandingCopy> standing = scatter(3, false);
+    double least = Box::kInfinity;
+    for (std::size_t i = 0; i < standing.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const StandingCopy &a = standing[i], &b = standing[k];
+            least = std::min(least, least_distance(*a.surface, a.offset, *b.surface, b.offset).distance);
+        }
+        refiner.add(standing[i]);
+    }
+    EXPECT_EQ(refiner.least_gap(), least);
+    EXPECT_EQ(refiner.least_gap(Workers(3)), least);
 }
 
 /// The whole path is free, not only its end: a thin wall between the start and a hollow behind it

@@ -13,7 +13,6 @@ namespace spectralpack {
 namespace {
 
 constexpr int kLayersPerTask = 8;  // brick layers
-constexpr std::size_t kDilatedTrays = 2;
 
 class CpuSearch final : public PlacementSearch {
   public:
@@ -74,16 +73,14 @@ class CpuSearch final : public PlacementSearch {
                 }
             }
         }
-        std::atomic<std::size_t> next{0};
         std::atomic<bool> stopped{false};
-        workers_.for_each(workers_.threads(), [&](std::int64_t) {
-            for (std::size_t i = next++; i < tasks.size(); i = next++) {
-                if (stopped || stop.stopped()) {
-                    stopped = true;
-                    return;
-                }
-                search_layers(*tasks[i].search, tasks[i].begin, tasks[i].end);
+        workers_.for_each_in_order(std::ssize(tasks), [&](std::int64_t i) {
+            if (stopped || stop.stopped()) {
+                stopped = true;
+                return;
             }
+            const Task& task = tasks[static_cast<std::size_t>(i)];
+            search_layers(*task.search, task.begin, task.end);
         });
         if (stopped) return {std::nullopt, true};
 
@@ -129,7 +126,7 @@ class CpuSearch final : public PlacementSearch {
     }
 
   private:
-    /// Those of the trays last asked about: while copies are put back, there are two that grow side by side.
+    /// Those of the trays last asked about.
     std::shared_ptr<DilatedLayers> dilated(const Tray& tray) {
         const auto known = std::find_if(dilated_.begin(), dilated_.end(),
                                         [&](const auto& layers) { return layers->instance() == tray.instance(); });
@@ -141,7 +138,7 @@ class CpuSearch final : public PlacementSearch {
         } else {
             layers = std::make_shared<DilatedLayers>(tray);
         }
-        if (dilated_.size() == kDilatedTrays) dilated_.pop_back();
+        if (std::ssize(dilated_) == DilatedLayers::kTrays) dilated_.pop_back();
         dilated_.insert(dilated_.begin(), layers);
         return layers;
     }

@@ -33,6 +33,9 @@ class DilatedLayers {
   public:
     using Word = DilatedRows::Word;
 
+    /// Trays whose layers an engine keeps: while copies are put back, there are two that grow side by side.
+    static constexpr int kTrays = 2;
+
     explicit DilatedLayers(const Tray& tray);
 
     /// Brings the layers up to `tray`, which is the same one as ever. Nobody may be reading.

@@ -30,11 +30,14 @@ bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>&
         known[v] = hn::LoadU(d, blocked + v * kStep);
     }
     bool all = false;
-    for (std::size_t i = 0; i < looks.size() && !all; ++i) {
+    const auto layer_count = static_cast<unsigned>(layers.size()), columns = static_cast<unsigned>(words + 1);
+    const std::size_t count = looks.size();
+    for (std::size_t i = 0; i < count && !all; ++i) {
         const TileLook& look = looks[i];
-        const int at_z = z + look.z, at_y = y + look.y, at_word = word + look.word;
-        if (at_z < 0 || at_z >= static_cast<int>(layers.size()) || at_word < -1 || at_word >= words) continue;
-        const TileLayer& layer = layers[static_cast<std::size_t>(at_z)];
+        const int at_y = y + look.y, at_word = word + look.word;
+        const auto at_z = static_cast<unsigned>(z + look.z);  // below 0 is beyond all, too
+        if (at_z >= layer_count || static_cast<unsigned>(at_word + 1) >= columns) continue;
+        const TileLayer& layer = layers[at_z];
         const DilatedRows* rows = layer.all;
         if (at_y < layer.end && at_y + kRows > layer.begin) rows = layer.without;
         if (at_y >= rows->end || at_y + kRows <= rows->begin) continue;
