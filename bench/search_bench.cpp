@@ -152,12 +152,12 @@ void run(const Arguments& arguments) {
         items.resize(static_cast<std::size_t>(arguments.most));
     }
     ShapeStore shapes(
-        [&](int part) {
+        [&](int part, const Workers& makers) {
             return std::make_shared<const Shape>(
                 make_shape(static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)], rotations,
-                           arguments.voxel, 1, arguments.gap, setup.gap_classes, workers));
+                           arguments.voxel, 1, arguments.gap, setup.gap_classes, makers));
         },
-        workers);
+        workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
     shapes.start_tray(items);
 
     const auto engine = make_cpu_search({arguments.cache}, workers);

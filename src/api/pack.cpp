@@ -162,13 +162,13 @@ class Run {
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
         ShapeStore shapes(
-            [&](int part) {
+            [&](int part, const Workers& workers) {
                 const auto i = static_cast<std::size_t>(part);
                 std::shared_ptr<const Shape> shape = kept_[i];
                 if (!shape) {
-                    shape = std::make_shared<const Shape>(
-                        make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
-                                   loaded_.parts[i].gap, plan_.gap_classes, workers_));
+                    shape = std::make_shared<const Shape>(make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i],
+                                                                     options.voxel, options.detail,
+                                                                     loaded_.parts[i].gap, plan_.gap_classes, workers));
                     if (keep_shapes_) kept_[i] = shape;
                 }
                 return shape;

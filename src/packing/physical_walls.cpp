@@ -72,11 +72,13 @@ TrayObject PhysicalWalls::moved(TrayObject object) const {
     return object;
 }
 
+int walls_margin(double voxel_size, double wall_gap) { return static_cast<int>(std::ceil(wall_gap / voxel_size)) + 1; }
+
 PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap,
                              const Workers& workers) {
     const double dx = tray.voxel_size;
     PhysicalWalls walls;
-    walls.margin = static_cast<int>(std::ceil(wall_gap / dx)) + 1;
+    walls.margin = walls_margin(dx, wall_gap);
     const double wider = walls.margin * dx;
     walls.grid = tray;
     walls.grid.size = tray.size + Vec3{2 * wider, 2 * wider, wider};

@@ -25,6 +25,9 @@ struct PhysicalWalls {
     TrayObject moved(TrayObject object) const;
 };
 
+/// Its margin, in voxels of `voxel_size` mm.
+int walls_margin(double voxel_size, double wall_gap);
+
 /// `tray`: in the voxels that collisions are decided on (finest_setup()), its lower corner `wall_gap` mm inside the
 /// container. Precondition: the container has a height.
 PhysicalWalls physical_walls(const Container& container, const TraySetup& tray, double wall_gap,

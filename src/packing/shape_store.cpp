@@ -35,49 +35,54 @@ ShapeStore::ShapeStore(Make make, const Workers& workers, std::int64_t keep, int
 
 void ShapeStore::start_tray(const std::vector<PackItem>& items) {
     items_ = items;
+    next_ = 0;
     std::size_t parts = shapes_.size();
     for (const PackItem& item : items_) {
         parts = std::max(parts, static_cast<std::size_t>(item.part) + 1);
     }
     shapes_.resize(parts);
+    making_.resize(parts);
+    kept_.resize(parts, 0);
     remaining_.assign(parts, 0);
     left_over_.assign(parts, false);
     for (const PackItem& item : items_) {
         ++remaining_[static_cast<std::size_t>(item.part)];
     }
-    kept_.resize(parts, 0);
     for (std::size_t part = 0; part < parts; ++part) {
         if (remaining_[part] == 0) drop(part);
     }
 }
 
 const Shape& ShapeStore::at(std::size_t i) {
-    auto& wanted = shapes_[static_cast<std::size_t>(items_[i].part)];
-    if (!wanted) {
+    const auto part = static_cast<std::size_t>(items_[i].part);
+    const std::unique_ptr<Making> making = std::move(making_[part]);
+    if (making) --begun_;
+    begin_next(part);
+    if (!shapes_[part]) {
         const Stopwatch watch;
-        std::vector<int> batch;
-        std::vector<bool> listed(shapes_.size(), false);
-        for (std::size_t j = i; j < items_.size() && batch.size() < ahead_; ++j) {
-            const auto part = static_cast<std::size_t>(items_[j].part);
-            if (!listed[part] && !shapes_[part] && remaining_[part] > 0) {
-                listed[part] = true;
-                batch.push_back(items_[j].part);
-            }
-        }
-        workers_.for_each(static_cast<std::int64_t>(batch.size()), [&](std::int64_t k) {
-            const int part = batch[static_cast<std::size_t>(k)];
-            shapes_[static_cast<std::size_t>(part)] = make_(part);
-        });
+        if (making) shapes_[part] = making->take().value_or(nullptr);
+        if (!shapes_[part]) shapes_[part] = make_(items_[i].part, workers_);
         seconds_ += watch.seconds();
     }
-    return *wanted;
+    return *shapes_[part];
+}
+
+/// Begins the parts that come next, as many as may be held besides `now`.
+void ShapeStore::begin_next(std::size_t now) {
+    for (; next_ < items_.size() && begun_ + 1 < ahead_; ++next_) {
+        const int id = items_[next_].part;
+        const auto part = static_cast<std::size_t>(id);
+        if (part == now || shapes_[part] || making_[part] || remaining_[part] == 0) continue;
+        making_[part] = std::make_unique<Making>(workers_, [this, id] { return make_(id, alone_); });
+        ++begun_;
+    }
 }
 
 void ShapeStore::release(std::size_t i, bool placed) {
     const auto part = static_cast<std::size_t>(items_[i].part);
     if (!placed) left_over_[part] = true;
     if (--remaining_[part] > 0) return;
-    if (!left_over_[part]) {
+    if (!left_over_[part] || making_[part]) {  // what nobody asked for is not kept
         drop(part);
     } else if (shapes_[part] && kept_[part] == 0) {
         const std::int64_t bytes = bytes_of(*shapes_[part]);
@@ -88,6 +93,8 @@ void ShapeStore::release(std::size_t i, bool placed) {
 }
 
 void ShapeStore::drop(std::size_t part) {
+    if (making_[part]) --begun_;
+    making_[part].reset();
     shapes_[part].reset();
     keep_ += kept_[part];
     kept_[part] = 0;

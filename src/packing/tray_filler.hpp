@@ -36,8 +36,8 @@ struct FillSetup {
     std::optional<BeamSetup> beam;         ///< copies are not tried in one order; without refinement and caps only
     bool refine = false;                   ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
-    Links links = Links::avoid;
-    TakeOut take_out = TakeOut::thinnest;
+    Links links = Links::avoid;            ///< with Interlock::post: whether copies may be placed linked with another
+    TakeOut take_out = TakeOut::thinnest;  ///< with Interlock::post: what goes where some are interlocked
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 

@@ -198,6 +198,23 @@ TEST(Pack, DryRunTellsAndWritesNothing) {
     EXPECT_FALSE(fs::exists(folder / "b.json"));
 }
 
+TEST(Pack, PlansTheMemoryThatWaysOutTake) {
+    const auto megabytes = [](std::vector<std::string> options) {
+        std::vector<std::string> arguments{"pack", kSamples, "--voxel", "1", "--wall-gap", "2", "--memory", "1M"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Ran ran = spectralpack(arguments);
+        EXPECT_EQ(ran.status, 4) << ran.err;
+        const std::string before = "needs about ";
+        const std::size_t at = ran.err.find(before);
+        return at == std::string::npos ? 0 : std::stoi(ran.err.substr(at + before.size()));
+    };
+    const int off = megabytes({"--interlock", "off"}), place = megabytes({"--interlock", "place"});
+    EXPECT_GT(off, 0);
+    EXPECT_GT(place, off);
+    EXPECT_GT(megabytes({"--interlock", "post"}), place) << "what links keep";
+    EXPECT_GT(megabytes({"--interlock", "place", "--physical"}), place) << "walls all round";
+}
+
 TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
     const Ran ran = spectralpack(
         {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel", "1", "--rotations", "45", "--dry-run"});

@@ -49,7 +49,7 @@ class BeamSearch : public testing::TestWithParam<int> {
     Packed pack(int width, const std::vector<PackItem>& items, int threads = 2) {
         const Workers workers(threads);
         ShapeStore shapes(
-            [&](int part) {
+            [&](int part, const Workers&) {
                 return std::make_shared<const Shape>(
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, 0, {0}, workers));
             },

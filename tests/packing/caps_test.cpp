@@ -25,7 +25,9 @@ class CappedTray : public testing::Test {
         }
         const Workers workers(2);
         ShapeStore shapes(
-            [&](int) { return std::make_shared<const Shape>(make_shape(1, cube_, {Mat3{}}, 1, 1, 0, {0}, workers)); },
+            [&](int, const Workers&) {
+                return std::make_shared<const Shape>(make_shape(1, cube_, {Mat3{}}, 1, 1, 0, {0}, workers));
+            },
             workers);
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {

@@ -17,8 +17,9 @@ class Greedy : public testing::Test {
     Greedy() : tray_(TraySetup{{4, 4, 2}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {}
 
     void pack(const std::vector<PackItem>& items) {
-        ShapeStore shapes([](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
-                          Workers(2));
+        ShapeStore shapes(
+            [](int part, const Workers&) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
+            Workers(2));
         shapes.start_tray(items);
         const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
             return stand_on_grid(shape, best, 1, 1, 0);
@@ -52,8 +53,9 @@ TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
     tray_ = Tray(TraySetup{{6, 6, 6}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     const std::vector<PartShare> shares{{1, 1}, {0, 2}};  // cubes of 3 and of 2, 1 : 2
     const std::vector<PackItem> items{{1, 0}, {0, 0}};
-    ShapeStore shapes([](int part) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
-                      Workers(2));
+    ShapeStore shapes(
+        [](int part, const Workers&) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
+        Workers(2));
     shapes.start_tray(items);
     const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
         return stand_on_grid(shape, best, 1, 1, 0);

@@ -54,7 +54,7 @@ class Interlocking : public testing::Test {
 
     Tray tray_;
     test::MeshParts parts_{{}, {Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}}};
-    ShapeStore shapes_{[this](int part) { return parts_.shape(part); }, Workers(1)};
+    ShapeStore shapes_{[this](int part, const Workers&) { return parts_.shape(part); }, Workers(1)};
     std::vector<PlacedItem> placed_;
     PartSurfaces surfaces_{[this](int part) { return parts_.scaled(part); }, Workers(1)};
     InterlockSetup setup_;

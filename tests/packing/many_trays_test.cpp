@@ -15,8 +15,11 @@ namespace {
 class ManyTrays : public testing::Test {
   protected:
     ManyTrays()
-        : shapes_([this](int part) { return test::box_shape(static_cast<std::uint64_t>(part), part + 1, &made_); },
-                  Workers(1), 1 << 20) {
+        : shapes_(
+              [this](int part, const Workers&) {
+                  return test::box_shape(static_cast<std::uint64_t>(part), part + 1, &made_);
+              },
+              Workers(1), 1 << 20) {
         setup_.tray.size = {4, 4, 2};
         setup_.tray.voxel_size = 1;
         setup_.container.size = {4, 4, 2};
@@ -144,7 +147,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     const test::MeshParts parts{
         {test::merged(test::chest_mesh(26, 2, true), test::placed(test::frame_mesh(26, 11, 2), {0, 0, 24})),
          test::cube_mesh(8)}};
-    ShapeStore shapes([&](int part) { return parts.shape(part); }, Workers(1));
+    ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
     StopSource stop;
     FillSetup setup;
     setup.tray.size = {32, 26, 26};

@@ -41,7 +41,7 @@ class OpenHeight : public testing::Test {
         const std::vector<PackItem> items = copies(5, 4);
         const Workers workers(2);
         ShapeStore shapes(
-            [&](int part) {
+            [&](int part, const Workers&) {
                 return std::make_shared<const Shape>(
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, gap, {gap}, workers));
             },

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+
 #include "packing/first_fit.hpp"
+#include "support/eventually.hpp"
 
 namespace spectralpack {
 namespace {
@@ -15,16 +20,82 @@ std::vector<PackItem> one_each(int parts) {
     return items;
 }
 
+std::shared_ptr<const Shape> box_part(int part, int side, std::atomic<int>& made) {
+    return test::box_shape(static_cast<std::uint64_t>(part), side, &made);
+}
+
 TEST(ShapeStore, MakesSoManyPartsAheadAndNoMore) {
     std::atomic<int> made{0};
-    ShapeStore shapes([&](int part) { return test::box_shape(static_cast<std::uint64_t>(part), 2, &made); }, Workers(2),
-                      0, 3);
+    ShapeStore shapes([&](int part, const Workers&) { return box_part(part, 2, made); }, Workers(2), 0, 3);
     shapes.start_tray(one_each(7));
     for (std::size_t i = 0; i < 7; ++i) {
         EXPECT_EQ(shapes.at(i).id, i);
-        EXPECT_EQ(made, std::min<int>(3 * (static_cast<int>(i) / 3 + 1), 7));
+        const int ahead = std::min(static_cast<int>(i) + 3, 7);
+        EXPECT_LE(made, ahead);
+        ASSERT_TRUE(test::eventually([&] { return made == ahead; }));
         shapes.release(i, true);
     }
+    EXPECT_EQ(made, 7);
+}
+
+TEST(ShapeStore, MakesNothingAheadOnOneThreadOrForPartsOfManyOrientations) {
+    for (const auto& [threads, ahead] : {std::pair{1, 3}, {2, 1}}) {
+        std::atomic<int> made{0};
+        ShapeStore shapes([&](int part, const Workers&) { return box_part(part, 2, made); }, Workers(threads), 0,
+                          ahead);
+        shapes.start_tray(one_each(3));
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_EQ(shapes.at(i).id, i);
+            EXPECT_EQ(made, static_cast<int>(i) + 1);
+            shapes.release(i, true);
+        }
+    }
+}
+
+TEST(ShapeStore, WhatWasBegunServesTheNextTray) {
+    std::atomic<int> made{0};
+    ShapeStore shapes([&](int part, const Workers&) { return box_part(part, 2, made); }, Workers(2), 0, 3);
+    shapes.start_tray(one_each(3));
+    shapes.at(0);
+    ASSERT_TRUE(test::eventually([&] { return made == 3; }));
+    shapes.release(0, true);
+    shapes.start_tray({{1, 0}});
+    EXPECT_EQ(shapes.at(0).id, 1u);
+    EXPECT_EQ(made, 3);
+    shapes.start_tray({{2, 0}});
+    EXPECT_EQ(shapes.at(0).id, 2u);
+    EXPECT_EQ(made, 4) << "anew, for the tray before had no use for it";
+}
+
+TEST(ShapeStore, WhatNobodyAsksForLeavesRoomForOthers) {
+    std::atomic<bool> last_made = false;
+    ShapeStore shapes(
+        [&](int part, const Workers&) {
+            if (part == 6) last_made = true;
+            return test::box_shape(static_cast<std::uint64_t>(part), 2);
+        },
+        Workers(2), 0, 3);
+    shapes.start_tray(one_each(7));
+    for (std::size_t i = 0; i < 5; ++i) {
+        if (i == 0 || i == 4) {
+            EXPECT_EQ(shapes.at(i).id, i);
+        }
+        shapes.release(i, false);
+    }
+    ASSERT_TRUE(test::eventually([&] { return last_made.load(); }));
+}
+
+TEST(ShapeStore, SaysWhatMakingAPartThrew) {
+    ShapeStore shapes(
+        [](int part, const Workers&) -> std::shared_ptr<const Shape> {
+            if (part == 2) throw std::runtime_error("part 2");
+            return test::box_shape(static_cast<std::uint64_t>(part), 2);
+        },
+        Workers(2), 0, 3);
+    shapes.start_tray(one_each(3));
+    EXPECT_NO_THROW(shapes.at(0));
+    EXPECT_NO_THROW(shapes.at(1));
+    EXPECT_THROW(shapes.at(2), std::runtime_error);
 }
 
 TEST(ShapeStore, TheMoreOrientationsTheFewerPartsAtATime) {
@@ -37,7 +108,7 @@ TEST(ShapeStore, TheMoreOrientationsTheFewerPartsAtATime) {
 
 TEST(ShapeStore, KeepsWhatATrayLeftOverAsFarAsItsBytesGo) {
     std::atomic<int> made{0};
-    const auto shape = [&](int part) {
+    const auto shape = [&](int part, const Workers&) {
         auto made_shape = std::make_shared<Shape>(*test::box_shape(static_cast<std::uint64_t>(part), 8, &made));
         // Finer voxels count as well.
         auto fine = std::make_shared<BitGrid>(Extent{16, 16, 16});

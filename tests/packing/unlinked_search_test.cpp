@@ -72,7 +72,7 @@ TEST(LinkSample, IsRowsSpreadOverTheSolidWholeForSmallOnes) {
 /// A chest whose lid has a hole, and a cube too large for that, which stands closest within.
 FilledTray chest_and_cube(Links links) {
     const MeshParts parts{{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})), cube_mesh(14)}};
-    ShapeStore shapes([&](int part) { return parts.shape(part); }, Workers(1));
+    ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
     FillSetup setup;
     setup.tray.size = {60, 26, 26};
     setup.tray.voxel_size = 1;
