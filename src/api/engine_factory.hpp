@@ -22,8 +22,8 @@ struct EngineNeed {
     Extent tray;
     int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
     int gap_classes = 1;
-    int detail = 1;           ///< s of the tray
-    bool free_tiles = false;  ///< it will be asked for ways out
+    int detail = 1;  ///< s of the tray
+    Extent ways;     ///< the grid in which it will be asked for ways out; empty where it will not
 };
 
 /// Bytes an engine of a resolved kind needs without any cache, about.

@@ -11,6 +11,7 @@
 #include "geometry/bvh.hpp"
 #include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
+#include "packing/physical_walls.hpp"
 #include "packing/shape_store.hpp"
 #include "packing/unlinked_search.hpp"
 #include "search/tray.hpp"
@@ -169,16 +170,32 @@ std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const Pa
     return static_cast<std::int64_t>(share * bytes);
 }
 
-/// Bytes of the engines in such a grid, without caches.
+/// The grid in which ways out of a tray with `grid` are looked for; empty where none are.
+Extent grid_of_ways(double dx, const Extent& grid, const Plan& plan, const PackOptions& options) {
+    if (options.interlock == Interlock::off) return {};
+    const int s = options.detail;
+    const int margin = plan.physical ? walls_margin(dx / s, options.wall_gap) : 0;
+    return {s * grid.x + 2 * margin, s * grid.y + 2 * margin, s * grid.z + margin};
+}
+
+/// Bytes of the trays that are taken apart in such a grid: the copies that stand together, groups that left them, what
+/// is put back; and of walls.
+std::int64_t companies_memory(const Extent& ways, const Plan& plan) {
+    constexpr int kCompanies = 3;
+    const auto sets = kCompanies * static_cast<std::int64_t>(plan.gap_classes.size()) + (plan.physical ? 1 : 0);
+    return sets * (ways.count() / 8);
+}
+
+/// Bytes of the engines in such a grid, and of what they are asked about there, without caches.
 std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, const PackOptions& options,
                             const Workers& workers) {
     const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
     const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
                           static_cast<int>(plan.gap_classes.size()), options.detail,
-                          options.interlock != Interlock::off};
+                          grid_of_ways(dx, grid, plan, options)};
     // A beam has a tray and an engine for each of its states.
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
-    std::int64_t bytes = states * engine_memory(plan.engine, need, workers);
+    std::int64_t bytes = states * engine_memory(plan.engine, need, workers) + companies_memory(need.ways, plan);
     if (options.interlock == Interlock::post && options.links == Links::avoid) {
         const std::int64_t voxels = grid.count() * part_count(options.detail);
         bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptInSearch, voxels);
@@ -338,6 +355,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     Plan plan;
     plan_orientations(loaded, options, workers, plan);
     plan.engine = resolve_engine(options.engine);
+    plan.physical = container.physical;
     plan.gap_classes = {};
     const double container_volume = volume_of(container);
 

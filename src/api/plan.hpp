@@ -21,6 +21,7 @@ struct Plan {
     std::vector<std::string> too_large;           ///< by part: why it fits in no orientation; empty where it fits
     EngineKind engine = EngineKind::cpu;          ///< resolved
     Extent grid;                                  ///< with open height, as high as it starts
+    bool physical = false;                        ///< copies leave by the container's open top alone
     int most_layers = 0;                          ///< open height: as high as memory lets it grow
     std::int64_t memory = 0;                      ///< bytes the run needs without caches, meshes included
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
