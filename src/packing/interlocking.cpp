@@ -75,7 +75,7 @@ class Untangling {
             put_back(removed);
             if (open && height() > before + setup_.voxel_size) pack_anew_if_lower();
             result_.report.changed = true;
-            result_.report.least_gap = least_gap();
+            if (setup_.measure_gap) result_.report.least_gap = least_gap();
         }
         result_.report.reinsert_seconds = reinserting.seconds() - (setup_.shapes->seconds() - voxelizing);
         return std::move(result_);

@@ -20,6 +20,7 @@ struct InterlockSetup : StandingSetup {
     ShapeStore* shapes = nullptr;     ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
+    bool measure_gap = false;       ///< between copies in the end, where something changed
     std::vector<PackItem> order;    ///< in which copies are put back
     std::vector<PackItem> waiting;  ///< had found no place; are tried again where others were taken out
     Disassembler::Left left;        ///< told while planning
@@ -32,7 +33,7 @@ struct InterlockSetup : StandingSetup {
 struct InterlockReport {
     InterlockCounts counts;
     bool changed = false;             ///< copies were removed, or all packed anew
-    std::optional<double> least_gap;  ///< between two copies, mm, in the end; only where changed
+    std::optional<double> least_gap;  ///< between two copies, mm, in the end; where changed and asked for
     double disassemble_seconds = 0;
     double reinsert_seconds = 0;  ///< without making voxels
 };

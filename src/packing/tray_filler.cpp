@@ -107,13 +107,12 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
                               : avoids_links()                     ? static_cast<PlacementSearch&>(unlinked_)
                                                                    : search_;
     pack(tray, search, settle, limits);
-    double gap = refinement ? refinement->least_gap().value_or(Box::kInfinity) : Box::kInfinity;
-    refinement.reset();
     if (setup_.interlock != Interlock::off) {
         make_removable(wanted, tray, std::move(fixed), surfaces, shapes, limits, stop, result);
-        if (result.report.changed) gap = result.report.least_gap.value_or(Box::kInfinity);
     }
-    if (setup_.refine && gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
+    if (!refinement) return;
+    const std::optional<double> gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
+    if (gap && *gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
 }
 
 void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector<StandingPart> fixed,
@@ -130,6 +129,7 @@ void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector
     setup.shapes = &shapes;
     setup.limits = limits;
     setup.take_out = setup_.take_out;
+    setup.measure_gap = setup_.refine;
     setup.order = wanted.items;
     if (!wanted.next) setup.waiting = result.left_over;
     setup.left = setup_.left;
