@@ -150,6 +150,13 @@ class Slide {
         return closest_points(moved, b);
     }
 
+    /// How far apart they stay at least on that way.
+    double separation(const Corners& a, const Corners& b, double way) const {
+        Vec3 sweep;
+        sweep[kAxis] = sign_ * way;
+        return plane_separation(a, b, sweep);
+    }
+
     /// A moment at which f is at most `reached`, before it is under `level` (level < reached), when
     /// going from `way` in steps of sign `heading`; none if f never is before `end`, in that order.
     struct Contact {
@@ -172,10 +179,10 @@ class Slide {
     /// gap > 0: how far this pair lets the mesh go, where that is less than best(); or else kFree. What it says depends
     /// on at_most_, never on what is known by now, so that the least of all is the same in any order.
     double approach(const Corners& a, const Corners& b) const {
-        Vec3 sweep;
         const double best = this->best();
-        sweep[kAxis] = sign_ * best;
-        if (plane_separation(a, b, sweep) >= gap_ - kSlideTolerance / 2) return kFree;
+        // No contact on the way that is free as far as is known; or one that never falls under the floor, on all of it.
+        if (separation(a, b, best) >= gap_ + 2 * kSlideSlack) return kFree;
+        if (separation(a, b, at_most_) >= gap_ - kSlideTolerance / 2) return kFree;
         const Contact stop = first_contact(a, b, 0, best, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
         if (!stop.found) return kFree;
         const double now = closest(a, b, stop.way).distance;

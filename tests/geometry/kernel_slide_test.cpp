@@ -59,6 +59,26 @@ TEST(Slide, OfTwoTrianglesStopsAtTheFirstMomentAtTheGapAndNoEarlier) {
     EXPECT_GT(stopped, 1000);
 }
 
+TEST(Slide, AContactCountsThoughWhatIsKnownEndsBeforeTheFall) {
+    // Above a plane that rises by a millionth: half a slack from the gap after 1.5 mm, under it after 2; a wall after
+    // 1.8 mm.
+    constexpr double kGap = 0.2, kRise = 1e-6, kAtMost = 10;
+    const auto under = [](double x, double y) { return Vec3{x, y, -(kGap + 3 * kRise) + kRise * x}; };
+    const Bvh moving = alone({Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}});
+    const Bvh plane = alone({under(-50, -50), under(100, -50), under(0, 100)});
+    const Bvh wall = alone({Vec3{2.8 + kGap, -5, -0.1}, Vec3{2.8 + kGap, 5, -0.1}, Vec3{2.8 + kGap, 0, 5}});
+    const AxisDirection ahead{0, 1};
+    const double to_plane = slide(moving, {}, plane, ahead, kGap, kAtMost);
+    EXPECT_NEAR(to_plane, 1.5, 0.01);
+    EXPECT_NEAR(slide(moving, {}, wall, ahead, kGap, kAtMost), 1.8, 1e-5);
+    for (const bool plane_first : {true, false}) {
+        std::atomic<double> free = kAtMost;
+        slide(moving, {}, plane_first ? plane : wall, ahead, kGap, kAtMost, free);
+        slide(moving, {}, plane_first ? wall : plane, ahead, kGap, kAtMost, free);
+        EXPECT_EQ(free, to_plane);
+    }
+}
+
 TEST(Slide, OfMeshesIsTheLeastOverAllPairs) {
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         Numbers numbers(seed);
