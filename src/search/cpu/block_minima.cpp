@@ -131,14 +131,11 @@ CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& 
         edge *= 2;
     } while (cells.size() > kMostCells);
     std::ranges::stable_sort(cells, [](const Cell& a, const Cell& b) { return a.voxels > b.voxels; });
-    std::int64_t seen = 0;
     for (const Cell& cell : cells) {
         const std::int64_t drop = (cell.distance + cell.voxels - 1) / cell.voxels + (apart ? 1 : 0);
-        seen += cell.voxels;
         const VoxelIndex at{cell.centre.x / block, cell.centre.y / block, cell.centre.z / block};
         plan.cells.push_back({at, minima.offset(at), static_cast<std::uint32_t>(cell.voxels),
-                              static_cast<std::uint16_t>(std::min<std::int64_t>(drop, 65535)),
-                              static_cast<float>(seen) / static_cast<float>(solid.voxels)});
+                              static_cast<std::uint16_t>(std::min<std::int64_t>(drop, 65535))});
     }
     return plan;
 }

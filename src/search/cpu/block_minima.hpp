@@ -46,7 +46,6 @@ struct SolidCell {
     std::int64_t offset = 0;   ///< of c's block from the position's block
     std::uint32_t weight = 0;  ///< voxels
     std::uint16_t drop = 0;    ///< their mean distance from c, rounded up, and their least
-    float share = 1;           ///< of all voxels that are looked at once this cell is
 };
 
 /// The whole solid in a few cells, heaviest first.

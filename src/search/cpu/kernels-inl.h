@@ -45,10 +45,8 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
 #endif
 }
 
-/// Bit i: cells do not show that rho is above `limit` in block i of those from `minima` on. i in [0, 32). Stops where
-/// they are not going to.
-HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit,
-                                     float patience) {
+/// Bit i: cells do not show that rho is above `limit` in block i of those from `minima` on. i in [0, 32).
+HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit) {
     if (plan.least > limit) return 0;
     const std::uint32_t room = limit - static_cast<std::uint32_t>(plan.least);
     constexpr std::size_t kCellsPerLook = 8;
@@ -63,11 +61,9 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
                 sums[i] += cell.weight * static_cast<std::uint32_t>(std::max(value, cell.drop) - cell.drop);
             }
         }
-        const auto hopeless =
-            static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room));
         bool alive = false;
         for (int i = 0; i < kLanes; ++i) {
-            alive |= sums[i] <= room && sums[i] >= hopeless;
+            alive |= sums[i] <= room;
         }
         if (!alive) break;
     }
@@ -97,11 +93,9 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
                 sums[v] = hn::Add(sums[v], hn::Mul(hn::PromoteTo(d32, value), weight));
             }
         }
-        const auto hopeless =
-            hn::Set(d32, static_cast<std::uint32_t>(patience * plan.cells[end - 1].share * static_cast<float>(room)));
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
         for (std::size_t v = 0; v < kVectors; ++v) {
-            done = hn::And(done, hn::Or(hn::Gt(sums[v], most), hn::Lt(sums[v], hopeless)));
+            done = hn::And(done, hn::Gt(sums[v], most));
         }
         if (hn::AllTrue(d32, done)) break;
     }
@@ -113,14 +107,6 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
     }
     return ~above;
 #endif
-}
-
-/// A lane that has come to less than this part of its share of the way from `least` to the limit is
-/// not going to pass it.
-HWY_INLINE std::uint32_t HopelessBelow(std::uint32_t least, std::uint32_t limit, float patience,
-                                       const SumBatch& batch) {
-    if (limit <= least) return 0;
-    return least + static_cast<std::uint32_t>(patience * batch.share * static_cast<float>(limit - least));
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -154,14 +140,11 @@ HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::
     }
 }
 
-/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus] (modulo
-/// 2^16) is above the load's least, up to kSumLimit. Give what all loads come to at least for the
-/// lanes that are wanted, kSumLimit for the others. Stops after a batch when no lane is worth going
-/// on for: those that are above `limit` are not, nor those that are not going to be, `hopeless`
-/// below. Sums are then lower bounds.
+/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus] (modulo 2^16) is above the
+/// load's least, up to kSumLimit. Give what all loads come to at least for the lanes that are wanted, kSumLimit for the
+/// others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds.
 HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
-                         std::size_t batch_count, std::uint32_t least, std::uint32_t limit, float patience,
-                         std::uint32_t* sums) {
+                         std::size_t batch_count, std::uint32_t limit, std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes] = {};
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
@@ -172,11 +155,10 @@ HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const
                 sum[j] = static_cast<std::uint16_t>(sum[j] + std::max(run, loads[i].least) - loads[i].least);
             }
         }
-        const std::uint32_t hopeless = HopelessBelow(least, limit, patience, batches[b]);
         bool alive = false;
         for (int j = 0; j < kLanes; ++j) {
             sums[j] = std::min(kSumLimit, sums[j] + sum[j]);
-            alive |= sums[j] <= limit && sums[j] >= hopeless;
+            alive |= sums[j] <= limit;
         }
         if (!alive) return;
     }
@@ -232,8 +214,8 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
 }
 
 HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
-                         const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t least,
-                         std::uint32_t limit, float patience, std::uint32_t* HWY_RESTRICT sums) {
+                         const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
+                         std::uint32_t* HWY_RESTRICT sums) {
     const hn::CappedTag<std::uint16_t, kLanes> d16;
     constexpr std::size_t kStep = hn::MaxLanes(d16);
     constexpr std::size_t kVectors = kLanes / kStep;
@@ -263,13 +245,12 @@ HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad*
                 sum[v] = hn::Add(sum[v], hn::SaturatedSub(run, run_least));
             }
         }
-        const auto hopeless = hn::Set(d32, HopelessBelow(least, limit, patience, batches[b]));
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
         for (std::size_t v = 0; v < kVectors; ++v) {
             wide[2 * v] = hn::Min(most, hn::Add(wide[2 * v], hn::PromoteTo(d32, hn::LowerHalf(half, sum[v]))));
             wide[2 * v + 1] = hn::Min(most, hn::Add(wide[2 * v + 1], hn::PromoteTo(d32, hn::UpperHalf(half, sum[v]))));
             for (std::size_t w = 2 * v; w < 2 * v + 2; ++w) {
-                done = hn::And(done, hn::Or(hn::Gt(wide[w], bound), hn::Lt(wide[w], hopeless)));
+                done = hn::And(done, hn::Gt(wide[w], bound));
             }
         }
         if (hn::AllTrue(d32, done)) break;

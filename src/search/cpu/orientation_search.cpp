@@ -23,10 +23,7 @@ static_assert(kBrickZ <= BitTables::kTileLayers);
 // A tile of the crowd tables is that many bricks.
 constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
 static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
-// A coarse sum that has come to less than this part of its share of the limit is not going to rule
-// anything out.
-constexpr int kMostSkipped = 24;
-constexpr float kPatience = 0.6f;
+constexpr int kMostSkipped = 24;  // rows
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
@@ -143,8 +140,8 @@ class Pass {
             --rows_to_skip_;
             return 0xFFFFFFFFu;
         }
-        const std::uint32_t near = WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells,
-                                               LaneLimit(most_), kPatience);
+        const std::uint32_t near =
+            WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells, LaneLimit(most_));
         vain_rows_ = near == 0xFFFFFFFFu ? std::min(vain_rows_ + 1, kMostSkipped) : 0;
         rows_to_skip_ = vain_rows_;
         return near;
@@ -256,7 +253,7 @@ class Pass {
         }
         if (unknown == 0) return;
         SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz), t_.coarse.loads.data(),
-                 t_.coarse.batches.data(), t_.coarse.batches.size(), least, LaneLimit(most_), kPatience, sums);
+                 t_.coarse.batches.data(), t_.coarse.batches.size(), LaneLimit(most_), sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
         }
@@ -388,7 +385,7 @@ class Pass {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
         SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(), t_.exact.batches.data(),
-                 t_.exact.batches.size(), least_sum, LaneLimit(limit), 0, sums);
+                 t_.exact.batches.size(), LaneLimit(limit), sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {

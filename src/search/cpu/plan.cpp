@@ -323,14 +323,13 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
     const int longest = static_cast<int>(kSumRange / std::max(1, most));
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
-    std::int64_t summed = 0;
     const auto halvings = [](const Weighed& of) { return std::bit_width(static_cast<unsigned>(of.run.length)); };
     for (const auto& [run, least] : by_level(weighed, 33, kLoadsPerBatch, halvings)) {
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);
             if (length > room || count == kLoadsPerBatch) {
                 const auto at = static_cast<std::int32_t>(plan.loads.size());
-                plan.batches.push_back({at, at, 0});
+                plan.batches.push_back({at, at});
                 room = longest;
                 count = 0;
             }
@@ -345,8 +344,6 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
             plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
             plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
             plan.least += part;
-            summed += length;
-            plan.batches.back().share = static_cast<float>(summed) / static_cast<float>(runs.voxels);
             room -= length;
             ++count;
             done += length;

@@ -62,7 +62,6 @@ struct LookupGroup {
 /// Pairs of loads from sum tables whose differences add up to less than 65536.
 struct SumBatch {
     std::int32_t begin = 0, end = 0;  ///< into the loads
-    float share = 1;                  ///< of all voxels that are summed once this batch is
 };
 struct SumLoad {
     std::int32_t plus = 0, minus = 0;  ///< element offsets from the position
