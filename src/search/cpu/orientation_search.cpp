@@ -103,7 +103,7 @@ class Pass {
         const Extent& bricks = state_.bricks();
         for (int by = kCrowdBricksY * j; by < std::min(kCrowdBricksY * (j + 1), bricks.y); ++by) {
             for (int bx = kCrowdBricksX * i; bx < std::min(kCrowdBricksX * (i + 1), bricks.x); bx += kPair) {
-                if (!state_.is_open(bx, by, bz)) return true;
+                if (state_.is_fresh(bx, by, bz)) return true;
             }
         }
         return false;
@@ -149,8 +149,9 @@ class Pass {
 
     /// Sifts and bounds two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
+        if (state_.is_dead(bx, by, bz)) return;
         const std::uint32_t limit = LaneLimit(most_);
-        const bool fresh = !state_.is_open(bx, by, bz);
+        const bool fresh = state_.is_fresh(bx, by, bz);
         std::uint32_t* bound[kBlocksY];
         std::uint32_t near[kBlocksY], room[kBlocksY];
         std::uint32_t any = 0;
@@ -162,16 +163,11 @@ class Pass {
             any |= near[j];
         }
         if (any == 0) return;
-        if (fresh) state_.open(bx, by, bz, room);
-        const int bricks = std::min(kPair, state_.bricks().x - bx);
-        bool sifted[kPair] = {};
-        for (int i = 0; i < bricks; ++i) {
-            sifted[i] = Sift(bx + i, by, bz);
-        }
+        if (fresh && !Sift(bx, by, bz, room)) return;
         for (int j = 0; j < kBlocksY; ++j) {
             BoundRow(bx, by * kBlocksY + j, bz, near[j], bound[j]);
         }
-        for (int i = 0; i < bricks; ++i) {
+        for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
             std::uint32_t least = kDead;
             for (int j = 0; j < kBlocksY; ++j) {
                 for (int k = i * kBlocksX; k < (i + 1) * kBlocksX; ++k) {
@@ -179,7 +175,7 @@ class Pass {
                 }
             }
             if (least > limit) continue;
-            Survivor survivor{least, bx + i, by, sifted[i], {}};
+            Survivor survivor{least, bx + i, by, fresh, {}};
             for (int j = 0; j < kBlocksY; ++j) {
                 survivor.near[j] = static_cast<std::uint16_t>(near[j] >> (i * kBlocksX));
             }
@@ -187,28 +183,19 @@ class Pass {
         }
     }
 
-    /// The first batches of look-ups, once for each brick; blocks left with nothing die. True when
-    /// it was done now.
-    bool Sift(int bx, int by, int bz) {
-        if (state_.sifted(bx, by, bz)) return false;
-        state_.set_sifted(bx, by, bz);
-        std::uint64_t* live = state_.live(bx, by, bz);
-        const bool any = std::any_of(live, live + kBrickY * kBrickZ, [](std::uint64_t word) { return word != 0; });
-        if (any) SiftLayers(bx, by, bz, live);
-        for (int j = 0; j < kBlocksY; ++j) {
-            std::uint64_t left = 0;
-            for (int z = 0; z < kBrickZ; ++z) {
-                for (int y = 0; y < kBlock; ++y) {
-                    left |= live[kBrickY * z + kBlock * j + y];
-                }
+    /// Opens a fresh pair with what the first batches of look-ups leave of its blocks that have `room`. True if that is
+    /// anything.
+    bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY]) {
+        alignas(64) BrickWords live[kPair] = {};
+        for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
+            std::uint32_t alive[kBlocksY];
+            for (int j = 0; j < kBlocksY; ++j) {
+                alive[j] = room[j] >> (kBlocksX * i);
             }
-            left = any_of_block(left);
-            std::uint32_t* bound = state_.bound(bx, by * kBlocksY + j, bz);
-            for (int i = 0; i < kBlocksX; ++i) {
-                bound[i] = left >> (kBlock * i) & 1 ? bound[i] : kDead;
-            }
+            state_.candidates(bx + i, by, bz, alive, live[i]);
+            SiftLayers(bx + i, by, bz, live[i]);
         }
-        return true;
+        return state_.open(bx, by, bz, live);
     }
 
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.

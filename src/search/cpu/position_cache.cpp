@@ -22,7 +22,7 @@ void PositionState::reset(const Extent& count, const Extent& most) {
     bound_rows_ = bricks_.y * kBlocksY;
     bound_stride_ = bricks_.x * kBlocksX + kBlocksX;  // bricks are looked at in pairs
     pairs_ = (bricks_.x + kPair - 1) / kPair;
-    open_.assign(static_cast<std::size_t>(checked_product({pairs_, bricks_.y, bricks_.z})), 0);
+    pair_is_.assign(static_cast<std::size_t>(checked_product({pairs_, bricks_.y, bricks_.z})), kFresh);
     const Extent room = brick_count(most);
     const auto bricks = static_cast<std::size_t>(room.count());
     const auto bounds =
@@ -31,36 +31,55 @@ void PositionState::reset(const Extent& count, const Extent& most) {
     if (room_for_bricks_ < bricks || room_for_bounds_ < bounds) {
         live_ = std::make_unique_for_overwrite<std::uint64_t[]>(bricks * kBrickY * kBrickZ);
         bound_ = std::make_unique_for_overwrite<std::uint32_t[]>(bounds);
-        sifted_ = std::make_unique_for_overwrite<std::uint8_t[]>(bricks);
         room_for_bricks_ = bricks;
         room_for_bounds_ = bounds;
     }
 }
 
-void PositionState::open(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY]) {
-    open_[pair(bx, by, bz)] = 1;
-    const int blocks = (count_.x + TrayTables::kBlock - 1) / TrayTables::kBlock - kBlocksX * bx;
+void PositionState::candidates(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY],
+                               BrickWords& words) const {
+    const int columns = std::min(kBrickX, count_.x - kBrickX * bx);
+    std::uint64_t row[kBlocksY];
+    for (int j = 0; j < kBlocksY; ++j) {
+        row[j] = ~std::uint64_t{0} >> (kBrickX - columns) & widened(alive[j]);
+    }
+    const int rows = count_.y - kBrickY * by;
+    const int layers = count_.z - kBrickZ * bz;
+    for (int z = 0; z < kBrickZ; ++z) {
+        for (int y = 0; y < kBrickY; ++y) {
+            words[kBrickY * z + y] = y < rows && z < layers ? row[y / TrayTables::kBlock] : 0;
+        }
+    }
+}
+
+bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair]) {
+    constexpr int kBlock = TrayTables::kBlock;
+    std::uint32_t left[kBlocksY] = {};  // blocks of the pair
+    std::uint32_t any = 0;
+    for (int i = 0; i < kPair; ++i) {
+        for (int j = 0; j < kBlocksY; ++j) {
+            std::uint64_t bits = 0;
+            for (int z = 0; z < kBrickZ; ++z) {
+                for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
+                    bits |= words[i][kBrickY * z + y];
+                }
+            }
+            left[j] |= every_fourth(any_of_block(bits)) << (kBlocksX * i);
+            any |= left[j];
+        }
+    }
+    pair_is_[pair(bx, by, bz)] = any != 0 ? kOpen : kNothing;
+    if (any == 0) return false;
+    for (int i = 0; i < std::min(kPair, bricks_.x - bx); ++i) {
+        std::copy_n(words[i], kBrickY * kBrickZ, live(bx + i, by, bz));
+    }
     for (int j = 0; j < kBlocksY; ++j) {
         std::uint32_t* row = bound(bx, kBlocksY * by + j, bz);
-        std::fill_n(row, kPair * kBlocksX, kDead);
-        std::fill_n(row, std::min(blocks, kPair * kBlocksX), 0u);
-    }
-    for (int x = bx; x < std::min(bx + kPair, bricks_.x); ++x) {
-        sifted_[brick(x, by, bz)] = 0;
-        const int columns = std::min(kBrickX, count_.x - kBrickX * x);
-        std::uint64_t row[kBlocksY];
-        for (int j = 0; j < kBlocksY; ++j) {
-            row[j] = ~std::uint64_t{0} >> (kBrickX - columns) & widened(alive[j] >> (kBlocksX * (x - bx)));
-        }
-        const int rows = count_.y - kBrickY * by;
-        const int layers = count_.z - kBrickZ * bz;
-        std::uint64_t* words = live(x, by, bz);
-        for (int z = 0; z < kBrickZ; ++z) {
-            for (int y = 0; y < kBrickY; ++y, ++words) {
-                *words = y < rows && z < layers ? row[y / TrayTables::kBlock] : 0;
-            }
+        for (int i = 0; i < kPair * kBlocksX; ++i) {
+            row[i] = left[j] >> i & 1 ? 0 : kDead;
         }
     }
+    return true;
 }
 
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
@@ -76,7 +95,7 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
             for (int x = touched.lo.x / kBlock; x < end;) {
                 const int bx = x / kBlocksX / kPair * kPair;
                 const int next = std::min(end, (bx + kPair) * kBlocksX);
-                if (is_open(bx, y / kBlocksY, z)) {
+                if (pair_is_[pair(bx, y / kBlocksY, z)] == kOpen) {
                     for (; x < next; ++x) {
                         if (row[x] != kDead) row[x] = 0;
                     }

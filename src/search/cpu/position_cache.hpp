@@ -25,6 +25,8 @@ inline constexpr int kBlocksX = kBrickX / TrayTables::kBlock;  ///< blocks of a 
 inline constexpr int kBlocksY = kBrickY / TrayTables::kBlock;
 inline constexpr int kPair = 2;  ///< bricks
 inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
+/// A brick's 4 tiles of 8 words.
+using BrickWords = std::uint64_t[kBrickY * kBrickZ];
 
 class PositionState {
   public:
@@ -45,16 +47,16 @@ class PositionState {
                    static_cast<std::size_t>(bound_stride_) +
                static_cast<std::size_t>(bx * kBlocksX);
     }
-    /// True once the brick's first batch of look-ups has been made.
-    bool sifted(int bx, int by, int bz) const { return sifted_[brick(bx, by, bz)] != 0; }
-    void set_sifted(int bx, int by, int bz) { sifted_[brick(bx, by, bz)] = 1; }
-
-    /// Bricks are looked at in pairs along x; a pair is prepared when it is first of interest, so that
-    /// what is never looked at costs nothing. At first all candidates of its `alive` blocks (bits along x, by row of
-    /// blocks) are live, and all its bounds 0.
-    /// Pairs of different brick layers may be opened by different threads at once.
-    bool is_open(int bx, int by, int bz) const { return open_[pair(bx, by, bz)] != 0; }
-    void open(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY]);
+    /// Bricks are looked at in pairs along x. A pair is fresh until it is first of interest; then it is opened with
+    /// what the first look-ups leave of its candidates, or is dead where that is nothing: so what is never looked at
+    /// costs nothing, and of most others nothing is written but that they are dead.
+    bool is_fresh(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kFresh; }
+    bool is_dead(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kNothing; }
+    /// All candidates of a brick in its `alive` blocks (bits along x, by row of blocks).
+    void candidates(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY], BrickWords& words) const;
+    /// Of a fresh pair `words` are live, and the bounds of their blocks are 0. True if there are any. Pairs of
+    /// different brick layers may be opened by different threads at once.
+    bool open(int bx, int by, int bz, const BrickWords (&words)[kPair]);
 
     /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
     /// become 0.
@@ -80,9 +82,9 @@ class PositionState {
     // Written when a pair is opened: what never is takes no memory from the system.
     std::unique_ptr<std::uint64_t[]> live_;
     std::unique_ptr<std::uint32_t[]> bound_;
-    std::unique_ptr<std::uint8_t[]> sifted_;
     std::size_t room_for_bricks_ = 0, room_for_bounds_ = 0;
-    std::vector<std::uint8_t> open_;  // by pair
+    enum PairIs : std::uint8_t { kFresh, kOpen, kNothing };
+    std::vector<PairIs> pair_is_;
 };
 
 /// States by shape, within a budget; what was least useful for its size goes first.
