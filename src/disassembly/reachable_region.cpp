@@ -19,6 +19,7 @@ std::uint64_t below(int x, int end) {
 
 ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop)
     : tiles_(tiles),
+      extent_(tiles.extent()),
       solid_(solid),
       rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
       known_(tiles.extent()),
@@ -36,32 +37,31 @@ int ReachableRegion::to_go(int y, int z) const {
                     std::min({y + solid_.y - rest_.lo.y, rest_.hi.y - y, z + solid_.z - rest_.lo.z, rest_.hi.z - z}));
 }
 
-std::uint64_t ReachableRegion::outside_at(int y, int z, int i) const {
-    if (to_go(y, z) == 0) return kAll;
+/// Those of word i that lie beside the rest along x.
+std::uint64_t ReachableRegion::outside_along_x(int i) const {
     return below(64 * i, rest_.lo.x - solid_.x + 1) | ~below(64 * i, rest_.hi.x);
 }
 
 /// Visits positions, which are free.
-void ReachableRegion::reach(const Some& fresh) {
-    Word& at = word(fresh.y, fresh.z, fresh.i);
+void ReachableRegion::reach(const Some& fresh, Tile& tile) {
+    Word& at = word(tile, fresh.y);
     at.visited |= fresh.positions;
-    walked_.push_back(fresh);
-    if (fresh.positions & outside_at(fresh.y, fresh.z, fresh.i)) {
+    walked_.push_back({fresh, &tile});
+    const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
+    if (left == 0 || (fresh.positions & outside_along_x(fresh.i)) != 0) {
         outside_ = true;
         return;
     }
-    const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
     if (open_.size() <= left) open_.resize(left + 1);
-    open_[left].push_back(fresh);
+    open_[left].push_back({fresh, &tile});
     least_ = std::min(least_, left);
-    if (at.sideways == 0) sideways_.push_back(fresh);
+    if (at.sideways == 0) sideways_.push_back({fresh, &tile});
     at.sideways |= fresh.positions;
 }
 
 /// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
-void ReachableRegion::look(const Some& wanted) {
-    Tile& tile = this->tile(wanted.y, wanted.z, wanted.i);
-    if ((wanted.positions & ~tile[static_cast<std::size_t>(wanted.y % kRows)].known) == 0) return;
+void ReachableRegion::look(const Some& wanted, Tile& tile) {
+    if ((wanted.positions & ~word(tile, wanted.y).known) == 0) return;
     FreeTileReader::Rows unknown;
     for (std::size_t row = 0; row < kRows; ++row) {
         unknown[row] = wanted.positions & ~tile[row].known;
@@ -74,78 +74,81 @@ void ReachableRegion::look(const Some& wanted) {
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
-void ReachableRegion::touch(const Some& neighbours) {
-    const auto& [y, z, i, positions] = neighbours;
-    Word& at = word(y, z, i);
-    if (positions & at.outside) {
+void ReachableRegion::touch(const Some& neighbours, Tile& tile) {
+    Word& at = word(tile, neighbours.y);
+    if (neighbours.positions & at.outside) {
         outside_ = true;
         return;
     }
-    const std::uint64_t wanted = positions & ~at.visited;
-    look({y, z, i, wanted});
-    if (const std::uint64_t fresh = wanted & at.free) reach({y, z, i, fresh});
+    Some some = neighbours;
+    some.positions &= ~at.visited;
+    look(some, tile);
+    some.positions &= at.free;
+    if (some.positions != 0) reach(some, tile);
 }
 
-void ReachableRegion::go_on(const Some& from) {
+void ReachableRegion::go_on(const Visited& from) {
     for (int move = 0; move < 4 && !outside_; ++move) {
-        Some to = from;
+        Some to = from.some;
         (move < 2 ? to.y : to.z) += move % 2 == 0 ? 1 : -1;
-        if (to.y >= 0 && to.y < tiles_.extent().y && to.z >= 0 && to.z < tiles_.extent().z) touch(to);
+        if (to.y < 0 || to.y >= extent_.y || to.z < 0 || to.z >= extent_.z) continue;
+        const bool same = to.z == from.some.z && to.y / kRows == from.some.y / kRows;
+        touch(to, same ? *from.tile : tile(to.y, to.z, to.i));
     }
 }
 
-void ReachableRegion::go_sideways(const Some& where) {
-    const auto& [y, z, i, first] = where;
-    const std::uint64_t from = std::exchange(word(y, z, i).sideways, 0);
-    touch({y, z, i, from << 1});
-    touch({y, z, i, from >> 1});
-    if (from >> 63 && i + 1 < known_.words()) touch({y, z, i + 1, 1});
-    if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63});
+void ReachableRegion::go_sideways(const Visited& where) {
+    const auto& [y, z, i, first] = where.some;
+    const std::uint64_t from = std::exchange(word(*where.tile, y).sideways, 0);
+    touch({y, z, i, from << 1 | from >> 1}, *where.tile);
+    if (from >> 63 && i + 1 < known_.words()) touch({y, z, i + 1, 1}, tile(y, z, i + 1));
+    if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63}, tile(y, z, i - 1));
 }
 
 bool ReachableRegion::free(const VoxelIndex& position) {
     const VoxelIndex at = position - tiles_.origin();
-    if (!tiles_.extent().contains(at)) return true;
+    if (!extent_.contains(at)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (at.x % 64);
-    Word& of = word(at.y, at.z, at.x / 64);
-    look({at.y, at.z, at.x / 64, bit});
-    return of.free & bit;
+    Tile& tile = this->tile(at.y, at.z, at.x / 64);
+    look({at.y, at.z, at.x / 64, bit}, tile);
+    return word(tile, at.y).free & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) {
     const VoxelIndex at = position - tiles_.origin();
-    return tiles_.extent().contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
+    return extent_.contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
 }
 
 bool ReachableRegion::contains(const VoxelIndex& start) {
     const VoxelIndex from = start - tiles_.origin();
-    if (!tiles_.extent().contains(from)) return true;
+    if (!extent_.contains(from)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (from.x % 64);
-    Word& at = word(from.y, from.z, from.x / 64);
+    Tile& tile = this->tile(from.y, from.z, from.x / 64);
+    Word& at = word(tile, from.y);
     if (at.visited & bit) return at.outside & bit;
 
     outside_ = false;
     at.known |= bit;
     at.free |= bit;
-    reach({from.y, from.z, from.x / 64, bit});
+    reach({from.y, from.z, from.x / 64, bit}, tile);
     while (!outside_ && !stop_.stopped()) {
         while (least_ < open_.size() && open_[least_].empty()) {
             ++least_;
         }
         if (least_ < open_.size()) {
-            const Some next = open_[least_].back();
+            const Visited next = open_[least_].back();
             open_[least_].pop_back();
             go_on(next);
         } else if (!sideways_.empty()) {
-            const Some next = sideways_.back();
+            const Visited next = sideways_.back();
             sideways_.pop_back();
             go_sideways(next);
         } else {
             break;
         }
     }
-    for (const Some& visited : walked_) {
-        Word& there = word(visited.y, visited.z, visited.i);
+    for (const auto& [visited, where] : walked_) {
+        Word& there = word(*where, visited.y);
         there.sideways = 0;
         if (outside_) there.outside |= visited.positions;
         const int x = 64 * visited.i;

@@ -45,18 +45,24 @@ class ReachableRegion {
         int y = 0, z = 0, i = 0;
         std::uint64_t positions = 0;
     };
+    struct Visited {
+        Some some;
+        Tile* tile;  // theirs
+    };
 
     Tile& tile(int y, int z, int i);
-    Word& word(int y, int z, int i) { return tile(y, z, i)[static_cast<std::size_t>(y % kRows)]; }
+    static Word& word(Tile& tile, int y) { return tile[static_cast<std::size_t>(y % kRows)]; }
+    Word& word(int y, int z, int i) { return word(tile(y, z, i), y); }
     int to_go(int y, int z) const;
-    std::uint64_t outside_at(int y, int z, int i) const;
-    void reach(const Some& fresh);
-    void look(const Some& wanted);
-    void touch(const Some& neighbours);
-    void go_on(const Some& from);
-    void go_sideways(const Some& where);
+    std::uint64_t outside_along_x(int i) const;
+    void reach(const Some& fresh, Tile& tile);
+    void look(const Some& wanted, Tile& tile);
+    void touch(const Some& neighbours, Tile& tile);
+    void go_on(const Visited& from);
+    void go_sideways(const Visited& where);
 
     FreeTileReader& tiles_;
+    Extent extent_;  // of the tiles
     Extent solid_;
     VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
@@ -65,10 +71,10 @@ class ReachableRegion {
 
     // The walk under way.
     bool outside_ = false;
-    std::vector<Some> walked_;
-    std::vector<std::vector<Some>> open_;  // by steps at least to go
-    std::size_t least_ = 0;                // of those that hold something
-    std::vector<Some> sideways_;
+    std::vector<Visited> walked_;
+    std::vector<std::vector<Visited>> open_;  // by steps at least to go
+    std::size_t least_ = 0;                   // of those that hold something
+    std::vector<Visited> sideways_;
 };
 
 }  // namespace spectralpack

@@ -2,19 +2,34 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "disassembly/reachable_region.hpp"
+#include "packing/row_sample.hpp"
 
 namespace spectralpack {
 namespace {
 
+constexpr int kRowsAlong = 10;  // so many and more of a solid are asked first
+
+/// Where some voxels can be taken out.
+struct Ways {
+    Extent solid;
+    std::unique_ptr<FreeTileReader> tiles;
+    std::optional<ReachableRegion> region;  // none: nothing was asked so far
+
+    bool lead_out(const VoxelIndex& from, const Extent& around, const StopToken& stop) {
+        if (!region) region.emplace(*tiles, solid, whole(around), stop);
+        return region->contains(from);
+    }
+};
+
 /// What is known of one orientation's positions.
 struct Known {
     std::mutex mutex;
-    Extent solid;
-    std::unique_ptr<FreeTileReader> tiles;
-    std::unique_ptr<ReachableRegion> region;  // null: none of its positions was asked about
+    Ways of_sample, of_solid;  // no sample where it would be the whole solid
 };
 
 }  // namespace
@@ -24,20 +39,27 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     const Tray& fine = finest(tray);
     const int s = tray.detail(), margin = walls_ ? walls_->margin : 0;
     std::vector<Known> known(shape.orientations.size());
+    const auto read = [&](std::shared_ptr<const BitGrid> voxels, Ways& ways) {
+        ways.solid = voxels->extent();
+        ways.tiles = engine_.free_tiles(fine, std::move(voxels), {});
+    };
     for (std::size_t i = 0; i < known.size(); ++i) {
         const OrientedShape& oriented = shape.orientations[i];
         if (tray.candidates(oriented.size).empty()) continue;
         const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
-        known[i].solid = solid->extent();
-        known[i].tiles = engine_.free_tiles(fine, solid, {});
+        read(solid, known[i].of_solid);
+        auto sample = std::make_shared<const BitGrid>(row_sample(*solid, kRowsAlong));
+        if (*sample != *solid) read(std::move(sample), known[i].of_sample);
     }
     Shape asked = shape;
     asked.id |= kReachableIds;
     asked.admits = [&](int index, const VoxelIndex& q) {
+        const VoxelIndex start{s * q.x + margin, s * q.y + margin, s * q.z + margin};
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
-        if (!of.region) of.region = std::make_unique<ReachableRegion>(*of.tiles, of.solid, whole(fine.extent()), stop);
-        return of.region->contains({s * q.x + margin, s * q.y + margin, s * q.z + margin});
+        // Where some of it does not come out, neither does all of it, and that takes fewer look-ups.
+        if (of.of_sample.tiles && !of.of_sample.lead_out(start, fine.extent(), stop)) return false;
+        return of.of_solid.lead_out(start, fine.extent(), stop);
     };
     return engine_.best_placement(tray, asked, model, stop);
 }

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "disassembly/reachable_region.hpp"
+#include "packing/row_sample.hpp"
 
 namespace spectralpack {
 namespace {
+
+constexpr int kRowsAlong = 30;  // so many and more of a solid are taken
 
 /// A tray that the object alone stands in, as large as its box.
 Tray tray_around(TrayObject object) {
@@ -38,18 +41,7 @@ struct Ways {
 
 }  // namespace
 
-BitGrid link_sample(const BitGrid& solid) {
-    constexpr int kRowsAlong = 30;  // so many and more of a solid are taken
-    const Extent& n = solid.extent();
-    const int step = std::max(1, std::max({n.x, n.y, n.z}) / kRowsAlong);
-    BitGrid sample(n);
-    for (int z = 0; z < n.z; ++z) {
-        for (int y = 0; y < n.y; ++y) {
-            if ((y + z) % step == 0) std::copy_n(solid.row(y, z), solid.words_per_row(), sample.row(y, z));
-        }
-    }
-    return sample;
-}
+BitGrid link_sample(const BitGrid& solid) { return row_sample(solid, kRowsAlong); }
 
 /// What is found out during one search; asked by several threads.
 class UnlinkedSearch::Asking {

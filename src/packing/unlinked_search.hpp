@@ -17,9 +17,8 @@
 
 namespace spectralpack {
 
-/// What stands for a solid where links are looked for: its rows along x with y + z a multiple of n, n growing with the
-/// voxels along it. What is as thick as n voxels, or half of that both ways, cannot slip between; what is thinner may,
-/// and a link be missed.
+/// What stands for a solid where links are looked for: a row_sample() of it. What is thinner than the rows are apart
+/// may slip between them, and a link be missed.
 BitGrid link_sample(const BitGrid& solid);
 
 class UnlinkedSearch final : public ForwardingSearch {
