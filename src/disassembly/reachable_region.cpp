@@ -157,9 +157,11 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
         visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});
     }
     walked_.clear();
-    open_.clear();
+    for (std::size_t i = least_; i < open_.size(); ++i) {
+        open_[i].clear();  // which keeps its room for the next walk: most are short
+    }
     sideways_.clear();
-    least_ = 0;
+    least_ = open_.size();
     return outside_;
 }
 
