@@ -8,6 +8,7 @@ namespace spectralpack {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
+constexpr std::size_t kWordsPerLook = 16;  // of a walk, between two looks for a straight way out
 
 /// Bits of positions x .. x + 63 that are below `end`.
 std::uint64_t below(int x, int end) {
@@ -17,13 +18,15 @@ std::uint64_t below(int x, int end) {
 
 }  // namespace
 
-ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop)
+ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop,
+                                 StraightOut straight_out)
     : tiles_(tiles),
       extent_(tiles.extent()),
       solid_(solid),
       rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
       known_(tiles.extent()),
-      stop_(std::move(stop)) {}
+      stop_(std::move(stop)),
+      straight_out_(std::move(straight_out)) {}
 
 ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
     std::unique_ptr<Tile>& tile = known_.at(i, y, z);
@@ -48,7 +51,12 @@ void ReachableRegion::reach(const Some& fresh, Tile& tile) {
     at.visited |= fresh.positions;
     walked_.push_back({fresh, &tile});
     const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
-    if (left == 0 || (fresh.positions & outside_along_x(fresh.i)) != 0) {
+    const auto leads_straight_out = [&] {
+        if (!straight_out_ || walked_.size() % kWordsPerLook != 0) return false;
+        const int x = 64 * fresh.i + std::countr_zero(fresh.positions);
+        return straight_out_(VoxelIndex{x, fresh.y, fresh.z} + tiles_.origin());
+    };
+    if (left == 0 || (fresh.positions & outside_along_x(fresh.i)) != 0 || leads_straight_out()) {
         outside_ = true;
         return;
     }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/stop.hpp"
@@ -15,8 +16,13 @@ namespace spectralpack {
 
 class ReachableRegion {
   public:
+    /// Whether a straight way leads outside from a position that is free. Where told, long walks need not go on to the
+    /// end.
+    using StraightOut = std::function<bool(const VoxelIndex&)>;
+
     /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
-    ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop);
+    ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop,
+                    StraightOut straight_out = {});
 
     bool free(const VoxelIndex& position);
     /// On a walk so far.
@@ -67,6 +73,7 @@ class ReachableRegion {
     VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
     StopToken stop_;
+    StraightOut straight_out_;
     VoxelBox visited_box_;
 
     // The walk under way.

@@ -1,5 +1,6 @@
 #include "packing/reachable_search.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,16 +13,19 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kRowsAlong = 10;  // so many and more of a solid are asked first
-
-/// Where some voxels can be taken out.
+/// Where some voxels can be taken out from among all that stands.
 struct Ways {
-    Extent solid;
+    std::shared_ptr<const BitGrid> solid;
     std::unique_ptr<FreeTileReader> tiles;
-    std::optional<ReachableRegion> region;  // none: nothing was asked so far
+    std::optional<Outlines> outlines;       // none: nothing was asked so far
+    std::optional<ReachableRegion> region;  // none: all led straight out so far
 
-    bool lead_out(const VoxelIndex& from, const Extent& around, const StopToken& stop) {
-        if (!region) region.emplace(*tiles, solid, whole(around), stop);
+    bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop) {
+        if (!outlines) outlines.emplace(*solid);
+        const auto straight = [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); };
+        const bool known = region && region->visited(from);
+        if (!known && straight(from)) return true;
+        if (!region) region.emplace(*tiles, solid->extent(), whole(around), stop, straight);
         return region->contains(from);
     }
 };
@@ -38,17 +42,18 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
                                              const StopToken& stop) {
     const Tray& fine = finest(tray);
     const int s = tray.detail(), margin = walls_ ? walls_->margin : 0;
+    const Outlines& standing = outlines(fine);
     std::vector<Known> known(shape.orientations.size());
     const auto read = [&](std::shared_ptr<const BitGrid> voxels, Ways& ways) {
-        ways.solid = voxels->extent();
-        ways.tiles = engine_.free_tiles(fine, std::move(voxels), {});
+        ways.tiles = engine_.free_tiles(fine, voxels, {});
+        ways.solid = std::move(voxels);
     };
     for (std::size_t i = 0; i < known.size(); ++i) {
         const OrientedShape& oriented = shape.orientations[i];
         if (tray.candidates(oriented.size).empty()) continue;
         const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
         read(solid, known[i].of_solid);
-        auto sample = std::make_shared<const BitGrid>(row_sample(*solid, kRowsAlong));
+        auto sample = std::make_shared<const BitGrid>(row_sample(*solid, rows_along_));
         if (*sample != *solid) read(std::move(sample), known[i].of_sample);
     }
     Shape asked = shape;
@@ -58,8 +63,8 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
         // Where some of it does not come out, neither does all of it, and that takes fewer look-ups.
-        if (of.of_sample.tiles && !of.of_sample.lead_out(start, fine.extent(), stop)) return false;
-        return of.of_solid.lead_out(start, fine.extent(), stop);
+        if (of.of_sample.tiles && !of.of_sample.lead_out(start, standing, fine.extent(), stop)) return false;
+        return of.of_solid.lead_out(start, standing, fine.extent(), stop);
     };
     return engine_.best_placement(tray, asked, model, stop);
 }
@@ -84,6 +89,23 @@ const Tray& ReachableSearch::finest(const Tray& tray) {
         finest_->add(walls_ ? walls_->moved(object) : object);
     }
     return *finest_;
+}
+
+const Outlines& ReachableSearch::outlines(const Tray& fine) {
+    const std::vector<TrayChange>& journal = fine.journal();
+    const auto known = [&] { return journal.begin() + static_cast<std::ptrdiff_t>(outlined_version_); };
+    const auto removed = [](const TrayChange& change) { return !change.added; };
+    if (!outlines_ || outlined_ != fine.instance() || std::any_of(known(), journal.end(), removed)) {
+        outlines_.emplace(fine.omega_move(whole(fine.extent()), std::nullopt));
+        outlined_ = fine.instance();
+    } else {
+        for (auto change = known(); change != journal.end(); ++change) {
+            const TrayObject& object = fine.object(change->id);
+            outlines_->join(Outlines(*object.solid), object.position);
+        }
+    }
+    outlined_version_ = journal.size();
+    return *outlines_;
 }
 
 }  // namespace spectralpack

@@ -13,19 +13,20 @@
 
 #include "packing/physical_walls.hpp"
 #include "search/forwarding_search.hpp"
+#include "voxel/outlines.hpp"
 
 namespace spectralpack {
 
-class ReachableSearch final : public ForwardingSearch {
+class ReachableSearch : public ForwardingSearch {
   public:
     /// `engine` and `walls` outlive it. With walls, which are those of the trays that are asked about, what leaves has
-    /// to pass them, too.
-    explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr)
-        : ForwardingSearch(engine), walls_(walls) {}
+    /// to pass them, too. Of larger solids a row_sample() of so many rows along walks first, whatever comes of it.
+    explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr, int rows_along = 10)
+        : ForwardingSearch(engine), walls_(walls), rows_along_(rows_along) {}
 
-    /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. A walk
-    /// outwards answers that and is remembered while the engine searches, so that each position is visited once at
-    /// most.
+    /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. Where
+    /// it cannot be drawn straight out, which outlines tell, a walk outwards answers that and is remembered while the
+    /// engine searches, so that each position is visited once at most.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
 
@@ -34,9 +35,15 @@ class ReachableSearch final : public ForwardingSearch {
     /// follows it.
     const Tray& finest(const Tray& tray);
 
+    /// Brings the outlines of what stands in it up to `fine`.
+    const Outlines& outlines(const Tray& fine);
+
     const PhysicalWalls* walls_;
+    int rows_along_;
     std::optional<Tray> finest_;  // where collisions are decided on finer voxels than positions, or with walls
     std::uint64_t followed_ = 0;  // the tray that it follows
+    std::optional<Outlines> outlines_;
+    std::uint64_t outlined_ = 0, outlined_version_ = 0;  // the tray whose objects these are of, and until when
 };
 
 }  // namespace spectralpack

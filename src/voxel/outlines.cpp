@@ -22,12 +22,15 @@ void for_fresh(const BitGrid::Word* row, std::vector<BitGrid::Word>& seen, const
 
 }  // namespace
 
-Outlines::Outlines(const BitGrid& voxels) : extent_(voxels.extent()) {
-    const Extent& n = extent_;
+Outlines::Outlines(const Extent& extent) : extent_(extent) {
     for (int axis = 0; axis < 3; ++axis) {
-        const auto lines = static_cast<std::size_t>(n[across(axis)]) * static_cast<std::size_t>(n[up(axis)]);
+        const auto lines = static_cast<std::size_t>(extent[across(axis)]) * static_cast<std::size_t>(extent[up(axis)]);
         along_[static_cast<std::size_t>(axis)] = {std::vector<int>(lines, kFar), std::vector<int>(lines, -kFar)};
     }
+}
+
+Outlines::Outlines(const BitGrid& voxels) : Outlines(voxels.extent()) {
+    const Extent& n = extent_;
     const auto words = static_cast<std::size_t>(voxels.words_per_row());
     Ends& rows = along_[0];
     for (int z = 0; z < n.z; ++z) {
@@ -57,6 +60,25 @@ Outlines::Outlines(const BitGrid& voxels) : extent_(voxels.extent()) {
             seen.assign(words, 0);
             for (int i = n[axis] - 1; i >= 0; --i)
                 see(i, ends.last);
+        }
+    }
+}
+
+void Outlines::join(const Outlines& others, const VoxelIndex& at) {
+    for (int axis = 0; axis < 3; ++axis) {
+        Ends& mine = along_[static_cast<std::size_t>(axis)];
+        const Ends& theirs = others.along_[static_cast<std::size_t>(axis)];
+        const int a = across(axis), u = up(axis);
+        for (int j = std::max(0, -at[u]); j < std::min(others.extent_[u], extent_[u] - at[u]); ++j) {
+            for (int i = std::max(0, -at[a]); i < std::min(others.extent_[a], extent_[a] - at[a]); ++i) {
+                const auto from = static_cast<std::size_t>(j) * static_cast<std::size_t>(others.extent_[a]) +
+                                  static_cast<std::size_t>(i);
+                if (theirs.first[from] == kFar) continue;
+                const auto to = static_cast<std::size_t>(j + at[u]) * static_cast<std::size_t>(extent_[a]) +
+                                static_cast<std::size_t>(i + at[a]);
+                mine.first[to] = std::min(mine.first[to], theirs.first[from] + at[axis]);
+                mine.last[to] = std::max(mine.last[to], theirs.last[from] + at[axis]);
+            }
         }
     }
 }

@@ -31,5 +31,17 @@ TEST(ReachableSearch, AnswersTheBestOfWhatCanBeReached) {
     expect_the_best_of_the_admitted<ReachableSearch>(limits, 150, plain_best);
 }
 
+/// Of these solids a sample is less than the whole.
+struct FewRowsFirst : ReachableSearch {
+    explicit FewRowsFirst(PlacementSearch& engine) : ReachableSearch(engine, nullptr, 2) {}
+};
+
+TEST(ReachableSearch, AnswersTheSameWithFewRowsOfTheSolidAskedFirst) {
+    SceneLimits limits;
+    limits.least = {6, 6, 5};
+    limits.objects = 12;
+    expect_the_best_of_the_admitted<FewRowsFirst>(limits, 150, plain_best);
+}
+
 }  // namespace
 }  // namespace spectralpack::test

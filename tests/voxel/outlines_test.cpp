@@ -47,5 +47,24 @@ TEST(Outlines, TellWhatCanBeDrawnStraightApart) {
     EXPECT_GT(held, 30);
 }
 
+TEST(Outlines, JoinThoseOfWhatIsPutIntoAGrid) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        BitGrid all(random_extent(random, {1, 1, 1}, {seed % 5 == 0 ? 140 : 9, 8, 7}));
+        Outlines joined(all.extent());
+        for (int i = 0; i < 4; ++i) {
+            const BitGrid some = random_solid(random, random_extent(random, {1, 1, 1}, all.extent()));
+            VoxelIndex at;
+            for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = between(random, 0, all.extent()[axis] - some.extent()[axis]);
+            }
+            unite(all, some, at);
+            joined.join(Outlines(some), at);
+            ASSERT_EQ(joined, Outlines(all));
+        }
+    }
+}
+
 }  // namespace
 }  // namespace spectralpack::test
