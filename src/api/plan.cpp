@@ -15,6 +15,7 @@
 #include "packing/shape_store.hpp"
 #include "packing/unlinked_search.hpp"
 #include "search/tray.hpp"
+#include "voxel/outlines.hpp"
 
 namespace spectralpack {
 namespace {
@@ -179,11 +180,11 @@ Extent grid_of_ways(double dx, const Extent& grid, const Plan& plan, const PackO
 }
 
 /// Bytes of the trays that are taken apart in such a grid: the copies that stand together, groups that left them, what
-/// is put back; and of walls.
+/// is put back; of walls; and of the outlines of all that stands.
 std::int64_t companies_memory(const Extent& ways, const Plan& plan) {
     constexpr int kCompanies = 3;
     const auto sets = kCompanies * static_cast<std::int64_t>(plan.gap_classes.size()) + (plan.physical ? 1 : 0);
-    return sets * (ways.count() / 8);
+    return sets * (ways.count() / 8) + Outlines::bytes_for(ways);
 }
 
 /// Bytes of the engines in such a grid, and of what they are asked about there, without caches.

@@ -83,12 +83,12 @@ void Outlines::join(const Outlines& others, const VoxelIndex& at) {
     }
 }
 
-std::int64_t Outlines::bytes() const {
-    std::int64_t count = 0;
-    for (const Ends& ends : along_) {
-        count += static_cast<std::int64_t>(ends.first.size() + ends.last.size());
+std::int64_t Outlines::bytes_for(const Extent& extent) {
+    std::int64_t lines = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        lines += static_cast<std::int64_t>(extent[across(axis)]) * extent[up(axis)];
     }
-    return count * static_cast<std::int64_t>(sizeof(int));
+    return 2 * lines * static_cast<std::int64_t>(sizeof(int));
 }
 
 bool Outlines::leave(const Outlines& others, const VoxelIndex& at) const {

@@ -27,7 +27,8 @@ class Outlines {
 
     bool operator==(const Outlines&) const = default;
 
-    std::int64_t bytes() const;
+    std::int64_t bytes() const { return bytes_for(extent_); }
+    static std::int64_t bytes_for(const Extent& extent);
 
   private:
     /// Of the lines along an axis: its first and its last voxel; where a line has none, one beyond all others'.

@@ -188,10 +188,12 @@ class Pass {
     bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY]) {
         alignas(64) BrickWords live[kPair] = {};
         for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
-            std::uint32_t alive[kBlocksY];
+            std::uint32_t alive[kBlocksY], any = 0;
             for (int j = 0; j < kBlocksY; ++j) {
-                alive[j] = room[j] >> (kBlocksX * i);
+                alive[j] = room[j] >> (kBlocksX * i) & 0xFFFFu;
+                any |= alive[j];
             }
+            if (any == 0) continue;
             state_.candidates(bx + i, by, bz, alive, live[i]);
             SiftLayers(bx + i, by, bz, live[i]);
         }
