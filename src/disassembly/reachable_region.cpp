@@ -8,7 +8,7 @@ namespace spectralpack {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kWordsPerLook = 16;  // of a walk, between two looks for a straight way out
+constexpr std::size_t kWordsPerLook = 16;  // of a walk: the first and every n-th are asked for a straight way out
 
 /// Bits of positions x .. x + 63 that are below `end`.
 std::uint64_t below(int x, int end) {
@@ -52,7 +52,7 @@ void ReachableRegion::reach(const Some& fresh, Tile& tile) {
     walked_.push_back({fresh, &tile});
     const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
     const auto leads_straight_out = [&] {
-        if (!straight_out_ || walked_.size() % kWordsPerLook != 0) return false;
+        if (!straight_out_ || (walked_.size() - 1) % kWordsPerLook != 0) return false;
         const int x = 64 * fresh.i + std::countr_zero(fresh.positions);
         return straight_out_(VoxelIndex{x, fresh.y, fresh.z} + tiles_.origin());
     };

@@ -16,8 +16,8 @@ namespace spectralpack {
 
 class ReachableRegion {
   public:
-    /// Whether a straight way leads outside from a position that is free. Where told, long walks need not go on to the
-    /// end.
+    /// Whether a straight way leads outside from a position that is free. Asked of where a walk begins and now and then
+    /// on it, so that it need not go on to the end.
     using StraightOut = std::function<bool(const VoxelIndex&)>;
 
     /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
@@ -51,6 +51,7 @@ class ReachableRegion {
         int y = 0, z = 0, i = 0;
         std::uint64_t positions = 0;
     };
+    /// What a walk has come to.
     struct Visited {
         Some some;
         Tile* tile;  // theirs

@@ -17,15 +17,16 @@ namespace {
 struct Ways {
     std::shared_ptr<const BitGrid> solid;
     std::unique_ptr<FreeTileReader> tiles;
-    std::optional<Outlines> outlines;       // none: nothing was asked so far
-    std::optional<ReachableRegion> region;  // none: all led straight out so far
+    // None: nothing was asked so far.
+    std::optional<Outlines> outlines;
+    std::optional<ReachableRegion> region;
 
     bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop) {
-        if (!outlines) outlines.emplace(*solid);
-        const auto straight = [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); };
-        const bool known = region && region->visited(from);
-        if (!known && straight(from)) return true;
-        if (!region) region.emplace(*tiles, solid->extent(), whole(around), stop, straight);
+        if (!region) {
+            outlines.emplace(*solid);
+            region.emplace(*tiles, solid->extent(), whole(around), stop,
+                           [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); });
+        }
         return region->contains(from);
     }
 };

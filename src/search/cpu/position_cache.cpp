@@ -108,7 +108,7 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
 
 std::int64_t PositionState::bytes_for(const Extent& count) {
     const Extent bricks = brick_count(count);
-    return bricks.count() * (kBrickY * kBrickZ * 8 + kBlocksX * kBlocksY * 4 + 2);
+    return bricks.count() * (kBrickY * kBrickZ * 8 + kBlocksX * kBlocksY * 4 + 1);
 }
 
 void PositionCache::make_room(std::int64_t bytes) {
