@@ -105,7 +105,7 @@ void runs_and_depths(benchmark::State& state) {
     const BitGrid solid = sphere(static_cast<int>(state.range(0)));
     for (auto _ : state) {
         const Runs runs = fewest_runs(solid);
-        benchmark::DoNotOptimize(depth_sums(solid, runs, runs));
+        benchmark::DoNotOptimize(Depths(solid, runs).sums(runs));
     }
 }
 BENCHMARK(runs_and_depths)->Arg(24)->Arg(60)->Unit(benchmark::kMicrosecond);

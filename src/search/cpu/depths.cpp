@@ -21,32 +21,29 @@ void lower_along_x(std::uint8_t* row, std::size_t count, std::vector<std::uint8_
 
 }  // namespace
 
-std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_runs, const Runs& runs) {
+Depths::Depths(const BitGrid& solid, const Runs& runs)
+    : step_{1, solid.extent().x, static_cast<std::ptrdiff_t>(solid.extent().x) * solid.extent().y},
+      depth_(static_cast<std::size_t>(solid.extent().count())) {
     const Extent& n = solid.extent();
     const auto width = static_cast<std::size_t>(n.x);
-    const std::size_t layer = width * static_cast<std::size_t>(n.y);
-    std::vector<std::uint8_t> depth(layer * static_cast<std::size_t>(n.z));
-    const auto row = [&](int y, int z) {
-        return depth.data() + layer * static_cast<std::size_t>(z) + width * static_cast<std::size_t>(y);
-    };
+    const auto layer = static_cast<std::size_t>(step_[2]);
 
     // Along the runs' own axis each voxel's distance to the nearer end; then the other two axes, both ways.
-    const std::ptrdiff_t step[3] = {1, n.x, static_cast<std::ptrdiff_t>(layer)};
-    for (const Run& run : solid_runs.runs) {
+    for (const Run& run : runs.runs) {
         std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
-        for (int i = 0; i < run.length; ++i, voxel += step[solid_runs.axis]) {
+        for (int i = 0; i < run.length; ++i, voxel += step_[runs.axis]) {
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
     const std::vector<std::uint8_t> outside(layer, 0);
     const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row(y, z), from, 1, width); };
-    if (solid_runs.axis != 0) {
+    if (runs.axis != 0) {
         std::vector<std::uint8_t> spare;
-        for (std::size_t at = 0; at < depth.size(); at += width) {
-            lower_along_x(depth.data() + at, width, spare);
+        for (std::size_t at = 0; at < depth_.size(); at += width) {
+            lower_along_x(depth_.data() + at, width, spare);
         }
     }
-    if (solid_runs.axis != 1) {
+    if (runs.axis != 1) {
         for (int z = 0; z < n.z; ++z) {
             for (int y = 0; y < n.y; ++y)
                 lower(y, z, y > 0 ? row(y - 1, z) : outside.data());
@@ -54,7 +51,7 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_ru
                 lower(y, z, y + 1 < n.y ? row(y + 1, z) : outside.data());
         }
     }
-    if (solid_runs.axis != 2) {
+    if (runs.axis != 2) {
         const auto lower_layer = [&](int z, int from) {
             lower_bytes(row(0, z), from >= 0 && from < n.z ? row(0, from) : outside.data(), 1, layer);
         };
@@ -63,16 +60,22 @@ std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_ru
         for (int z = n.z - 1; z >= 0; --z)
             lower_layer(z, z + 1);
     }
+}
 
+std::uint32_t Depths::sum(const Run& run, int axis) const {
+    const std::uint8_t* voxel = depth_.data() + step_[2] * run.start.z + step_[1] * run.start.y + run.start.x;
+    std::uint32_t sum = 0;
+    for (int i = 0; i < run.length; ++i, voxel += step_[axis]) {
+        sum += *voxel;
+    }
+    return sum;
+}
+
+std::vector<std::uint32_t> Depths::sums(const Runs& runs) const {
     std::vector<std::uint32_t> sums;
     sums.reserve(runs.runs.size());
     for (const Run& run : runs.runs) {
-        const std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
-        std::uint32_t sum = 0;
-        for (int i = 0; i < run.length; ++i, voxel += step[runs.axis]) {
-            sum += *voxel;
-        }
-        sums.push_back(sum);
+        sums.push_back(sum(run, runs.axis));
     }
     return sums;
 }

@@ -11,8 +11,23 @@ namespace spectralpack {
 
 inline constexpr int kDeepest = 63;
 
-/// For each of `runs`, within the solid's grid, the sum over its voxels of delta(x) = min(kDeepest, Manhattan distance
-/// from x to the nearest voxel outside `solid`). `solid_runs` are the solid's own. O(voxels of the solid's grid).
-std::vector<std::uint32_t> depth_sums(const BitGrid& solid, const Runs& solid_runs, const Runs& runs);
+class Depths {
+  public:
+    /// delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel outside `solid`). `runs` are the solid's
+    /// own. O(voxels of the solid's grid), a byte for each.
+    Depths(const BitGrid& solid, const Runs& runs);
+
+    /// The sum over a run of voxels along `axis`, within the solid's grid; outside the solid delta is 0.
+    std::uint32_t sum(const Run& run, int axis) const;
+    std::vector<std::uint32_t> sums(const Runs& runs) const;
+
+  private:
+    std::uint8_t* row(int y, int z) {
+        return depth_.data() + step_[2] * static_cast<std::ptrdiff_t>(z) + step_[1] * static_cast<std::ptrdiff_t>(y);
+    }
+
+    std::ptrdiff_t step_[3];  // from a voxel to the next along each axis
+    std::vector<std::uint8_t> depth_;
+};
 
 }  // namespace spectralpack

@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "search/cpu/block_minima.hpp"
+#include "search/cpu/cells.hpp"
 #include "search/cpu/plan.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,13 +45,22 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
 #endif
 }
 
-/// Bit i: cells do not show that rho is above `limit` in block i of those from `minima` on. i in [0, 32).
-HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit) {
+/// Bit i: i is one of `lanes`, and cells do not show that rho is above `limit` in block i of those from `minima` on. i
+/// in [0, 32).
+HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit,
+                                     std::uint32_t lanes) {
     if (plan.least > limit) return 0;
     const std::uint32_t room = limit - static_cast<std::uint32_t>(plan.least);
     constexpr std::size_t kCellsPerLook = 8;
+    // Cells come to less than 2^31 (plan_cells), so lanes that are not wanted start above the room and stay there.
+    constexpr std::uint32_t kNotWanted = 0x80000000u;
+    if (room >= kNotWanted) return lanes;
+    alignas(64) std::uint32_t start[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+        start[i] = lanes >> i & 1 ? 0 : kNotWanted;
+    }
 #if HWY_TARGET == HWY_SCALAR
-    std::uint32_t sums[kLanes] = {};
+    std::uint32_t* sums = start;
     for (std::size_t begin = 0; begin < plan.cells.size();) {
         const std::size_t end = std::min(plan.cells.size(), begin + kCellsPerLook);
         for (; begin < end; ++begin) {
@@ -79,7 +88,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
     constexpr std::size_t kVectors = kLanes / kStep;
     hn::Vec<decltype(d32)> sums[kVectors];
     for (std::size_t v = 0; v < kVectors; ++v) {
-        sums[v] = hn::Zero(d32);
+        sums[v] = hn::LoadU(d32, start + v * kStep);
     }
     const auto most = hn::Set(d32, room);
     for (std::size_t begin = 0; begin < plan.cells.size();) {

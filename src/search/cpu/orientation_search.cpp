@@ -23,7 +23,7 @@ static_assert(kBrickZ <= BitTables::kTileLayers);
 // A tile of the crowd tables is that many bricks.
 constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
 static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
-constexpr int kMostSkipped = 24;  // rows
+constexpr int kMostSkipped = 24;  // rows between two questions in vain
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
@@ -133,18 +133,45 @@ class Pass {
         return static_cast<std::uint32_t>(room_[tile + word] >> (bx % kCrowdBricksX * kBlocksX));
     }
 
-    /// Which blocks of a pair's row are near enough to something that rho could stay within the limit. In a crowd all
-    /// are: where asking was in vain, it is not asked of as many rows again.
-    std::uint32_t Near(int bx, int block_y, int bz) {
-        if (rows_to_skip_ > 0) {
-            --rows_to_skip_;
-            return 0xFFFFFFFFu;
+    /// Rows of which cells may be asked. In a crowd they say nothing: where asking was in vain, it is not asked of as
+    /// many rows again.
+    class Patience {
+      public:
+        bool asks() {
+            if (skip_ == 0) return true;
+            --skip_;
+            return false;
         }
-        const std::uint32_t near =
-            WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), t_.cells, LaneLimit(most_));
-        vain_rows_ = near == 0xFFFFFFFFu ? std::min(vain_rows_ + 1, kMostSkipped) : 0;
-        rows_to_skip_ = vain_rows_;
+        void learn(bool in_vain) {
+            vain_ = in_vain ? std::min(vain_ + 1, kMostSkipped) : 0;
+            skip_ = vain_;
+        }
+
+      private:
+        int vain_ = 0, skip_ = 0;
+    };
+
+    /// Which of a pair's row of blocks are near enough to something that rho could stay within the limit, as far as the
+    /// whole solid in large cells tells.
+    std::uint32_t Near(int bx, int block_y, int bz, std::uint32_t blocks) {
+        if (!near_.asks()) return blocks;
+        const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks);
+        near_.learn(near == blocks);
         return near;
+    }
+
+    /// Likewise as far as small cells tell, of blocks that have no bound yet.
+    std::uint32_t Close(int bx, int block_y, int bz, std::uint32_t blocks, const std::uint32_t* bound) {
+        if (t_.fine_cells.cells.empty() || blocks == 0) return blocks;
+        const std::uint32_t unknown = blocks & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
+        if (unknown == 0 || !close_.asks()) return blocks;
+        const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown);
+        close_.learn(2 * std::popcount(close) > std::popcount(unknown));
+        return close | (blocks & ~unknown);
+    }
+
+    std::uint32_t Within(const CellPlan& cells, int bx, int block_y, int bz, std::uint32_t blocks) const {
+        return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, LaneLimit(most_), blocks);
     }
 
     /// Sifts and bounds two bricks side by side.
@@ -159,12 +186,13 @@ class Pass {
             bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
             room[j] = fresh ? Room(bx, by, j) : 0;
             near[j] = fresh ? room[j] : AtMost(bound[j], limit) | AtMost(bound[j] + kBlocksX, limit) << kBlocksX;
-            if (near[j] != 0) near[j] &= Near(bx, by * kBlocksY + j, bz);
+            if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j]);
             any |= near[j];
         }
         if (any == 0) return;
         if (fresh && !Sift(bx, by, bz, room)) return;
         for (int j = 0; j < kBlocksY; ++j) {
+            near[j] = Close(bx, by * kBlocksY + j, bz, near[j], bound[j]);
             BoundRow(bx, by * kBlocksY + j, bz, near[j], bound[j]);
         }
         for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
@@ -403,7 +431,7 @@ class Pass {
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
     std::int64_t most_ = -1;
-    int vain_rows_ = 0, rows_to_skip_ = 0;
+    Patience near_, close_;
 };
 
 void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }
@@ -427,6 +455,7 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             plan_sum(runs, tables.sums(), tables.phi().most()),
             plan_sum(runs, tables.coarse(), tables.most_pooled()),
             runs.cells,
+            runs.fine_cells,
             index,
             shape.solid->extent().z,
             admits ? &admits : nullptr};

@@ -27,7 +27,7 @@ struct OrientationTask {
     const Runs& solid;
     CollisionPlan collision;
     SumPlan exact, coarse;
-    const CellPlan& cells;
+    const CellPlan &cells, &fine_cells;
     int index = 0;                   ///< in Shape::orientations
     int layers = 0;                  ///< the solid's extent along z
     const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -17,6 +18,9 @@ constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
+constexpr std::size_t kMostCells = 1600;
+constexpr std::size_t kMostFineCells = std::size_t{1} << 20;
+constexpr std::size_t kRunsWorthCells = 100;
 
 struct Lookup {
     BitTables::Spot spot;
@@ -172,15 +176,25 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
-    result.cells =
-        plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), tables.apart());
-    if (!covers) {
-        result.least.assign(result.solid.runs.size(), 0);
-    } else if (detail == 1) {
-        result.least = depth_sums(*shape.solid, result.solid, result.solid);
-    } else {
+    std::optional<Depths> depths;
+    if (covers && detail == 1) {
+        depths.emplace(*shape.solid, result.solid);
+    } else if (covers) {
         const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
-        result.least = depth_sums(core, runs_along(core, result.solid.axis), result.solid);
+        depths.emplace(core, runs_along(core, result.solid.axis));
+    }
+    if (depths) {
+        result.least = depths->sums(result.solid);
+    } else {
+        result.least.assign(result.solid.runs.size(), 0);
+    }
+    const auto cells = [&](int edge, std::size_t most) {
+        return plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), edge, most,
+                          depths ? &*depths : nullptr);
+    };
+    result.cells = cells(2 * TrayTables::kBlock, kMostCells);
+    if (result.solid.runs.size() >= kRunsWorthCells) {
+        result.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
     }
     if (tables.walls()) result.walled = cover(*shape.solid, *shape.solid);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
@@ -232,9 +246,12 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
     result.of_class = runs.of_class;
     result.walled = pieces(runs.walled);
     result.cells = runs.cells;
-    for (SolidCell& cell : result.cells.cells) {
-        cell.block = exchanged(cell.block);
-        cell.offset = tables.minima().offset(cell.block);
+    result.fine_cells = runs.fine_cells;
+    for (CellPlan* plan : {&result.cells, &result.fine_cells}) {
+        for (SolidCell& cell : plan->cells) {
+            cell.block = exchanged(cell.block);
+            cell.offset = tables.minima().offset(cell.block);
+        }
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "search/cpu/cells.hpp"
 #include "search/cpu/cover.hpp"
 #include "search/cpu/runs.hpp"
 #include "search/cpu/tray_tables.hpp"
@@ -30,6 +31,7 @@ struct OrientationRuns {
     std::vector<int> of_class;     ///< into `widened`, for each gap class
     std::vector<Piece> walled;     ///< A in pieces; none where the tray has no walls of its own
     CellPlan cells;                ///< for the tables of one tray
+    CellPlan fine_cells;           ///< none where sums cost little more
 };
 
 /// For searches in the tray that `tables` follow. `covers`: covers_solid() of the whole shape.
