@@ -30,7 +30,10 @@ ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, con
 
 ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
     std::unique_ptr<Tile>& tile = known_.at(i, y, z);
-    if (!tile) tile = std::make_unique<Tile>();
+    if (!tile) {
+        tile = std::make_unique<Tile>();
+        ++tiles_made_;
+    }
     return *tile;
 }
 

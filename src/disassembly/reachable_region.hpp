@@ -36,6 +36,9 @@ class ReachableRegion {
     /// Around all positions visited so far.
     const VoxelBox& visited_box() const { return visited_box_; }
 
+    /// What is remembered takes.
+    std::int64_t bytes() const { return tiles_made_ * static_cast<std::int64_t>(sizeof(Tile)); }
+
   private:
     /// What is known of 64 positions.
     struct Word {
@@ -73,6 +76,7 @@ class ReachableRegion {
     Extent solid_;
     VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
+    std::int64_t tiles_made_ = 0;
     StopToken stop_;
     StraightOut straight_out_;
     VoxelBox visited_box_;

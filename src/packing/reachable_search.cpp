@@ -1,6 +1,7 @@
 #include "packing/reachable_search.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,22 @@
 namespace spectralpack {
 namespace {
 
+/// Room for what walks remember, shared by all of a search.
+class Room {
+  public:
+    Room(std::int64_t bytes, std::size_t walkers)
+        : bytes_(bytes), share_(bytes / (2 * static_cast<std::int64_t>(std::max<std::size_t>(1, walkers)))) {}
+
+    /// What one walker has grew from `before` to `now`. False where it should forget it: together they have too much,
+    /// and this one more than half of its share.
+    bool grow(std::int64_t before, std::int64_t now) { return (taken_ += now - before) <= bytes_ || now <= share_; }
+    void forget(std::int64_t bytes) { taken_ -= bytes; }
+
+  private:
+    std::int64_t bytes_, share_;
+    std::atomic<std::int64_t> taken_ = 0;
+};
+
 /// Where some voxels can be taken out from among all that stands.
 struct Ways {
     std::shared_ptr<const BitGrid> solid;
@@ -21,13 +38,20 @@ struct Ways {
     std::optional<Outlines> outlines;
     std::optional<ReachableRegion> region;
 
-    bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop) {
+    bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop,
+                  Room& room) {
+        if (!outlines) outlines.emplace(*solid);
         if (!region) {
-            outlines.emplace(*solid);
             region.emplace(*tiles, solid->extent(), whole(around), stop,
                            [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); });
         }
-        return region->contains(from);
+        const std::int64_t before = region->bytes();
+        const bool way = region->contains(from);
+        if (!room.grow(before, region->bytes())) {
+            room.forget(region->bytes());
+            region.reset();
+        }
+        return way;
     }
 };
 
@@ -45,6 +69,7 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     const int s = tray.detail(), margin = walls_ ? walls_->margin : 0;
     const Outlines& standing = outlines(fine);
     std::vector<Known> known(shape.orientations.size());
+    Room room(kept_, 2 * known.size());
     const auto read = [&](std::shared_ptr<const BitGrid> voxels, Ways& ways) {
         ways.tiles = engine_.free_tiles(fine, voxels, {});
         ways.solid = std::move(voxels);
@@ -64,8 +89,8 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
         // Where some of it does not come out, neither does all of it, and that takes fewer look-ups.
-        if (of.of_sample.tiles && !of.of_sample.lead_out(start, standing, fine.extent(), stop)) return false;
-        return of.of_solid.lead_out(start, standing, fine.extent(), stop);
+        if (of.of_sample.tiles && !of.of_sample.lead_out(start, standing, fine.extent(), stop, room)) return false;
+        return of.of_solid.lead_out(start, standing, fine.extent(), stop, room);
     };
     return engine_.best_placement(tray, asked, model, stop);
 }

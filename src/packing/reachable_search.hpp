@@ -7,6 +7,7 @@
 /// voxels that collisions are decided on (dx / s). The best
 /// reachable placement is the best placement (conventions.md) among the candidates that are also reachable.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,12 +22,16 @@ class ReachableSearch : public ForwardingSearch {
   public:
     /// `engine` and `walls` outlive it. With walls, which are those of the trays that are asked about, what leaves has
     /// to pass them, too. Of larger solids a row_sample() of so many rows along walks first, whatever comes of it.
-    explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr, int rows_along = 10)
-        : ForwardingSearch(engine), walls_(walls), rows_along_(rows_along) {}
+    /// `kept`: bytes that walks may remember in one search, about; the answer does not depend on it.
+    explicit ReachableSearch(PlacementSearch& engine, const PhysicalWalls* walls = nullptr, int rows_along = 10,
+                             std::int64_t kept = kKept)
+        : ForwardingSearch(engine), walls_(walls), rows_along_(rows_along), kept_(kept) {}
+
+    static constexpr std::int64_t kKept = std::int64_t{512} << 20;
 
     /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. Where
     /// it cannot be drawn straight out, which outlines tell, a walk outwards answers that and is remembered while the
-    /// engine searches, so that each position is visited once at most.
+    /// engine searches, so that each position is visited once at most as long as there is room.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
 
@@ -40,6 +45,7 @@ class ReachableSearch : public ForwardingSearch {
 
     const PhysicalWalls* walls_;
     int rows_along_;
+    std::int64_t kept_;
     std::optional<Tray> finest_;  // where collisions are decided on finer voxels than positions, or with walls
     std::uint64_t followed_ = 0;  // the tray that it follows
     std::optional<Outlines> outlines_;

@@ -43,5 +43,17 @@ TEST(ReachableSearch, AnswersTheSameWithFewRowsOfTheSolidAskedFirst) {
     expect_the_best_of_the_admitted<FewRowsFirst>(limits, 150, plain_best);
 }
 
+/// There is no room for anything that a walk comes by.
+struct ForgetsAllWalks : ReachableSearch {
+    explicit ForgetsAllWalks(PlacementSearch& engine) : ReachableSearch(engine, nullptr, 10, 0) {}
+};
+
+TEST(ReachableSearch, AnswersTheSameWhateverIsRemembered) {
+    SceneLimits limits;
+    limits.least = {6, 6, 5};
+    limits.objects = 12;
+    expect_the_best_of_the_admitted<ForgetsAllWalks>(limits, 150, plain_best);
+}
+
 }  // namespace
 }  // namespace spectralpack::test

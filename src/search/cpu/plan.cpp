@@ -20,7 +20,7 @@ constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;
 constexpr std::size_t kMostFineCells = std::size_t{1} << 20;
-constexpr std::size_t kRunsWorthCells = 100;
+constexpr std::size_t kRunsWorthCells = 200;
 
 struct Lookup {
     BitTables::Spot spot;
