@@ -198,11 +198,7 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     // A beam has a tray and an engine for each of its states.
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers) + companies_memory(need.ways, plan);
-    if (options.interlock != Interlock::off) {
-        // What walks keep of a position is five bits; few orientations are walked all over.
-        constexpr std::int64_t kWalked = 8;
-        bytes += std::min(ReachableSearch::kKept, kWalked * need.ways.count() * 5 / 8);
-    }
+    if (options.interlock != Interlock::off) bytes += ReachableSearch::kept_in(need.ways);
     if (options.interlock == Interlock::post && options.links == Links::avoid) {
         const std::int64_t voxels = grid.count() * part_count(options.detail);
         bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptInSearch, voxels);

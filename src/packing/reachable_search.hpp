@@ -7,6 +7,7 @@
 /// voxels that collisions are decided on (dx / s). The best
 /// reachable placement is the best placement (conventions.md) among the candidates that are also reachable.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -28,6 +29,12 @@ class ReachableSearch : public ForwardingSearch {
         : ForwardingSearch(engine), walls_(walls), rows_along_(rows_along), kept_(kept) {}
 
     static constexpr std::int64_t kKept = std::int64_t{512} << 20;
+    /// Of kKept, what walks come by in such a grid, about: of a position they keep five bits, and of few orientations
+    /// they see it all.
+    static std::int64_t kept_in(const Extent& grid) {
+        constexpr std::int64_t kOrientations = 8;
+        return std::min(kKept, kOrientations * grid.count() * 5 / 8);
+    }
 
     /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. Where
     /// it cannot be drawn straight out, which outlines tell, a walk outwards answers that and is remembered while the

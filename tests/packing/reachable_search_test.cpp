@@ -24,12 +24,15 @@ SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
     return BruteForceSearch().best_placement(tray, shape, model, {});
 }
 
-TEST(ReachableSearch, AnswersTheBestOfWhatCanBeReached) {
+template <class Search>
+void expect_the_best_of_the_reachable() {
     SceneLimits limits;
     limits.least = {6, 6, 5};
     limits.objects = 12;
-    expect_the_best_of_the_admitted<ReachableSearch>(limits, 150, plain_best);
+    expect_the_best_of_the_admitted<Search>(limits, 150, plain_best);
 }
+
+TEST(ReachableSearch, AnswersTheBestOfWhatCanBeReached) { expect_the_best_of_the_reachable<ReachableSearch>(); }
 
 /// Of these solids a sample is less than the whole.
 struct FewRowsFirst : ReachableSearch {
@@ -37,10 +40,7 @@ struct FewRowsFirst : ReachableSearch {
 };
 
 TEST(ReachableSearch, AnswersTheSameWithFewRowsOfTheSolidAskedFirst) {
-    SceneLimits limits;
-    limits.least = {6, 6, 5};
-    limits.objects = 12;
-    expect_the_best_of_the_admitted<FewRowsFirst>(limits, 150, plain_best);
+    expect_the_best_of_the_reachable<FewRowsFirst>();
 }
 
 /// There is no room for anything that a walk comes by.
@@ -48,12 +48,7 @@ struct ForgetsAllWalks : ReachableSearch {
     explicit ForgetsAllWalks(PlacementSearch& engine) : ReachableSearch(engine, nullptr, 10, 0) {}
 };
 
-TEST(ReachableSearch, AnswersTheSameWhateverIsRemembered) {
-    SceneLimits limits;
-    limits.least = {6, 6, 5};
-    limits.objects = 12;
-    expect_the_best_of_the_admitted<ForgetsAllWalks>(limits, 150, plain_best);
-}
+TEST(ReachableSearch, AnswersTheSameWhateverIsRemembered) { expect_the_best_of_the_reachable<ForgetsAllWalks>(); }
 
 }  // namespace
 }  // namespace spectralpack::test

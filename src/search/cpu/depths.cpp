@@ -27,16 +27,17 @@ Depths::Depths(const BitGrid& solid, const Runs& runs)
     const Extent& n = solid.extent();
     const auto width = static_cast<std::size_t>(n.x);
     const auto layer = static_cast<std::size_t>(step_[2]);
+    const auto row_at = [this](int y, int z) { return depth_.data() + row(y, z); };
 
     // Along the runs' own axis each voxel's distance to the nearer end; then the other two axes, both ways.
     for (const Run& run : runs.runs) {
-        std::uint8_t* voxel = row(run.start.y, run.start.z) + run.start.x;
+        std::uint8_t* voxel = row_at(run.start.y, run.start.z) + run.start.x;
         for (int i = 0; i < run.length; ++i, voxel += step_[runs.axis]) {
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
     const std::vector<std::uint8_t> outside(layer, 0);
-    const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row(y, z), from, 1, width); };
+    const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row_at(y, z), from, 1, width); };
     if (runs.axis != 0) {
         std::vector<std::uint8_t> spare;
         for (std::size_t at = 0; at < depth_.size(); at += width) {
@@ -46,14 +47,14 @@ Depths::Depths(const BitGrid& solid, const Runs& runs)
     if (runs.axis != 1) {
         for (int z = 0; z < n.z; ++z) {
             for (int y = 0; y < n.y; ++y)
-                lower(y, z, y > 0 ? row(y - 1, z) : outside.data());
+                lower(y, z, y > 0 ? row_at(y - 1, z) : outside.data());
             for (int y = n.y - 1; y >= 0; --y)
-                lower(y, z, y + 1 < n.y ? row(y + 1, z) : outside.data());
+                lower(y, z, y + 1 < n.y ? row_at(y + 1, z) : outside.data());
         }
     }
     if (runs.axis != 2) {
         const auto lower_layer = [&](int z, int from) {
-            lower_bytes(row(0, z), from >= 0 && from < n.z ? row(0, from) : outside.data(), 1, layer);
+            lower_bytes(row_at(0, z), from >= 0 && from < n.z ? row_at(0, from) : outside.data(), 1, layer);
         };
         for (int z = 0; z < n.z; ++z)
             lower_layer(z, z - 1);
@@ -63,7 +64,7 @@ Depths::Depths(const BitGrid& solid, const Runs& runs)
 }
 
 std::uint32_t Depths::sum(const Run& run, int axis) const {
-    const std::uint8_t* voxel = depth_.data() + step_[2] * run.start.z + step_[1] * run.start.y + run.start.x;
+    const std::uint8_t* voxel = depth_.data() + row(run.start.y, run.start.z) + run.start.x;
     std::uint32_t sum = 0;
     for (int i = 0; i < run.length; ++i, voxel += step_[axis]) {
         sum += *voxel;

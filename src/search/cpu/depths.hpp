@@ -22,9 +22,8 @@ class Depths {
     std::vector<std::uint32_t> sums(const Runs& runs) const;
 
   private:
-    std::uint8_t* row(int y, int z) {
-        return depth_.data() + step_[2] * static_cast<std::ptrdiff_t>(z) + step_[1] * static_cast<std::ptrdiff_t>(y);
-    }
+    /// Of voxel (0, y, z), in depth_.
+    std::ptrdiff_t row(int y, int z) const { return step_[2] * z + step_[1] * y; }
 
     std::ptrdiff_t step_[3];  // from a voxel to the next along each axis
     std::vector<std::uint8_t> depth_;

@@ -18,9 +18,9 @@ constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
-constexpr std::size_t kMostCells = 1600;
+constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
 constexpr std::size_t kMostFineCells = std::size_t{1} << 20;
-constexpr std::size_t kRunsWorthCells = 200;
+constexpr std::size_t kRunsWorthCells = 200;  // with fewer, sums cost little more than fine cells
 
 struct Lookup {
     BitTables::Spot spot;
