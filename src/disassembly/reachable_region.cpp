@@ -8,7 +8,8 @@ namespace spectralpack {
 namespace {
 
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
-constexpr std::size_t kWordsPerLook = 16;  // of a walk: the first and every n-th are asked for a straight way out
+constexpr std::int64_t kReachedPerLook = 16;  // of a walk: the first and every n-th are asked for a straight way out
+constexpr std::size_t kTilesOfShortWalk = 1000;
 
 /// Bits of positions x .. x + 63 that are below `end`.
 std::uint64_t below(int x, int end) {
@@ -28,13 +29,13 @@ ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, con
       stop_(std::move(stop)),
       straight_out_(std::move(straight_out)) {}
 
-ReachableRegion::Tile& ReachableRegion::tile(int y, int z, int i) {
+ReachableRegion::Place ReachableRegion::place(int i, int y, int z) {
     std::unique_ptr<Tile>& tile = known_.at(i, y, z);
     if (!tile) {
-        tile = std::make_unique<Tile>();
+        tile = std::make_unique<Tile>(Tile{i, y / kRows * kRows, z});
         ++tiles_made_;
     }
-    return *tile;
+    return {tile.get(), y};
 }
 
 /// Steps at least along y or z; 0 is outside.
@@ -49,131 +50,156 @@ std::uint64_t ReachableRegion::outside_along_x(int i) const {
 }
 
 /// Visits positions, which are free.
-void ReachableRegion::reach(const Some& fresh, Tile& tile) {
-    Word& at = word(tile, fresh.y);
-    at.visited |= fresh.positions;
-    walked_.push_back({fresh, &tile});
-    const auto left = static_cast<std::size_t>(to_go(fresh.y, fresh.z));
+void ReachableRegion::reach(const Place& at, std::uint64_t fresh) {
+    Tile& tile = *at.tile;
+    Word& word = at.word();
+    word.visited |= fresh;
+    if (!std::exchange(tile.on_walk, true)) walk_.tiles.push_back(&tile);
+    const auto left = static_cast<std::size_t>(to_go(at.y, tile.z));
     const auto leads_straight_out = [&] {
-        if (!straight_out_ || (walked_.size() - 1) % kWordsPerLook != 0) return false;
-        const int x = 64 * fresh.i + std::countr_zero(fresh.positions);
-        return straight_out_(VoxelIndex{x, fresh.y, fresh.z} + tiles_.origin());
+        if (!straight_out_ || walk_.reached++ % kReachedPerLook != 0) return false;
+        return straight_out_(VoxelIndex{64 * tile.i + std::countr_zero(fresh), at.y, tile.z} + tiles_.origin());
     };
-    if (left == 0 || (fresh.positions & outside_along_x(fresh.i)) != 0 || leads_straight_out()) {
-        outside_ = true;
+    if (left == 0 || (fresh & outside_along_x(tile.i)) != 0 || leads_straight_out()) {
+        walk_.outside = true;
         return;
     }
-    if (open_.size() <= left) open_.resize(left + 1);
-    open_[left].push_back({fresh, &tile});
-    least_ = std::min(least_, left);
-    if (at.sideways == 0) sideways_.push_back({fresh, &tile});
-    at.sideways |= fresh.positions;
+    if (word.onward == 0) {
+        if (walk_.open.size() <= left) walk_.open.resize(left + 1);
+        walk_.open[left].push_back(at);
+        walk_.least = std::min(walk_.least, left);
+    }
+    if (word.sideways == 0) walk_.sideways.push_back(at);
+    word.onward |= fresh;
+    word.sideways |= fresh;
 }
 
 /// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
-void ReachableRegion::look(const Some& wanted, Tile& tile) {
-    if ((wanted.positions & ~word(tile, wanted.y).known) == 0) return;
+void ReachableRegion::look(const Place& at, std::uint64_t wanted) {
+    if ((wanted & ~at.word().known) == 0) return;
+    Tile& tile = *at.tile;
     FreeTileReader::Rows unknown;
     for (std::size_t row = 0; row < kRows; ++row) {
-        unknown[row] = wanted.positions & ~tile[row].known;
+        unknown[row] = wanted & ~tile.words[row].known;
     }
-    const FreeTileReader::Told told = tiles_.tell(wanted.i, wanted.y / kRows, wanted.z, unknown);
+    const FreeTileReader::Told told = tiles_.tell(tile.i, tile.y / kRows, tile.z, unknown);
     for (std::size_t row = 0; row < kRows; ++row) {
-        tile[row].known |= told.known[row];
-        tile[row].free |= told.free[row];
+        Word& word = tile.words[row];
+        word.free |= told.free[row] & ~word.known;
+        word.known |= told.known[row];
     }
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
-void ReachableRegion::touch(const Some& neighbours, Tile& tile) {
-    Word& at = word(tile, neighbours.y);
-    if (neighbours.positions & at.outside) {
-        outside_ = true;
+void ReachableRegion::touch(const Place& at, std::uint64_t neighbours) {
+    const Word& word = at.word();
+    if (neighbours & word.outside) {
+        walk_.outside = true;
         return;
     }
-    Some some = neighbours;
-    some.positions &= ~at.visited;
-    look(some, tile);
-    some.positions &= at.free;
-    if (some.positions != 0) reach(some, tile);
+    const std::uint64_t wanted = neighbours & ~word.visited;
+    look(at, wanted);
+    if (const std::uint64_t fresh = wanted & word.free) reach(at, fresh);
 }
 
-void ReachableRegion::go_on(const Visited& from) {
-    for (int move = 0; move < 4 && !outside_; ++move) {
-        Some to = from.some;
-        (move < 2 ? to.y : to.z) += move % 2 == 0 ? 1 : -1;
-        if (to.y < 0 || to.y >= extent_.y || to.z < 0 || to.z >= extent_.z) continue;
-        const bool same = to.z == from.some.z && to.y / kRows == from.some.y / kRows;
-        touch(to, same ? *from.tile : tile(to.y, to.z, to.i));
+void ReachableRegion::go_on(const Place& from) {
+    const std::uint64_t positions = std::exchange(from.word().onward, 0);
+    const Tile& tile = *from.tile;
+    for (int move = 0; move < 4 && !walk_.outside; ++move) {
+        int y = from.y, z = tile.z;
+        (move < 2 ? y : z) += move % 2 == 0 ? 1 : -1;
+        if (y < 0 || y >= extent_.y || z < 0 || z >= extent_.z) continue;
+        const bool same = z == tile.z && y / kRows == from.y / kRows;
+        touch(same ? Place{from.tile, y} : place(tile.i, y, z), positions);
     }
 }
 
-void ReachableRegion::go_sideways(const Visited& where) {
-    const auto& [y, z, i, first] = where.some;
-    const std::uint64_t from = std::exchange(word(*where.tile, y).sideways, 0);
-    touch({y, z, i, from << 1 | from >> 1}, *where.tile);
-    if (from >> 63 && i + 1 < known_.words()) touch({y, z, i + 1, 1}, tile(y, z, i + 1));
-    if ((from & 1) && i > 0) touch({y, z, i - 1, std::uint64_t{1} << 63}, tile(y, z, i - 1));
+void ReachableRegion::go_sideways(const Place& from) {
+    const std::uint64_t positions = std::exchange(from.word().sideways, 0);
+    const int i = from.tile->i, y = from.y, z = from.tile->z;
+    touch(from, positions << 1 | positions >> 1);
+    if (positions >> 63 && i + 1 < known_.words()) touch(place(i + 1, y, z), 1);
+    if ((positions & 1) && i > 0) touch(place(i - 1, y, z), std::uint64_t{1} << 63);
 }
 
 bool ReachableRegion::free(const VoxelIndex& position) {
-    const VoxelIndex at = position - tiles_.origin();
-    if (!extent_.contains(at)) return true;
-    const std::uint64_t bit = std::uint64_t{1} << (at.x % 64);
-    Tile& tile = this->tile(at.y, at.z, at.x / 64);
-    look({at.y, at.z, at.x / 64, bit}, tile);
-    return word(tile, at.y).free & bit;
+    const VoxelIndex q = position - tiles_.origin();
+    if (!extent_.contains(q)) return true;
+    const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
+    const Place at = place(q.x / 64, q.y, q.z);
+    look(at, bit);
+    return (at.word().free | at.word().visited) & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) {
-    const VoxelIndex at = position - tiles_.origin();
-    return extent_.contains(at) && (word(at.y, at.z, at.x / 64).visited >> (at.x % 64) & 1);
+    const VoxelIndex q = position - tiles_.origin();
+    return extent_.contains(q) && (place(q.x / 64, q.y, q.z).word().visited >> (q.x % 64) & 1);
 }
 
 bool ReachableRegion::contains(const VoxelIndex& start) {
-    const VoxelIndex from = start - tiles_.origin();
-    if (!extent_.contains(from)) return true;
-    const std::uint64_t bit = std::uint64_t{1} << (from.x % 64);
-    Tile& tile = this->tile(from.y, from.z, from.x / 64);
-    Word& at = word(tile, from.y);
-    if (at.visited & bit) return at.outside & bit;
+    const VoxelIndex q = start - tiles_.origin();
+    if (!extent_.contains(q)) return true;
+    const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
+    const Place from = place(q.x / 64, q.y, q.z);
+    if (from.word().visited & bit) return from.word().outside & bit;
 
-    outside_ = false;
-    at.known |= bit;
-    at.free |= bit;
-    reach({from.y, from.z, from.x / 64, bit}, tile);
-    while (!outside_ && !stop_.stopped()) {
-        while (least_ < open_.size() && open_[least_].empty()) {
-            ++least_;
+    from.word().known |= bit;
+    from.word().free |= bit;
+    reach(from, bit);
+    while (!walk_.outside && !stop_.stopped()) {
+        while (walk_.least < walk_.open.size() && walk_.open[walk_.least].empty()) {
+            ++walk_.least;
         }
-        if (least_ < open_.size()) {
-            const Visited next = open_[least_].back();
-            open_[least_].pop_back();
+        if (walk_.least < walk_.open.size()) {
+            const Place next = walk_.open[walk_.least].back();
+            walk_.open[walk_.least].pop_back();
             go_on(next);
-        } else if (!sideways_.empty()) {
-            const Visited next = sideways_.back();
-            sideways_.pop_back();
+        } else if (!walk_.sideways.empty()) {
+            const Place next = walk_.sideways.back();
+            walk_.sideways.pop_back();
             go_sideways(next);
         } else {
             break;
         }
     }
-    for (const auto& [visited, where] : walked_) {
-        Word& there = word(*where, visited.y);
-        there.sideways = 0;
-        if (outside_) there.outside |= visited.positions;
-        const int x = 64 * visited.i;
-        const VoxelIndex lo{x + std::countr_zero(visited.positions), visited.y, visited.z};
-        const VoxelIndex hi{x + 64 - std::countl_zero(visited.positions), visited.y + 1, visited.z + 1};
-        visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});
+    const bool outside = walk_.outside;
+    end_walk();
+    return outside;
+}
+
+/// Remembers of all that was visited what it came to.
+void ReachableRegion::end_walk() {
+    for (Tile* tile : walk_.tiles) {
+        tile->on_walk = false;
+        const int x = 64 * tile->i;
+        for (int row = 0; row < kRows; ++row) {
+            Word& word = tile->words[static_cast<std::size_t>(row)];
+            const std::uint64_t visited = word.visited & word.free & ~word.outside;
+            if (visited == 0) continue;
+            if (walk_.outside) {
+                word.outside |= visited;
+            } else {
+                word.free &= ~visited;
+            }
+            word.onward = word.sideways = 0;
+            const VoxelIndex lo{x + std::countr_zero(visited), tile->y + row, tile->z};
+            const VoxelIndex hi{x + 64 - std::countl_zero(visited), tile->y + row + 1, tile->z + 1};
+            visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});
+        }
     }
-    walked_.clear();
-    for (std::size_t i = least_; i < open_.size(); ++i) {
-        open_[i].clear();  // which keeps its room for the next walk: most are short
+    if (walk_.tiles.size() > kTilesOfShortWalk) {
+        walk_ = {};
+        return;
     }
-    sideways_.clear();
-    least_ = open_.size();
-    return outside_;
+    // Most are short, and the next one has use for their room.
+    walk_.outside = false;
+    walk_.reached = 0;
+    walk_.tiles.clear();
+    walk_.sideways.clear();
+    for (std::size_t i = walk_.least; i < walk_.open.size(); ++i) {
+        walk_.open[i].clear();
+    }
+    walk_.least = walk_.open.size();
 }
 
 }  // namespace spectralpack

@@ -40,36 +40,38 @@ class ReachableRegion {
     std::int64_t bytes() const { return tiles_made_ * static_cast<std::int64_t>(sizeof(Tile)); }
 
   private:
-    /// What is known of 64 positions.
+    /// What is known of 64 positions. Of the visited, those that are no longer called free have no way; the others have
+    /// one, or are on the walk under way.
     struct Word {
         std::uint64_t known = 0, free = 0;  ///< whether each is free
         std::uint64_t visited = 0;
         std::uint64_t outside = 0;   ///< of the visited: there is a way
-        std::uint64_t sideways = 0;  ///< of the visited: to be gone on from along x
+        std::uint64_t onward = 0;    ///< of the visited: to be gone on from along y and z
+        std::uint64_t sideways = 0;  ///< likewise along x
     };
     static constexpr int kRows = FreeTileReader::kRows;
-    using Tile = std::array<Word, kRows>;
-    /// Some of the positions of word i of row (y, z), from the tiles' origin.
-    struct Some {
-        int y = 0, z = 0, i = 0;
-        std::uint64_t positions = 0;
+    struct Tile {
+        int i, y, z;  ///< word i of rows y .. y + 7 of layer z, from the tiles' origin
+        bool on_walk = false;
+        std::array<Word, kRows> words{};
     };
-    /// What a walk has come to.
-    struct Visited {
-        Some some;
-        Tile* tile;  // theirs
+    /// Row y of a tile.
+    struct Place {
+        Tile* tile;
+        int y;
+
+        Word& word() const { return tile->words[static_cast<std::size_t>(y - tile->y)]; }
     };
 
-    Tile& tile(int y, int z, int i);
-    static Word& word(Tile& tile, int y) { return tile[static_cast<std::size_t>(y % kRows)]; }
-    Word& word(int y, int z, int i) { return word(tile(y, z, i), y); }
+    Place place(int i, int y, int z);
     int to_go(int y, int z) const;
     std::uint64_t outside_along_x(int i) const;
-    void reach(const Some& fresh, Tile& tile);
-    void look(const Some& wanted, Tile& tile);
-    void touch(const Some& neighbours, Tile& tile);
-    void go_on(const Visited& from);
-    void go_sideways(const Visited& where);
+    void reach(const Place& at, std::uint64_t fresh);
+    void look(const Place& at, std::uint64_t wanted);
+    void touch(const Place& at, std::uint64_t neighbours);
+    void go_on(const Place& from);
+    void go_sideways(const Place& from);
+    void end_walk();
 
     FreeTileReader& tiles_;
     Extent extent_;  // of the tiles
@@ -81,12 +83,16 @@ class ReachableRegion {
     StraightOut straight_out_;
     VoxelBox visited_box_;
 
-    // The walk under way.
-    bool outside_ = false;
-    std::vector<Visited> walked_;
-    std::vector<std::vector<Visited>> open_;  // by steps at least to go
-    std::size_t least_ = 0;                   // of those that hold something
-    std::vector<Visited> sideways_;
+    /// The walk under way: what it has still to go on from is in the lists once each.
+    struct Walk {
+        bool outside = false;
+        std::int64_t reached = 0;
+        std::vector<Tile*> tiles;              ///< that it has come to
+        std::vector<std::vector<Place>> open;  ///< with onward positions, by steps at least to go
+        std::size_t least = 0;                 ///< of those that hold something
+        std::vector<Place> sideways;
+    };
+    Walk walk_;
 };
 
 }  // namespace spectralpack
