@@ -37,8 +37,9 @@ class Workers {
 };
 
 /// `least` becomes `value` where that is less, whoever else lowers it meanwhile.
-inline void lower(std::atomic<double>& least, double value) {
-    double known = least;
+template <class T>
+void lower(std::atomic<T>& least, T value) {
+    T known = least;
     while (value < known && !least.compare_exchange_weak(known, value)) {
     }
 }

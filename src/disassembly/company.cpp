@@ -226,6 +226,17 @@ std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) cons
     return std::nullopt;
 }
 
+/// Of a copy off the grid. They are made without the lock, since that may be done by several threads.
+std::shared_ptr<const BitGrid> Company::voxels_on_grid(std::size_t i) const {
+    {
+        const std::lock_guard lock(*asking_);
+        if (const auto known = on_grid_.find(i); known != on_grid_.end()) return known->second;
+    }
+    std::shared_ptr<const BitGrid> made = setup_.on_grid(names_[i]);
+    const std::lock_guard lock(*asking_);
+    return on_grid_[i] = std::move(made);
+}
+
 Company::Flood Company::flood(std::size_t i) const {
     const StandingPart& part = parts_[i];
     Flood flood;
@@ -239,12 +250,8 @@ Company::Flood Company::flood(std::size_t i) const {
         flood.nearest[axis] = static_cast<int>(std::lround(voxels));
         flood.on_grid = flood.on_grid && std::abs(voxels - flood.nearest[axis]) <= kOnGrid;
     }
-    flood.solid = part.object.solid;
-    if (!flood.on_grid) {
-        std::shared_ptr<const BitGrid>& made = on_grid_[i];
-        if (!made) made = setup_.on_grid(names_[i]);
-        flood.solid = made;
-    }
+    flood.solid = flood.on_grid ? part.object.solid : voxels_on_grid(i);
+    const std::lock_guard lock(*asking_);
     flood.tiles = setup_.search->free_tiles(tray_, flood.solid, {objects_[i], 1});
     return flood;
 }
@@ -296,7 +303,8 @@ Company::Flooded Company::way_out(Flood& flood) const {
             path.push_back({d.x * dx, d.y * dx, d.z * dx});
         }
         if (const std::optional<Path> out = out_along(i, merged(path))) return {shortened(i, *out), {}};
-        break;  // voxels and meshes disagree, which only rounding can make them do
+        // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
+        return {std::nullopt, {others.lo + origin_, others.hi + origin_}};
     }
     const VoxelBox visited{region.visited_box().lo + origin_, region.visited_box().hi + origin_};
     VoxelBox pocket = hull(visited, {nearest, nearest + VoxelIndex{1, 1, 1}});

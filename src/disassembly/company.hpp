@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -86,11 +87,10 @@ class Company {
         VoxelBox others;                          ///< around all that stands besides, from the tray's origin
         std::unique_ptr<FreeTileReader> tiles{};  ///< null: nothing stands besides
     };
-    /// Not to be called from several threads at once.
+    /// Several threads may ask for different copies.
     Flood flood(std::size_t i) const;
     /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the
-    /// setup's token has stopped it, there is none and the pocket says nothing. Several threads may ask for different
-    /// copies.
+    /// setup's token has stopped it, there is none and the pocket says nothing. Likewise.
     Flooded way_out(Flood& flood) const;
     /// A straight one, or else any.
     std::optional<Path> any_way_out(std::size_t i) const;
@@ -104,6 +104,7 @@ class Company {
     Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot);
     static Plot plot_around(const TraySetup& grid, const std::vector<StandingPart>& parts);
     ObjectId place(TrayObject object);
+    std::shared_ptr<const BitGrid> voxels_on_grid(std::size_t i) const;
 
     /// `members`, moved by `from` before, move by `way` mm more.
     struct Move {
@@ -140,6 +141,7 @@ class Company {
     VoxelIndex origin_;  // of the tray, in the setup's grid
     Tray tray_;
     std::vector<ObjectId> objects_;
+    std::unique_ptr<std::mutex> asking_ = std::make_unique<std::mutex>();  // guards the search and what follows
     mutable std::map<std::size_t, std::shared_ptr<const BitGrid>>
         on_grid_;  ///< voxels of those off the grid, once asked for
 };

@@ -1,8 +1,10 @@
 #include "disassembly/disassembler.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "disassembly/blocking_graph.hpp"
@@ -11,10 +13,8 @@
 namespace spectralpack {
 namespace {
 
-// Ways tried at a time. Not the number of threads: which edges are found, and how many fills are made, must not depend
-// on it.
+// Ways tried at a time. Not the number of threads: which edges are found must not depend on it.
 constexpr std::size_t kBatch = 8;
-constexpr std::size_t kFloods = 4;
 
 bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).empty(); }
 
@@ -24,6 +24,11 @@ bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).emp
 class Disassembler::Yard {
   public:
     using Members = Company::Members;
+    /// Where one without a way out was looked for it.
+    struct Pocket {
+        VoxelBox box;
+        bool ahead = false;  ///< of its turn: not counted so far
+    };
 
     Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
         : owner_(owner),
@@ -39,7 +44,7 @@ class Disassembler::Yard {
     }
 
     /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
-    Yard(const Yard& founder, const Members& members, std::vector<std::optional<VoxelBox>> pockets)
+    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Pocket>> pockets)
         : owner_(founder.owner_),
           company_(founder.company_, members),
           graph_(founder.graph_.among(members)),
@@ -70,8 +75,8 @@ class Disassembler::Yard {
         company_.remove(i);
         graph_.remove(i);
         pockets_[i].reset();
-        for (std::optional<VoxelBox>& pocket : pockets_) {
-            if (pocket && meet(*pocket, gone)) pocket.reset();
+        for (std::optional<Pocket>& pocket : pockets_) {
+            if (pocket && meet(pocket->box, gone)) pocket.reset();
         }
     }
 
@@ -150,44 +155,47 @@ class Disassembler::Yard {
     }
 
     /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile
-    /// may have opened the way of others, and more so the longer one waits. Some are tried at once; of those after the
-    /// one that leaves only pockets count, which its leaving opens again where it touches them.
+    /// may have opened the way of others, and more so the longer one waits. Until a way is found threads try those that
+    /// come next ahead of their turn; of these only pockets count, which hold until something leaves that touches them.
     bool leave_by_flood() {
-        for (std::size_t passed = 0; passed < turns_.size();) {
-            if (owner_.setup_.stop.stopped()) return false;
-            std::vector<std::size_t> turns;  // of those tried, from turn_ on
-            std::vector<Company::Flood> floods;
-            for (std::size_t k = 0; passed + k < turns_.size() && turns.size() < kFloods; ++k) {
-                const std::size_t i = turns_[(turn_ + k) % turns_.size()];
-                if (!company_.movable(i) || pockets_[i]) continue;  // closed, and nothing that closed it has left since
-                turns.push_back(k);
-                floods.push_back(company_.flood(i));
-            }
-            if (floods.empty()) break;
-            std::vector<Company::Flooded> flooded(floods.size());
-            owner_.setup_.workers.for_each(static_cast<std::int64_t>(floods.size()), [&](std::int64_t k) {
-                const auto at = static_cast<std::size_t>(k);
-                flooded[at] = company_.way_out(floods[at]);
-            });
-            owner_.counts_.fills += static_cast<int>(floods.size());
-            if (owner_.setup_.stop.stopped()) return false;
-            std::size_t leaver = floods.size();
-            for (std::size_t k = floods.size(); k-- > 0;) {
-                if (flooded[k].path) {
-                    leaver = k;
-                } else {
-                    pockets_[floods[k].i] = flooded[k].pocket;
-                }
-            }
-            const std::size_t gone_by = turns[std::min(leaver, floods.size() - 1)] + 1;
-            turn_ = (turn_ + gone_by) % turns_.size();
-            passed += gone_by;
-            if (leaver == floods.size()) continue;
-            leave({floods[leaver].i}, std::move(*flooded[leaver].path));
-            ++owner_.counts_.flooded;
-            return true;
+        struct Try {
+            std::size_t turn, i;
+            Company::Flooded flooded{};
+            bool made = false;
+        };
+        std::vector<Try> tries;
+        for (std::size_t k = 0; k < turns_.size(); ++k) {
+            const std::size_t i = turns_[(turn_ + k) % turns_.size()];
+            if (company_.movable(i) && !pockets_[i]) tries.push_back({k, i});
         }
-        return false;
+        const StopToken& stop = owner_.setup_.stop;
+        std::atomic<std::size_t> leaver = tries.size();
+        owner_.setup_.workers.for_each_in_order(std::ssize(tries), [&](std::int64_t k) {
+            const auto at = static_cast<std::size_t>(k);
+            if (at > leaver || stop.stopped()) return;
+            Try& one = tries[at];
+            Company::Flood flood = company_.flood(one.i);
+            one.flooded = company_.way_out(flood);
+            one.made = true;
+            if (one.flooded.path) lower(leaver, at);
+        });
+        if (stop.stopped()) return false;
+        const bool found = leaver < tries.size();
+        const std::size_t turns = found ? tries[leaver].turn + 1 : turns_.size();
+        for (std::size_t k = 0; k < turns; ++k) {
+            std::optional<Pocket>& pocket = pockets_[turns_[(turn_ + k) % turns_.size()]];
+            if (pocket) owner_.counts_.fills += std::exchange(pocket->ahead, false);
+        }
+        owner_.counts_.fills += static_cast<int>(found ? leaver + 1 : tries.size());
+        for (std::size_t at = 0; at < tries.size(); ++at) {
+            const Company::Flooded& flooded = tries[at].flooded;
+            if (tries[at].made && !flooded.path) pockets_[tries[at].i] = Pocket{flooded.pocket, at > leaver};
+        }
+        if (!found) return false;
+        turn_ = (turn_ + turns) % turns_.size();
+        leave({tries[leaver].i}, std::move(*tries[leaver].flooded.path));
+        ++owner_.counts_.flooded;
+        return true;
     }
 
     /// Takes out one group, as the blocking graphs suggest; it becomes a company of its own.
@@ -216,12 +224,12 @@ class Disassembler::Yard {
 
     void found_company(const Members& group, Company::Path path) {
         // A pocket that only they close stays closed.
-        std::vector<std::optional<VoxelBox>> pockets;
+        std::vector<std::optional<Pocket>> pockets;
         for (const std::size_t i : group) {
             pockets.push_back(pockets_[i]);
             for (std::size_t other = 0; pockets.back() && other < company_.size(); ++other) {
                 if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
-                if (meet(*pockets.back(), company_.part(other).object.box())) pockets.back().reset();
+                if (meet(pockets.back()->box, company_.part(other).object.box())) pockets.back().reset();
             }
         }
         const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(pockets));
@@ -234,8 +242,8 @@ class Disassembler::Yard {
     Disassembler& owner_;
     Company company_;
     BlockingGraph graph_;
-    std::vector<std::optional<VoxelBox>> pockets_;  // of those without a way out: where that was found
-    std::vector<std::size_t> turns_;                // the order of flood fills, the highest first
+    std::vector<std::optional<Pocket>> pockets_;  // of those found to have no way out
+    std::vector<std::size_t> turns_;              // the order of flood fills, the highest first
     std::size_t turn_ = 0;
 };
 

@@ -121,6 +121,7 @@ class Untangling {
         for (std::size_t i = 0; i < movable; ++i) {
             if (plan.out(static_cast<int>(i))) {
                 ++result_.report.counts.removed;
+                freed_.push_back(tray_.object(placed_[i].object).box());
                 remove_from_tray(placed_[i]);
                 out.push_back(placed_[i]);
             } else {
@@ -219,9 +220,9 @@ class Untangling {
         shapes.start_tray(items);
         std::unordered_set<int> hopeless;
         for (std::size_t i = 0; i < items.size(); ++i) {
-            const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                               put_in(items[i], shapes.at(i), packing, reachable);
             const bool was_taken_out = taken_out.contains(items[i]);
+            const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
+                               put_in(items[i], asked(shapes.at(i), was_taken_out), packing, reachable);
             if (!again) {
                 hopeless.insert(items[i].part);
                 if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(items[i]);
@@ -233,6 +234,15 @@ class Untangling {
         }
         result_.plan.steps = packing.steps();
         result_.report.counts.fills += packing.fills();
+    }
+
+    /// A copy that had found no place before can find one only where something was taken out, unless caps or a ceiling
+    /// that goes up make room elsewhere.
+    Shape asked(const Shape& shape, bool was_taken_out) const {
+        Shape asked = shape;
+        const bool full = !setup_.limits.caps && tray_.setup().ceiling == Ceiling::closed;
+        if (full && !was_taken_out) asked.only_near = freed_;
+        return asked;
     }
 
     /// At its best place if it comes out from there once its turn comes, or else at the best that is reachable now.
@@ -252,13 +262,13 @@ class Untangling {
         Standing standing = stand_on_grid(shape, place, setup_.voxel_size, tray_.detail(), setup_.wall_gap);
         const int orientation = shape.orientations[static_cast<std::size_t>(place.index)].orientation;
         PlacedItem placed{item, orientation, place.position, standing.offset, 0, place.cost};
-        placed.object = tray_.add(std::move(standing.object));
         placed_.push_back(placed);
-        if (!packing.admit(placed)) {
-            tray_.remove(placed.object);
+        if (!packing.admit(placed, standing.object)) {
             placed_.pop_back();
             return false;
         }
+        // Not before: engines keep what they know while objects are only added.
+        placed_.back().object = tray_.add(std::move(standing.object));
         if (Caps* caps = setup_.limits.caps) caps->add(item.part, orientation, placed.offset);
         return true;
     }
@@ -269,6 +279,7 @@ class Untangling {
     const InterlockSetup& setup_;
     StopToken stop_;
     StandingParts standing_;
+    std::vector<VoxelBox> freed_;  // where copies were taken out
     Untangled result_;
 };
 

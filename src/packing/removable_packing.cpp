@@ -20,15 +20,13 @@ void RemovablePacking::make(const std::vector<StandingPart>& placed, const std::
     company_.emplace(standing_.disassembly(), std::move(names), std::move(parts));
 }
 
-bool RemovablePacking::admit(const PlacedItem& item) {
+bool RemovablePacking::admit(const PlacedItem& last, const TrayObject& object) {
     if (standing_.follow_tray()) {
         fills_ = fills();
         const std::vector<RemovalStep> steps = plan_->steps();
-        std::vector<StandingPart> placed = standing_.placed();
-        placed.pop_back();
-        make(placed, steps);
+        make(standing_.placed(static_cast<std::size_t>(copies_)), steps);
     }
-    StandingPart part = standing_.of(item);
+    StandingPart part = standing_.of(last, object);
     const std::size_t i = company_->add(copies_, part);
     if (std::optional<Company::Path> path = company_->any_way_out(i)) {
         plan_->put_first(copies_, std::move(part), std::move(*path));

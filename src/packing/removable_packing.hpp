@@ -15,10 +15,10 @@ class RemovablePacking {
     /// What stands comes apart by `steps`. `standing` and what it refers to outlive it.
     RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps);
 
-    /// Whether all still comes apart with `item`, the last of what is placed and already in the tray: at once, or in
-    /// its turn, after others. If so it is in the plan, else the packing is without it, and so is to be the tray. When
-    /// the setup's token stops it, there is no way.
-    bool admit(const PlacedItem& item);
+    /// Whether all still comes apart with the last of what is placed, which would be `object` in the tray and is not
+    /// yet: at once, or in its turn, after others. If so it is in the plan, else the packing is without it. When the
+    /// setup's token stops it, there is no way.
+    bool admit(const PlacedItem& last, const TrayObject& object);
 
     /// By index into what is placed.
     std::vector<RemovalStep> steps() const { return plan_->steps(); }

@@ -1,5 +1,8 @@
 #include "packing/standing_parts.hpp"
 
+#include <algorithm>
+#include <span>
+
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -37,19 +40,20 @@ TrayObject StandingParts::in_grid(const TrayObject& object) const {
     return setup_.walls ? setup_.walls->moved(on_finest(object)) : on_finest(object);
 }
 
-StandingPart StandingParts::of(const PlacedItem& item) const {
-    return {setup_.surfaces->at(item.item.part, item.orientation), item.offset, in_grid(tray_.object(item.object))};
+StandingPart StandingParts::of(const PlacedItem& item, const TrayObject& object) const {
+    return {setup_.surfaces->at(item.item.part, item.orientation), item.offset, in_grid(object)};
 }
 
-std::vector<StandingPart> StandingParts::placed() const {
+std::vector<StandingPart> StandingParts::placed(std::size_t count) const {
+    const std::span items = std::span(placed_).first(std::min(count, placed_.size()));
     std::vector<TurnedPart> wanted;
-    for (const PlacedItem& item : placed_) {
+    for (const PlacedItem& item : items) {
         wanted.push_back({item.item.part, item.orientation});
     }
     setup_.surfaces->make(wanted);
     std::vector<StandingPart> parts;
-    for (const PlacedItem& item : placed_) {
-        parts.push_back(of(item));
+    for (const PlacedItem& item : items) {
+        parts.push_back(of(item, tray_.object(item.object)));
     }
     return parts;
 }

@@ -1,6 +1,8 @@
 #pragma once
 /// What stands in a tray, as disassembly sees it (disassembly/standing_part.hpp).
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -33,14 +35,18 @@ class StandingParts {
     /// not.
     bool follow_tray();
 
-    StandingPart of(const PlacedItem& item) const;
-    std::vector<StandingPart> placed() const;
+    /// `object` is what it is, or would be, in the tray.
+    StandingPart of(const PlacedItem& item, const TrayObject& object) const;
+    /// The first `count` of what is placed, or all.
+    std::vector<StandingPart> placed(std::size_t count = kAll) const;
     /// Fixed copies come after all others.
     void add_fixed(std::vector<StandingPart>& parts) const;
     /// Fixed copies, and the walls of a physical container.
     void add_what_stays(std::vector<StandingPart>& parts) const;
 
   private:
+    static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
+
     TrayObject in_grid(const TrayObject& object) const;
 
     const StandingSetup& setup_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "voxel/permute.hpp"
+#include "voxel/voxel_box.hpp"
 #include "voxel/voxelize.hpp"
 #include "voxel/widen.hpp"
 
@@ -42,6 +43,9 @@ struct Shape {
     /// By ascending orientation index, equal voxels merged.
     std::vector<OrientedShape> orientations;
     Admits admits{};  ///< null: every candidate
+    /// Boxes of voxels of dx. Where there are any, the asker knows of all candidates whose boxes, A+g included, meet
+    /// none of these that they collide or would be turned down: engines need not look there.
+    std::vector<VoxelBox> only_near{};
 };
 
 /// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for

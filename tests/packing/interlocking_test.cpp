@@ -213,9 +213,9 @@ TEST_F(Interlocking, WaysOutAreLookedForInTheTrayAsHighAsItHasGrown) {
     // Above the grid as it was: a chest with a hole in a corner of its lid, and a cube in the opposite corner.
     const Mesh lid = test::merged(test::box_mesh({0, 0, 24}, {26, 14, 26}), test::box_mesh({0, 14, 24}, {14, 26, 26}));
     put(test::merged(test::chest_mesh(26, 2, true), lid), 0, {5, 5, 12});
-    EXPECT_TRUE(packing.admit(placed_.back()));
+    EXPECT_TRUE(packing.admit(placed_.back(), tray_.object(placed_.back().object)));
     put(test::cube_mesh(8), 0, {8, 8, 16});
-    EXPECT_TRUE(packing.admit(placed_.back()));
+    EXPECT_TRUE(packing.admit(placed_.back(), tray_.object(placed_.back().object)));
     const std::vector<RemovalStep> steps = packing.steps();
     ASSERT_EQ(steps.size(), 2u);
     EXPECT_EQ(steps.front().placements, std::vector<int>{1});

@@ -185,6 +185,46 @@ TEST_P(EngineTest, AnswersWithWhatIsAdmitted) {
     }
 }
 
+TEST_P(EngineTest, LooksOnlyNearWhatLeftAFullTray) {
+    VerifyingSearch search = make_verified();
+    int found = 0, none = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        SceneLimits limits;
+        limits.reach = 4;
+        limits.most = seed % 4 < 2 ? Extent{6, 30, 8} : Extent{6, 8, 30};
+        limits.detail = 1 + static_cast<int>(seed % 2);
+        Scene scene = random_scene(random, limits, 1 + 100 * seed);
+        Shape& shape = scene.shapes.front();
+        for (;;) {
+            const SearchResult result = search.best_placement(scene.tray, shape, {}, {});
+            if (!result.best) break;
+            place(scene, shape, result.best->index, result.best->position);
+        }
+        for (int gone = between(random, 1, 3); gone > 0 && !scene.present.empty(); --gone) {
+            const std::size_t k = random.below(scene.present.size());
+            shape.only_near.push_back(scene.tray.object(scene.present[k]).box());
+            scene.tray.remove(scene.present[k]);
+            scene.present.erase(scene.present.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+        const CostModel model = random_model(random);
+        for (bool again = true; again;) {
+            SearchResult result;
+            ASSERT_NO_THROW(result = search.best_placement(scene.tray, shape, model, {}));
+            again = result.best.has_value();
+            ++(again ? found : none);
+            if (again) place(scene, shape, result.best->index, result.best->position);
+            if (!one_in(random, 3)) continue;
+            const Shape& other = scene.shapes.back();
+            ASSERT_NO_THROW(result = search.best_placement(scene.tray, other, model, {}));
+            if (result.best) place(scene, other, result.best->index, result.best->position);
+        }
+    }
+    EXPECT_GT(found, 50);
+    EXPECT_GT(none, 20);
+}
+
 TEST_P(EngineTest, TellsFreePositionsInTilesOfAnyVoxels) {
     const auto engine = make_engine();
     for (std::uint64_t seed = 0; seed < 30; ++seed) {

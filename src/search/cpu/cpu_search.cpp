@@ -14,6 +14,18 @@ namespace {
 
 constexpr int kLayersPerTask = 8;  // brick layers
 
+/// Around the candidates of orientation `index` that shape.only_near speaks of.
+std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
+    const Extent& a = shape.orientations[index].solid->extent();
+    const int beyond = overhang(shape, detail);
+    std::vector<VoxelBox> candidates;
+    for (const VoxelBox& box : shape.only_near) {
+        candidates.push_back({box.lo - VoxelIndex{a.x - 1 + beyond, a.y - 1 + beyond, a.z - 1 + beyond},
+                              box.hi + VoxelIndex{beyond, beyond, beyond}});
+    }
+    return candidates;
+}
+
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
@@ -27,14 +39,19 @@ class CpuSearch final : public PlacementSearch {
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
         SearchContext context{tables_, model, tray.reference_layers(), {}};
 
-        // Runs and plans of every orientation that has candidates.
+        // Runs and plans of every orientation that has candidates left.
         const std::size_t count = shape.orientations.size();
+        std::vector<bool> open(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!shape.only_near.empty()) entry.states[i].leave_only(candidates_near(shape, i, tray.detail()));
+            open[i] = !entry.states[i].all_dead();
+        }
         std::vector<OrientationRuns>& runs = entry.runs;
         std::vector<std::optional<OrientationTask>> searches(count);
         // Those that differ in their axes only are made from the first of them.
         std::vector<bool> wanted(count, false);
         for (std::size_t i = 0; i < count; ++i) {
-            if (entry.states[i].count().empty() || !runs[i].of_class.empty()) continue;
+            if (!open[i] || !runs[i].of_class.empty()) continue;
             wanted[i] = true;
             if (shape.orientations[i].turned_from < 0) continue;
             const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
@@ -54,7 +71,7 @@ class CpuSearch final : public PlacementSearch {
         make(true);
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
-            if (entry.states[k].count().empty()) return;
+            if (!open[k]) return;
             searches[k].emplace(
                 make_task(context, entry.states[k], runs[k], static_cast<int>(i), shape.orientations[k], shape.admits));
         });

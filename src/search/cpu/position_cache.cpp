@@ -82,6 +82,28 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
     return true;
 }
 
+void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
+    std::vector<bool> left(pair_is_.size(), false);
+    for (const VoxelBox& box : positions) {
+        const VoxelBox within = intersection(box, whole(count_));
+        if (within.empty()) continue;
+        for (int bz = within.lo.z / kBrickZ; bz <= (within.hi.z - 1) / kBrickZ; ++bz) {
+            for (int by = within.lo.y / kBrickY; by <= (within.hi.y - 1) / kBrickY; ++by) {
+                for (int bx = within.lo.x / kBrickX; bx <= (within.hi.x - 1) / kBrickX; ++bx) {
+                    left[pair(bx, by, bz)] = true;
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (!left[i] && pair_is_[i] == kFresh) pair_is_[i] = kNothing;
+    }
+}
+
+bool PositionState::all_dead() const {
+    return std::ranges::all_of(pair_is_, [](PairIs pair) { return pair == kNothing; });
+}
+
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     // Position q meets the box where q < hi and q + extent > lo.
     const VoxelBox touched =

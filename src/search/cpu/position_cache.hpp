@@ -58,6 +58,10 @@ class PositionState {
     /// different brick layers may be opened by different threads at once.
     bool open(int bx, int by, int bz, const BrickWords (&words)[kPair]);
 
+    /// All positions but those in one of these boxes are blocked, for good: what is fresh of them dies.
+    void leave_only(const std::vector<VoxelBox>& positions);
+    bool all_dead() const;
+
     /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
     /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
