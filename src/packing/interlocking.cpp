@@ -236,11 +236,11 @@ class Untangling {
         result_.report.counts.fills += packing.fills();
     }
 
-    /// A copy that had found no place before can find one only where something was taken out, unless caps or a ceiling
-    /// that goes up make room elsewhere.
+    /// A copy that had no room before has some only where something was taken out, unless caps or a ceiling that goes
+    /// up make room elsewhere.
     Shape asked(const Shape& shape, bool was_taken_out) const {
         Shape asked = shape;
-        const bool full = !setup_.limits.caps && tray_.setup().ceiling == Ceiling::closed;
+        const bool full = setup_.waiting_had_no_room && !setup_.limits.caps && tray_.setup().ceiling == Ceiling::closed;
         if (full && !was_taken_out) asked.only_near = freed_;
         return asked;
     }

@@ -20,10 +20,11 @@ struct InterlockSetup : StandingSetup {
     ShapeStore* shapes = nullptr;     ///< free to start a tray
     GreedyLimits limits;
     TakeOut take_out = TakeOut::thinnest;
-    bool measure_gap = false;       ///< between copies in the end, where something changed
-    std::vector<PackItem> order;    ///< in which copies are put back
-    std::vector<PackItem> waiting;  ///< had found no place; are tried again where others were taken out
-    Disassembler::Left left;        ///< told while planning
+    bool measure_gap = false;          ///< between copies in the end, where something changed
+    std::vector<PackItem> order;       ///< in which copies are put back
+    std::vector<PackItem> waiting;     ///< had found no place; are tried again where others were taken out
+    bool waiting_had_no_room = false;  ///< collided everywhere, or was linked there; not merely out of reach
+    Disassembler::Left left;           ///< told while planning
     /// Told how many copies are still to be tried, while letting them back where they stood, then anew while putting
     /// them back elsewhere.
     Disassembler::Left to_put_back;

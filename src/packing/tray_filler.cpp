@@ -132,6 +132,7 @@ void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector
     setup.measure_gap = setup_.refine;
     setup.order = wanted.items;
     if (!wanted.next) setup.waiting = result.left_over;
+    setup.waiting_had_no_room = setup_.interlock == Interlock::post;
     setup.left = setup_.left;
     setup.to_put_back = setup_.to_put_back;
     setup.workers = workers_;
