@@ -201,7 +201,7 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     if (options.interlock != Interlock::off) bytes += ReachableSearch::kept_in(need.ways);
     if (options.interlock == Interlock::post && options.links == Links::avoid) {
         const std::int64_t voxels = grid.count() * part_count(options.detail);
-        bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptInSearch, voxels);
+        bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptOfShape, voxels);
     }
     if (options.verify_with) {
         bytes += engine_memory(resolve_engine(options.verify_with->engine), need, workers);

@@ -43,18 +43,37 @@ struct Ways {
 
 BitGrid link_sample(const BitGrid& solid) { return row_sample(solid, kRowsAlong); }
 
-/// What is found out during one search; asked by several threads.
+/// What is known of a shape; copies of a part are asked about one after the other.
+struct UnlinkedSearch::Known {
+    /// An orientation.
+    struct Moving {
+        std::mutex mutex;
+        std::shared_ptr<const BitGrid> sample;  // of its voxels; null: not asked about so far
+        std::unique_ptr<const Outlines> outlines;
+        std::map<ObjectId, std::unique_ptr<Ways>> past;
+        std::int64_t bytes = 0;  // of them
+    };
+
+    explicit Known(const Shape& of) : shape(of.id), moving(of.orientations.size()) {}
+
+    std::uint64_t shape;
+    std::map<ObjectId, Tray> alone;  // as long as readers of them
+    std::vector<Moving> moving;      // by orientation
+    std::atomic<std::int64_t> ways_bytes = 0;
+};
+
+/// One search: asked by several threads.
 class UnlinkedSearch::Asking {
   public:
     Asking(UnlinkedSearch& owner, const Tray& tray, const Shape& shape, const StopToken& stop)
-        : owner_(owner), tray_(tray), shape_(shape), stop_(stop), moving_(shape.orientations.size()) {
+        : owner_(owner), known_(*owner.known_), tray_(tray), shape_(shape), stop_(stop) {
         for (ObjectId id = 0; id < tray.object_count(); ++id) {
             if (tray.find(id)) standing_.push_back({id, on_finest(tray.object(id)).box()});
         }
     }
 
     bool unlinked(int index, const VoxelIndex& q) {
-        Moving& moving = moving_[static_cast<std::size_t>(index)];
+        Moving& moving = known_.moving[static_cast<std::size_t>(index)];
         const std::lock_guard lock(moving.mutex);
         if (!moving.sample) {
             const OrientedShape& oriented = shape_.orientations[static_cast<std::size_t>(index)];
@@ -76,17 +95,10 @@ class UnlinkedSearch::Asking {
     }
 
   private:
+    using Moving = Known::Moving;
     struct Standing {
         ObjectId id;
         VoxelBox box;  // in the voxels that collisions are decided on
-    };
-    /// An orientation.
-    struct Moving {
-        std::mutex mutex;
-        std::shared_ptr<const BitGrid> sample;  // of its voxels; null: not asked about so far
-        std::unique_ptr<const Outlines> outlines;
-        std::map<ObjectId, std::unique_ptr<Ways>> past;
-        std::int64_t bytes = 0;  // of them
     };
 
     const Outlines& outlines(ObjectId id) {
@@ -103,11 +115,11 @@ class UnlinkedSearch::Asking {
         if (!ways) {
             ways = make_ways(id, moving);
             moving.bytes += ways->bytes;
-            ways_bytes_ += ways->bytes;
+            known_.ways_bytes += ways->bytes;
         }
         const bool way = ways->region.contains(from);
-        if (ways_bytes_ > kKeptInSearch) {
-            ways_bytes_ -= std::exchange(moving.bytes, 0);
+        if (known_.ways_bytes > kKeptOfShape) {
+            known_.ways_bytes -= std::exchange(moving.bytes, 0);
             moving.past.clear();
         }
         return way;
@@ -115,9 +127,9 @@ class UnlinkedSearch::Asking {
 
     std::unique_ptr<Ways> make_ways(ObjectId id, const Moving& moving) {
         const std::lock_guard lock(making_);
-        auto alone = alone_.find(id);
-        if (alone == alone_.end()) {
-            alone = alone_.emplace(id, tray_around(on_finest(tray_.object(id)))).first;
+        auto alone = known_.alone.find(id);
+        if (alone == known_.alone.end()) {
+            alone = known_.alone.emplace(id, tray_around(on_finest(tray_.object(id)))).first;
         }
         const Tray& around = alone->second;
         return std::make_unique<Ways>(owner_.engine_.free_tiles(around, moving.sample, {.once = true}),
@@ -125,28 +137,33 @@ class UnlinkedSearch::Asking {
     }
 
     UnlinkedSearch& owner_;
+    Known& known_;
     const Tray& tray_;
     const Shape& shape_;
     StopToken stop_;
     std::vector<Standing> standing_;
-    std::vector<Moving> moving_;  // by orientation
-    std::mutex making_;           // guards what follows, and what is the owner's
-    std::map<ObjectId, Tray> alone_;
-    std::atomic<std::int64_t> ways_bytes_ = 0;
+    std::mutex making_;  // guards the trays of the known and what else is the owner's
 };
+
+UnlinkedSearch::UnlinkedSearch(PlacementSearch& engine) : ForwardingSearch(engine) {}
+UnlinkedSearch::~UnlinkedSearch() = default;
 
 SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                             const StopToken& stop) {
-    if (followed_ != tray.instance() || outlines_bytes_ > kKept) {
+    const bool another = followed_ != tray.instance();
+    if (another || outlines_bytes_ > kKept) {
         followed_ = tray.instance();
         outlines_.clear();
         outlines_bytes_ = 0;
     }
+    if (another || !known_ || known_->shape != shape.id) known_ = std::make_unique<Known>(shape);
     Asking asking(*this, tray, shape, stop);
     Shape asked = shape;
     asked.id |= kUnlinkedIds;
     asked.admits = [&](int index, const VoxelIndex& q) { return asking.unlinked(index, q); };
-    return engine_.best_placement(tray, asked, model, stop);
+    SearchResult result = engine_.best_placement(tray, asked, model, stop);
+    if (stop.stopped()) known_.reset();  // walks that were stopped say nothing
+    return result;
 }
 
 }  // namespace spectralpack

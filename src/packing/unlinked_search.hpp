@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 
 #include "search/forwarding_search.hpp"
 #include "voxel/outlines.hpp"
@@ -24,24 +25,27 @@ BitGrid link_sample(const BitGrid& solid);
 class UnlinkedSearch final : public ForwardingSearch {
   public:
     /// `engine` outlives it.
-    explicit UnlinkedSearch(PlacementSearch& engine) : ForwardingSearch(engine) {}
+    explicit UnlinkedSearch(PlacementSearch& engine);
+    ~UnlinkedSearch() override;
 
     /// Asks the engine, which asks back of each candidate that would be the best so far. Most can be drawn straight
     /// away from every copy whose box they reach into, as outlines tell; for the others walks outwards answer, each
-    /// past one object, and are remembered while the engine searches.
+    /// past one object, and are remembered as long as copies of the same shape are asked about.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
 
-    /// Bytes that are kept at most of what may be asked again: from search to search, and during one.
-    static constexpr std::int64_t kKept = std::int64_t{64} << 20, kKeptInSearch = std::int64_t{192} << 20;
+    /// Bytes that are kept at most of what may be asked again: of outlines, and of one shape's walks.
+    static constexpr std::int64_t kKept = std::int64_t{64} << 20, kKeptOfShape = std::int64_t{192} << 20;
 
   private:
+    struct Known;
     class Asking;
 
     std::uint64_t followed_ = 0;             // the tray whose objects these are
     std::map<ObjectId, Outlines> outlines_;  // of those that have been asked for
     std::int64_t outlines_bytes_ = 0;
+    std::unique_ptr<Known> known_;  // of that tray's objects and the shape asked about last
 };
 
 }  // namespace spectralpack
