@@ -1,6 +1,7 @@
 #include "search/cpu/cells.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
 #include <limits>
 
@@ -18,20 +19,21 @@ struct Cell {
 
 /// Cubes of edge^3 voxels whose middles are corners of blocks.
 struct CellGrid {
-    CellGrid(const Extent& solid, int edge_, int block) : edge(edge_), before(edge / 2 % block) {
+    CellGrid(const Extent& solid, int edge, int block)
+        : shift(std::countr_zero(static_cast<unsigned>(edge))), before(edge / 2 % block) {
         for (int axis = 0; axis < 3; ++axis) {
-            count[axis] = (solid[axis] + before + edge - 1) / edge;
+            count[axis] = along(solid[axis] + edge - 1);
         }
     }
     std::size_t index(const VoxelIndex& v) const {
-        return static_cast<std::size_t>(
-            (static_cast<std::int64_t>((v.z + before) / edge) * count.y + (v.y + before) / edge) * count.x +
-            (v.x + before) / edge);
+        return static_cast<std::size_t>((static_cast<std::int64_t>(along(v.z)) * count.y + along(v.y)) * count.x +
+                                        along(v.x));
     }
+    int along(int voxel) const { return (voxel + before) >> shift; }
     /// The first voxel of the next cell along an axis.
-    int end(int voxel) const { return ((voxel + before) / edge + 1) * edge - before; }
+    int end(int voxel) const { return ((along(voxel) + 1) << shift) - before; }
 
-    int edge;
+    int shift;   ///< an edge has 2^shift voxels
     int before;  ///< of the first cell's voxels, how many lie before the solid's grid
     Extent count;
 };

@@ -93,7 +93,7 @@ std::vector<Fits> all_fits(const BitGrid& solid) {
     return result;
 }
 
-/// Visits the words of a piece's voxels with a mask of those.
+/// Visits the words of a piece's voxels with a mask of those, until it answers false.
 template <class Visit>
 void for_each_word(BitGrid& bits, const Piece& piece, const Visit& visit) {
     const int length = piece.form.size(0);
@@ -102,21 +102,26 @@ void for_each_word(BitGrid& bits, const Piece& piece, const Visit& visit) {
     for (int z = piece.corner.z; z < piece.corner.z + piece.form.size(2); ++z) {
         for (int y = piece.corner.y; y < piece.corner.y + piece.form.size(1); ++y) {
             Word* row = bits.row(y, z);
-            visit(row[w], ones << shift);
-            if (shift + length > 64) visit(row[w + 1], ones >> (64 - shift));
+            if (!visit(row[w], ones << shift)) return;
+            if (shift + length > 64 && !visit(row[w + 1], ones >> (64 - shift))) return;
         }
     }
 }
 
 /// Takes the piece if half of its rows are wanted whole.
 void take(const Piece& piece, BitGrid& wanted, std::vector<Piece>& pieces) {
-    int words = 0, missing = 0;
+    const bool straddles = piece.corner.x % 64 + piece.form.size(0) > 64;
+    const int words = piece.form.size(1) * piece.form.size(2) * (straddles ? 2 : 1);
+    int missing = 0;
     for_each_word(wanted, piece, [&](const Word& word, Word mask) {
-        ++words;
         missing += (word & mask) != mask;
+        return 2 * missing <= words;
     });
     if (2 * missing > words) return;
-    for_each_word(wanted, piece, [](Word& word, Word mask) { word &= ~mask; });
+    for_each_word(wanted, piece, [](Word& word, Word mask) {
+        word &= ~mask;
+        return true;
+    });
     pieces.push_back(piece);
 }
 

@@ -69,12 +69,18 @@ class CpuSearch final : public PlacementSearch {
         };
         make(false);
         make(true);
+        const bool as_planned = entry.planned_classes == tables_.occupied_classes();
+        entry.planned_classes = tables_.occupied_classes();
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
+            OrientationPlan& plan = entry.plans[k];
+            if (!as_planned) plan = {};
             if (!open[k]) return;
-            searches[k].emplace(
-                make_task(context, entry.states[k], runs[k], static_cast<int>(i), shape.orientations[k], shape.admits));
+            if (plan.exact.loads.empty()) plan = make_plan(runs[k], tables_);
+            searches[k].emplace(make_task(context, entry.states[k], runs[k], plan, static_cast<int>(i),
+                                          shape.orientations[k], shape.admits));
         });
+        positions_.count(entry);
 
         // Low layers of all orientations first: with a steep height penalty they rule out the rest.
         struct Task {

@@ -93,7 +93,7 @@ class Pass {
     void LookAtCrowd(int j, int bz) {
         const int tiles = (state_.bricks().x + kCrowdBricksX - 1) / kCrowdBricksX;
         room_.assign(static_cast<std::size_t>(tiles * kTileRows), ~std::uint64_t{0});
-        if (t_.collision.of_blocks.batches.empty()) return;
+        if (t_.plan.collision.of_blocks.batches.empty()) return;
         for (int i = 0; i < tiles; ++i) {
             if (AnyFresh(i, j, bz)) SiftBlocks(i, j, bz, room_.data() + i * kTileRows);
         }
@@ -113,7 +113,7 @@ class Pass {
     /// all, the others are spared.
     void SiftBlocks(int i, int j, int bz, std::uint64_t* room) const {
         const CrowdTables& crowd = context_.tables.crowd();
-        const LookupPlan& plan = t_.collision.of_blocks;
+        const LookupPlan& plan = t_.plan.collision.of_blocks;
         for (const LookupPlan::Batch& batch : plan.batches) {
             BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan.offsets.data(), plan.groups.data() + batch.begin,
                           static_cast<std::size_t>(batch.end - batch.begin), room);
@@ -232,7 +232,7 @@ class Pass {
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
     void SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
         const BitTables& bits = context_.tables.bits();
-        const LookupPlan& plan = t_.collision.of_positions;
+        const LookupPlan& plan = t_.plan.collision.of_positions;
         if (plan.batches.empty()) return;
         const LookupPlan::Batch& first = plan.batches.front();
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
@@ -245,7 +245,7 @@ class Pass {
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
-        const LookupPlan& plan = t_.collision.of_positions;
+        const LookupPlan& plan = t_.plan.collision.of_positions;
         const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
         for (std::size_t b = begin; b < std::min(end, plan.batches.size()); ++b) {
             std::uint64_t any = 0;
@@ -262,7 +262,7 @@ class Pass {
     /// Bounds the blocks of a row that are near and have no bound yet.
     void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
-        const std::uint32_t least = LaneLimit(t_.coarse.least);
+        const std::uint32_t least = LaneLimit(t_.plan.coarse.least);
         std::uint32_t unknown = 0;
         for (int i = 0; i < kLanes; ++i) {
             const bool wanted = bound[i] == 0 && (near >> i & 1);
@@ -270,8 +270,9 @@ class Pass {
             unknown |= static_cast<std::uint32_t>(wanted);
         }
         if (unknown == 0) return;
-        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz), t_.coarse.loads.data(),
-                 t_.coarse.batches.data(), t_.coarse.batches.size(), LaneLimit(most_), sums);
+        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
+                 t_.plan.coarse.loads.data(), t_.plan.coarse.batches.data(), t_.plan.coarse.batches.size(),
+                 LaneLimit(most_), sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
         }
@@ -343,12 +344,12 @@ class Pass {
     /// Look-ups from batch `begin` on, as long as they are few beside the loads of weighing what they leave: of that
     /// most is free and too far off, and rho decides sooner. Returns the first batch that was not made.
     std::size_t SiftFurther(std::size_t begin, int bx, int by, int z, std::uint64_t* free) const {
-        const std::vector<LookupPlan::Batch>& batches = t_.collision.of_positions.batches;
+        const std::vector<LookupPlan::Batch>& batches = t_.plan.collision.of_positions.batches;
         std::int64_t made = 0;
         for (std::size_t b = begin; b < batches.size(); ++b) {
             const std::int64_t sums = HalfRows(free);
             if (sums == 0) break;
-            if (b >= kSiftBatches && 4 * made > sums * static_cast<std::int64_t>(t_.exact.loads.size())) return b;
+            if (b >= kSiftBatches && 4 * made > sums * static_cast<std::int64_t>(t_.plan.exact.loads.size())) return b;
             Block(b, b + 1, bx, by, z, free);
             made += batches[b].lookups;
         }
@@ -371,7 +372,7 @@ class Pass {
                 const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
         std::copy_n(close, kBrickY, left);
-        Block(begin, t_.collision.of_positions.batches.size(), bx, by, z, left);
+        Block(begin, t_.plan.collision.of_positions.batches.size(), bx, by, z, left);
         found_.clear();
         for (int y = 0; y < kBrickY; ++y) {
             free[y] &= left[y] | ~close[y];
@@ -398,12 +399,12 @@ class Pass {
     /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks.
     std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums,
                         std::uint32_t* bound) {
-        const std::uint32_t least_sum = LaneLimit(t_.exact.least);
+        const std::uint32_t least_sum = LaneLimit(t_.plan.exact.least);
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
-        SumLanes(context_.tables.sums().base(x, y, z), t_.exact.loads.data(), t_.exact.batches.data(),
-                 t_.exact.batches.size(), LaneLimit(limit), sums);
+        SumLanes(context_.tables.sums().base(x, y, z), t_.plan.exact.loads.data(), t_.plan.exact.batches.data(),
+                 t_.plan.exact.batches.size(), LaneLimit(limit), sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
@@ -446,15 +447,12 @@ namespace spectralpack {
 
 HWY_EXPORT(SearchLayers);
 
-OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs, int index,
-                          const OrientedShape& shape, const Admits& admits) {
-    const TrayTables& tables = context.tables;
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
+                          const OrientationPlan& plan, int index, const OrientedShape& shape, const Admits& admits) {
     return {context,
             state,
             runs.solid,
-            plan_collision(runs, tables),
-            plan_sum(runs, tables.sums(), tables.phi().most()),
-            plan_sum(runs, tables.coarse(), tables.most_pooled()),
+            plan,
             runs.cells,
             runs.fine_cells,
             index,

@@ -25,16 +25,15 @@ struct OrientationTask {
     SearchContext& context;
     PositionState& state;
     const Runs& solid;
-    CollisionPlan collision;
-    SumPlan exact, coarse;
+    const OrientationPlan& plan;
     const CellPlan &cells, &fine_cells;
     int index = 0;                   ///< in Shape::orientations
     int layers = 0;                  ///< the solid's extent along z
     const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate
 };
 
-OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs, int index,
-                          const OrientedShape& shape, const Admits& admits);
+OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
+                          const OrientationPlan& plan, int index, const OrientedShape& shape, const Admits& admits);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

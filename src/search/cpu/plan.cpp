@@ -171,6 +171,11 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     return result;
 }
 
+template <class T>
+std::int64_t bytes_of(const std::vector<T>& list) {
+    return static_cast<std::int64_t>(list.capacity() * sizeof(T));
+}
+
 }  // namespace
 
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables) {
@@ -367,6 +372,31 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
         }
     }
     return plan;
+}
+
+OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables) {
+    return {plan_collision(runs, tables), plan_sum(runs, tables.sums(), tables.phi().most()),
+            plan_sum(runs, tables.coarse(), tables.most_pooled())};
+}
+
+std::int64_t bytes_of(const OrientationRuns& runs) {
+    std::int64_t bytes = bytes_of(runs.solid.runs) + bytes_of(runs.least) + bytes_of(runs.walled) +
+                         bytes_of(runs.cells.cells) + bytes_of(runs.fine_cells.cells);
+    for (const OrientationRuns::Widened& wide : runs.widened) {
+        bytes += bytes_of(wide.pieces) + bytes_of(wide.core);
+    }
+    return bytes;
+}
+
+std::int64_t bytes_of(const OrientationPlan& plan) {
+    std::int64_t bytes = 0;
+    for (const LookupPlan* lookups : {&plan.collision.of_positions, &plan.collision.of_blocks}) {
+        bytes += bytes_of(lookups->offsets) + bytes_of(lookups->groups) + bytes_of(lookups->batches);
+    }
+    for (const SumPlan* sums : {&plan.exact, &plan.coarse}) {
+        bytes += bytes_of(sums->loads) + bytes_of(sums->batches);
+    }
+    return bytes;
 }
 
 }  // namespace spectralpack

@@ -103,4 +103,16 @@ struct SumPlan {
 /// so that no batch's sum can reach 65536 with values <= most.
 SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most);
 
+/// All that an orientation asks of the tables of a tray. It holds until they start afresh or objects of a class come
+/// in of which there were none.
+struct OrientationPlan {
+    CollisionPlan collision;
+    SumPlan exact, coarse;
+};
+OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables);
+
+/// Of what they hold in lists, about.
+std::int64_t bytes_of(const OrientationRuns& runs);
+std::int64_t bytes_of(const OrientationPlan& plan);
+
 }  // namespace spectralpack

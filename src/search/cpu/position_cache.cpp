@@ -160,6 +160,15 @@ void PositionCache::forget_all() {
     bytes_ = 0;
 }
 
+void PositionCache::count(Entry& entry) {
+    bytes_ -= entry.bytes;
+    entry.bytes = entry.state_bytes;
+    for (std::size_t i = 0; i < entry.runs.size(); ++i) {
+        entry.bytes += bytes_of(entry.runs[i]) + bytes_of(entry.plans[i]);
+    }
+    bytes_ += entry.bytes;
+}
+
 PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
@@ -184,8 +193,9 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
         counts.push_back(tray.candidates(oriented.size));
-        fresh.bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back());
+        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back());
     }
+    fresh.bytes = fresh.state_bytes;
     make_room(fresh.bytes);
     for (const Extent& count : counts) {
         PositionState state;
@@ -197,6 +207,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         fresh.states.push_back(std::move(state));
     }
     fresh.runs.resize(fresh.states.size());
+    fresh.plans.resize(fresh.states.size());
     fresh.version = tables.version();
     fresh.last_use = uses_;
     bytes_ += fresh.bytes;

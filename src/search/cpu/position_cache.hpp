@@ -97,10 +97,12 @@ class PositionCache {
     explicit PositionCache(std::int64_t budget) : budget_(budget) {}
 
     struct Entry {
-        std::vector<PositionState> states;  ///< by orientation of the shape
-        std::vector<OrientationRuns> runs;  ///< likewise; made when first needed
-        std::uint64_t version = 0;          ///< of the tables the bounds belong to
-        std::int64_t bytes = 0;
+        std::vector<PositionState> states;   ///< by orientation of the shape
+        std::vector<OrientationRuns> runs;   ///< likewise; made when first needed
+        std::vector<OrientationPlan> plans;  ///< likewise
+        int planned_classes = 0;             ///< that had objects then
+        std::uint64_t version = 0;           ///< of the tables the bounds belong to
+        std::int64_t state_bytes = 0, bytes = 0;
         std::int64_t hits = 0;
         std::uint64_t last_use = 0;
     };
@@ -108,6 +110,9 @@ class PositionCache {
     /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays
     /// until the next call.
     Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables);
+
+    /// Counts the runs and plans that were made for an entry. It may be over the budget until the next call of at().
+    void count(Entry& entry);
 
     std::int64_t bytes() const { return bytes_; }
 

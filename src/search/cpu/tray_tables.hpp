@@ -3,6 +3,7 @@
 /// phi, its prefix sums and block minima. Follows one tray at a time; a different one, or a wider margin, starts
 /// afresh.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,7 @@ class TrayTables {
 
     /// True when objects of the class stand in the tray.
     bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
+    int occupied_classes() const { return static_cast<int>(std::ranges::count(class_used_, true)); }
     /// True when the container mask or a keep-out holds anything.
     bool walls() const { return walls_; }
     /// Layers of bits(): the gap class's objects in voxels of dx / s; in voxels of dx (with s > 1); the walls.
