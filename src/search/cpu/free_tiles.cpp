@@ -18,10 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Sets in `blocked` the positions of a tile, whose corner is position (64 word, y, z), that some look finds to
 /// collide. True when it ended early because all that is `wanted` collides.
-bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>& layers, int words, int word, int y,
-               int z, const std::uint64_t* wanted, std::uint64_t* blocked) {
+bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int words, int word, int y, int z,
+               const std::uint64_t* wanted, std::uint64_t* blocked) {
     constexpr int kRows = FreeTileReader::kRows;
-    constexpr std::size_t kLooksPerCheck = 4;
+    constexpr std::size_t kSpreadPerCheck = 4, kLooksPerCheck = 16;
     const hn::CappedTag<std::uint64_t, kRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
     constexpr std::size_t kVectors = kRows / kStep;
@@ -29,18 +29,17 @@ bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>&
     for (std::size_t v = 0; v < kVectors; ++v) {
         known[v] = hn::LoadU(d, blocked + v * kStep);
     }
-    bool all = false;
-    const auto layer_count = static_cast<unsigned>(layers.size()), columns = static_cast<unsigned>(words + 1);
-    const std::size_t count = looks.size();
-    for (std::size_t i = 0; i < count && !all; ++i) {
-        const TileLook& look = looks[i];
+    const auto columns = static_cast<unsigned>(words + 1);
+    const auto layer_at = [&](int look_z) -> const TileLayer* {
+        const auto at = static_cast<unsigned>(z + look_z);  // below 0 is beyond all, too
+        return at < layers.size() ? &layers[at] : nullptr;
+    };
+    const auto take = [&](const TileLook& look, const TileLayer& layer) {
         const int at_y = y + look.y, at_word = word + look.word;
-        const auto at_z = static_cast<unsigned>(z + look.z);  // below 0 is beyond all, too
-        if (at_z >= layer_count || static_cast<unsigned>(at_word + 1) >= columns) continue;
-        const TileLayer& layer = layers[at_z];
+        if (static_cast<unsigned>(at_word + 1) >= columns) return;
         const DilatedRows* rows = layer.all;
         if (at_y < layer.end && at_y + kRows > layer.begin) rows = layer.without;
-        if (at_y >= rows->end || at_y + kRows <= rows->begin) continue;
+        if (at_y >= rows->end || at_y + kRows <= rows->begin) return;
         const std::uint64_t* low = rows->first + (look.table + at_word) * rows->stride + at_y;
         if (look.shift == 0) {
             for (std::size_t v = 0; v < kVectors; ++v) {
@@ -53,17 +52,40 @@ bool BlockTile(const std::vector<TileLook>& looks, const std::vector<TileLayer>&
                                    hn::ShiftLeftSame(hn::LoadU(d, high + v * kStep), 64 - look.shift));
             }
         }
-        if (i % kLooksPerCheck != 0) continue;
-        all = true;
+    };
+    const auto all_collide = [&] {
+        bool all = true;
         for (std::size_t v = 0; v < kVectors; ++v) {
             const auto open = hn::AndNot(known[v], hn::LoadU(d, wanted + v * kStep));
             all = all && hn::AllTrue(d, hn::Eq(open, hn::Zero(d)));
         }
-    }
+        return all;
+    };
+    const auto block = [&] {
+        for (std::size_t i = 0; i < looks.spread.size(); ++i) {
+            const TileLook& look = looks.spread[i];
+            if (const TileLayer* layer = layer_at(look.z)) take(look, *layer);
+            if (i % kSpreadPerCheck == 0 && all_collide()) return true;
+        }
+        std::size_t i = 0;
+        for (const TileLooks::Layer& of : looks.layers) {
+            const TileLayer* layer = layer_at(of.z);
+            if (!layer) {
+                i = of.end;
+                continue;
+            }
+            for (; i < of.end; ++i) {
+                take(looks.others[i], *layer);
+                if (i % kLooksPerCheck == 0 && all_collide()) return true;
+            }
+        }
+        return false;
+    };
+    const bool early = block();
     for (std::size_t v = 0; v < kVectors; ++v) {
         hn::StoreU(known[v], d, blocked + v * kStep);
     }
-    return all;
+    return early;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -75,6 +97,9 @@ namespace spectralpack {
 namespace {
 
 HWY_EXPORT(BlockTile);
+
+// Looks that are spread over the solid: they decide most tiles. The others go on in the order of memory.
+constexpr std::size_t kSpread = 64;
 
 /// A stride that visits 0 .. n - 1 in jumps of about the golden section, so that any first part is spread over all.
 std::size_t spreading_stride(std::size_t n) {
@@ -110,11 +135,11 @@ FreeTiles::FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, co
     without_.resize(static_cast<std::size_t>(around_.hi.z - around_.lo.z));
 }
 
-std::vector<TileLook> FreeTiles::looks_for(const BitGrid& voxels) const {
+TileLooks FreeTiles::looks_for(const BitGrid& voxels) const {
     constexpr int kLevels = DilatedRows::kLevels;
     constexpr int kLongest = 2 << (kLevels - 1);
     const int columns = shared_->columns();
-    std::vector<std::array<TileLook, 2>> looks;  // of a run, at its ends
+    std::vector<std::array<TileLook, 2>> all;  // of a run, at its ends; by z and y
     for (const Run& run : runs_along(voxels, 0).runs) {
         for (int done = 0; done < run.length; done += kLongest) {
             const int length = std::min(kLongest, run.length - done);
@@ -124,18 +149,30 @@ std::vector<TileLook> FreeTiles::looks_for(const BitGrid& voxels) const {
                 return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level * columns + 1, bit >> 6,
                                 bit & 63};
             };
-            looks.push_back({look(begin), look(begin + length - (1 << level))});
+            all.push_back({look(begin), look(begin + length - (1 << level))});
         }
     }
-    const std::size_t stride = spreading_stride(looks.size());
-    std::vector<TileLook> spread;
-    spread.reserve(2 * looks.size());
-    for (std::size_t i = 0, at = 0; i < looks.size(); ++i, at = (at + stride) % looks.size()) {
-        const auto& [begin, end] = looks[at];
-        spread.push_back(begin);
-        if (end.word != begin.word || end.shift != begin.shift) spread.push_back(end);
+    const auto append = [](std::vector<TileLook>& looks, const std::array<TileLook, 2>& ends) {
+        const auto& [begin, end] = ends;
+        looks.push_back(begin);
+        if (end.word != begin.word || end.shift != begin.shift) looks.push_back(end);
+    };
+    TileLooks looks;
+    std::vector<bool> taken(all.size(), false);
+    const std::size_t stride = spreading_stride(all.size());
+    for (std::size_t i = 0, at = 0; i < std::min(all.size(), kSpread); ++i, at = (at + stride) % all.size()) {
+        append(looks.spread, all[at]);
+        taken[at] = true;
     }
-    return spread;
+    looks.others.reserve(2 * all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (taken[i]) continue;
+        const int z = all[i][0].z;
+        if (looks.layers.empty() || looks.layers.back().z != z) looks.layers.push_back({z, 0});
+        append(looks.others, all[i]);
+        looks.layers.back().end = looks.others.size();
+    }
+    return looks;
 }
 
 /// Those of layers begin .. end - 1 that lie in the tray.
@@ -161,7 +198,7 @@ FreeTileReader::Told FreeTiles::tell(int i, int j, int z, const Rows& wanted) {
     Rows blocked;
     blocked.fill(~std::uint64_t{0});
     std::fill_n(blocked.begin(), rows, bits == 64 ? 0 : ~std::uint64_t{0} << bits);
-    if (looks_.empty()) looks_ = looks_for(*solid_);
+    if (looks_.spread.empty()) looks_ = looks_for(*solid_);
     make_layers(z + origin_.z, z + origin_.z + solid_->extent().z);
     const bool early =
         HWY_DYNAMIC_DISPATCH(BlockTile)(looks_, layers_, shared_->words(), i, y, z, wanted.data(), blocked.data());

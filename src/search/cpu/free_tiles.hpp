@@ -20,6 +20,16 @@ struct TileLook {
     int shift = 0;     ///< of the first bit in it
 };
 
+/// Of a shape: some looks that are spread over it, which decide most tiles, and the others in the order of memory.
+struct TileLooks {
+    struct Layer {
+        int z = 0;            ///< of the looks up to `end`, from the position's
+        std::size_t end = 0;  ///< into `others`
+    };
+    std::vector<TileLook> spread, others;
+    std::vector<Layer> layers;  ///< of the others
+};
+
 /// A look at a layer: the tray's rows, but for those that an object which is out has something in.
 struct TileLayer {
     const DilatedRows* all = nullptr;
@@ -29,9 +39,8 @@ struct TileLayer {
 };
 
 /// A run of 2^k voxels or more, up to twice as many, is two look-ups in the tray's layers dilated by 2^k, for eight
-/// rows of positions at once. They are made in an order that spreads over the solid and end as soon as all that is
-/// wanted is known to collide: in a full tray most tiles take a few of them. A walk that asks about one position of a
-/// tile soon asks about most of its rows.
+/// rows of positions at once. They end as soon as all that is wanted is known to collide: in a full tray most tiles
+/// take a few of them. A walk that asks about one position of a tile soon asks about most of its rows.
 class FreeTiles final : public FreeTileReader {
   public:
     /// Positions origin + (x, y, z) with 0 <= (x, y, z) < extent; origin = -(a - 1) - padding per axis, extent
@@ -52,7 +61,7 @@ class FreeTiles final : public FreeTileReader {
         DilatedRows rows;
     };
 
-    std::vector<TileLook> looks_for(const BitGrid& voxels) const;
+    TileLooks looks_for(const BitGrid& voxels) const;
     void make_layers(int begin, int end);
 
     const Tray& tray_;
@@ -60,7 +69,7 @@ class FreeTiles final : public FreeTileReader {
     VoxelIndex origin_;
     Extent extent_;
     std::shared_ptr<const BitGrid> solid_;
-    std::vector<TileLook> looks_;    // empty: not yet made. Many readers are made of whom few are asked
+    TileLooks looks_;                // empty: not yet made. Many readers are made of whom few are asked
     std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
     VoxelBox around_;               // of the object that is out, and rows beside it that are read together; empty: none
     BitGrid voxels_without_;        // Omega_move in that box
