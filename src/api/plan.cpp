@@ -200,8 +200,7 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers) + companies_memory(need.ways, plan);
     if (options.interlock != Interlock::off) bytes += ReachableSearch::kept_in(need.ways);
     if (options.interlock == Interlock::post && options.links == Links::avoid) {
-        const std::int64_t voxels = grid.count() * part_count(options.detail);
-        bytes += std::min(UnlinkedSearch::kKept, voxels) + std::min(UnlinkedSearch::kKeptOfShape, voxels);
+        bytes += UnlinkedSearch::kept_in(grid.count() * part_count(options.detail)).all();
     }
     if (options.verify_with) {
         bytes += engine_memory(resolve_engine(options.verify_with->engine), need, workers);

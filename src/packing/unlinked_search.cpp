@@ -118,7 +118,7 @@ class UnlinkedSearch::Asking {
             known_.ways_bytes += ways->bytes;
         }
         const bool way = ways->region.contains(from);
-        if (known_.ways_bytes > kKeptOfShape) {
+        if (known_.ways_bytes > owner_.kept_.walks) {
             known_.ways_bytes -= std::exchange(moving.bytes, 0);
             moving.past.clear();
         }
@@ -151,7 +151,8 @@ UnlinkedSearch::~UnlinkedSearch() = default;
 SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                             const StopToken& stop) {
     const bool another = followed_ != tray.instance();
-    if (another || outlines_bytes_ > kKept) {
+    if (another) kept_ = kept_in(tray.extent().count() * part_count(tray.detail()));
+    if (another || outlines_bytes_ > kept_.outlines) {
         followed_ = tray.instance();
         outlines_.clear();
         outlines_bytes_ = 0;

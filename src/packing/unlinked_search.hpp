@@ -9,6 +9,7 @@
 /// meet b, all in the voxels that collisions are decided on (dx / s). The best unlinked placement is the best placement
 /// (conventions.md) among the candidates that are also unlinked.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -35,14 +36,23 @@ class UnlinkedSearch final : public ForwardingSearch {
                                 const StopToken& stop) override;
     std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
 
-    /// Bytes that are kept at most of what may be asked again: of outlines, and of one shape's walks.
-    static constexpr std::int64_t kKept = std::int64_t{64} << 20, kKeptOfShape = std::int64_t{192} << 20;
+    /// Bytes of what is kept at most because it may be asked again, in a tray of so many voxels that collisions are
+    /// decided on: outlines, and one shape's walks.
+    struct Kept {
+        std::int64_t outlines, walks;
+        std::int64_t all() const { return outlines + walks; }
+    };
+    static Kept kept_in(std::int64_t voxels) {
+        constexpr std::int64_t kOutlines = std::int64_t{64} << 20, kWalks = std::int64_t{192} << 20;
+        return {std::min(kOutlines, voxels), std::min(kWalks, 4 * voxels)};
+    }
 
   private:
     struct Known;
     class Asking;
 
     std::uint64_t followed_ = 0;             // the tray whose objects these are
+    Kept kept_{};                            // in that
     std::map<ObjectId, Outlines> outlines_;  // of those that have been asked for
     std::int64_t outlines_bytes_ = 0;
     std::unique_ptr<Known> known_;  // of that tray's objects and the shape asked about last
