@@ -188,6 +188,10 @@ std::int64_t companies_memory(const Extent& ways, const Plan& plan) {
     return sets * (ways.count() / 8) + Outlines::bytes_for(ways);
 }
 
+bool keeps_links(const PackOptions& options) {
+    return options.interlock == Interlock::post && options.links == Links::avoid;
+}
+
 /// Bytes of the engines in such a grid, and of what they are asked about there, without caches.
 std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, const PackOptions& options,
                             const Workers& workers) {
@@ -199,7 +203,7 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers) + companies_memory(need.ways, plan);
     if (options.interlock != Interlock::off) bytes += ReachableSearch::kept_in(need.ways);
-    if (options.interlock == Interlock::post && options.links == Links::avoid) {
+    if (keeps_links(options)) {
         bytes += UnlinkedSearch::kept_in(grid.count() * part_count(options.detail)).all();
     }
     if (options.verify_with) {
@@ -411,8 +415,11 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.memory += engines(plan.grid.z);
     plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;
     if (options.memory == 0) {
+        // Where what links take is kept as well, the maps of the part asked about last will do, which engines keep in
+        // any case: its copies come one after the other, but in a fill.
+        const double per_voxel = keeps_links(options) && !options.fill ? 0 : kCacheUnasked;
         const double wanted =
-            kCacheUnasked * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
+            per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
     const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * plan.cache;

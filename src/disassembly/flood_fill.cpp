@@ -21,13 +21,11 @@ FloodFill::FloodFill(FreeTileReader& tiles, const Extent& solid, const VoxelBox&
       stop_(std::move(stop)) {}
 
 FloodFill::Tile& FloodFill::tile(const VoxelIndex& at) {
-    std::unique_ptr<Tile>& tile = known_.at(at.x / 64, at.y, at.z);
-    if (!tile) {
+    return known_.at(at.x / 64, at.y, at.z, [&] {
         FreeTileReader::Rows all;
         all.fill(~std::uint64_t{0});
-        tile = std::make_unique<Tile>(Tile{tiles_.tell(at.x / 64, at.y / kRows, at.z, all).free});
-    }
-    return *tile;
+        return Tile{tiles_.tell(at.x / 64, at.y / kRows, at.z, all).free};
+    });
 }
 
 int FloodFill::to_go(const VoxelIndex& at) const {

@@ -30,12 +30,7 @@ ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, con
       straight_out_(std::move(straight_out)) {}
 
 ReachableRegion::Place ReachableRegion::place(int i, int y, int z) {
-    std::unique_ptr<Tile>& tile = known_.at(i, y, z);
-    if (!tile) {
-        tile = std::make_unique<Tile>(Tile{i, y / kRows * kRows, z});
-        ++tiles_made_;
-    }
-    return {tile.get(), y};
+    return {&known_.at(i, y, z, [&] { return Tile{i, y / kRows * kRows, z}; }), y};
 }
 
 /// Steps at least along y or z; 0 is outside.

@@ -37,7 +37,7 @@ class ReachableRegion {
     const VoxelBox& visited_box() const { return visited_box_; }
 
     /// What is remembered takes.
-    std::int64_t bytes() const { return tiles_made_ * static_cast<std::int64_t>(sizeof(Tile)); }
+    std::int64_t bytes() const { return known_.bytes(); }
 
   private:
     /// What is known of 64 positions. Of the visited, those that are no longer called free have no way; the others have
@@ -78,7 +78,6 @@ class ReachableRegion {
     Extent solid_;
     VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
-    std::int64_t tiles_made_ = 0;
     StopToken stop_;
     StraightOut straight_out_;
     VoxelBox visited_box_;

@@ -41,11 +41,11 @@ struct Ways {
     bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop,
                   Room& room) {
         if (!outlines) outlines.emplace(*solid);
+        const std::int64_t before = region ? region->bytes() : 0;
         if (!region) {
             region.emplace(*tiles, solid->extent(), whole(around), stop,
                            [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); });
         }
-        const std::int64_t before = region->bytes();
         const bool way = region->contains(from);
         if (!room.grow(before, region->bytes())) {
             room.forget(region->bytes());
@@ -62,6 +62,12 @@ struct Known {
 };
 
 }  // namespace
+
+void ReachableSearch::forget() {
+    finest_.reset();
+    outlines_.reset();
+    engine_.forget();
+}
 
 SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                              const StopToken& stop) {

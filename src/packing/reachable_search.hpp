@@ -41,6 +41,7 @@ class ReachableSearch : public ForwardingSearch {
     /// engine searches, so that each position is visited once at most as long as there is room.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
+    void forget() override;
 
   private:
     /// The tray in the voxels that collisions are decided on: itself, or a copy of it in those, with the walls, that

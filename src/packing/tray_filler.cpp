@@ -108,6 +108,7 @@ void TrayFiller::fill_one(const TrayItems& wanted, ShapeStore& shapes, const Sto
                                                                    : search_;
     pack(tray, search, settle, limits);
     if (setup_.interlock != Interlock::off) {
+        search.forget();  // planning takes memory of its own
         make_removable(wanted, tray, std::move(fixed), surfaces, shapes, limits, stop, result);
     }
     if (!refinement) return;

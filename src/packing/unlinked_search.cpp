@@ -27,16 +27,24 @@ Tray tray_around(TrayObject object) {
     return tray;
 }
 
+/// Such a tray.
+struct Alone {
+    Tray tray;
+    int counted = -1;  ///< the round in which bytes() were
+
+    explicit Alone(TrayObject object) : tray(tray_around(std::move(object))) {}
+
+    /// Of what readers share, about: of 64 voxels they keep one or two words in each of seven tables.
+    std::int64_t bytes() const { return 2 * tray.extent().count(); }
+};
+
 /// Where one orientation's voxels can be moved to past one object.
 struct Ways {
     std::unique_ptr<FreeTileReader> tiles;
     ReachableRegion region;
-    std::int64_t bytes;  // about: a reader keeps nearly a byte for each voxel of the object's box, a walk little
 
     Ways(std::unique_ptr<FreeTileReader> reader, const Extent& solid, const Extent& around, const StopToken& stop)
-        : tiles(std::move(reader)),
-          region(*tiles, solid, whole(around), stop),
-          bytes(around.count() + tiles->extent().count() / 16) {}
+        : tiles(std::move(reader)), region(*tiles, solid, whole(around), stop) {}
 };
 
 }  // namespace
@@ -51,15 +59,16 @@ struct UnlinkedSearch::Known {
         std::shared_ptr<const BitGrid> sample;  // of its voxels; null: not asked about so far
         std::unique_ptr<const Outlines> outlines;
         std::map<ObjectId, std::unique_ptr<Ways>> past;
-        std::int64_t bytes = 0;  // of them
+        int round = 0;  // in which they were made
     };
 
     explicit Known(const Shape& of) : shape(of.id), moving(of.orientations.size()) {}
 
     std::uint64_t shape;
-    std::map<ObjectId, Tray> alone;  // as long as readers of them
-    std::vector<Moving> moving;      // by orientation
-    std::atomic<std::int64_t> ways_bytes = 0;
+    std::map<ObjectId, Alone> alone;      // as long as readers of them
+    std::vector<Moving> moving;           // by orientation
+    std::atomic<std::int64_t> bytes = 0;  // of ways and of what readers share
+    std::atomic<int> round = 0;           // when there are too many of them, all ways of earlier rounds are forgotten
 };
 
 /// One search: asked by several threads.
@@ -111,16 +120,18 @@ class UnlinkedSearch::Asking {
     }
 
     bool way_past(ObjectId id, Moving& moving, const VoxelIndex& from) {
-        std::unique_ptr<Ways>& ways = moving.past[id];
-        if (!ways) {
-            ways = make_ways(id, moving);
-            moving.bytes += ways->bytes;
-            known_.ways_bytes += ways->bytes;
-        }
-        const bool way = ways->region.contains(from);
-        if (known_.ways_bytes > owner_.kept_.walks) {
-            known_.ways_bytes -= std::exchange(moving.bytes, 0);
+        if (moving.round != known_.round) {
+            moving.round = known_.round;
             moving.past.clear();
+        }
+        std::unique_ptr<Ways>& ways = moving.past[id];
+        const std::int64_t before = ways ? ways->region.bytes() : 0;
+        if (!ways) ways = make_ways(id, moving);
+        const bool way = ways->region.contains(from);
+        known_.bytes += ways->region.bytes() - before;
+        if (known_.bytes > owner_.kept_.walks) {
+            known_.bytes = 0;
+            ++known_.round;
         }
         return way;
     }
@@ -129,10 +140,11 @@ class UnlinkedSearch::Asking {
         const std::lock_guard lock(making_);
         auto alone = known_.alone.find(id);
         if (alone == known_.alone.end()) {
-            alone = known_.alone.emplace(id, tray_around(on_finest(tray_.object(id)))).first;
+            alone = known_.alone.emplace(id, on_finest(tray_.object(id))).first;
         }
-        const Tray& around = alone->second;
-        return std::make_unique<Ways>(owner_.engine_.free_tiles(around, moving.sample, {.once = true}),
+        if (std::exchange(alone->second.counted, moving.round) != moving.round) known_.bytes += alone->second.bytes();
+        const Tray& around = alone->second.tray;
+        return std::make_unique<Ways>(owner_.engine_.free_tiles(around, moving.sample, {.for_readers = true}),
                                       moving.sample->extent(), around.extent(), stop_);
     }
 
@@ -147,6 +159,13 @@ class UnlinkedSearch::Asking {
 
 UnlinkedSearch::UnlinkedSearch(PlacementSearch& engine) : ForwardingSearch(engine) {}
 UnlinkedSearch::~UnlinkedSearch() = default;
+
+void UnlinkedSearch::forget() {
+    outlines_.clear();
+    outlines_bytes_ = 0;
+    known_.reset();
+    engine_.forget();
+}
 
 SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                             const StopToken& stop) {

@@ -35,6 +35,7 @@ class UnlinkedSearch final : public ForwardingSearch {
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
+    void forget() override;
 
     /// Bytes of what is kept at most because it may be asked again, in a tray of so many voxels that collisions are
     /// decided on: outlines, and one shape's walks.
@@ -43,8 +44,8 @@ class UnlinkedSearch final : public ForwardingSearch {
         std::int64_t all() const { return outlines + walks; }
     };
     static Kept kept_in(std::int64_t voxels) {
-        constexpr std::int64_t kOutlines = std::int64_t{64} << 20, kWalks = std::int64_t{192} << 20;
-        return {std::min(kOutlines, voxels), std::min(kWalks, 4 * voxels)};
+        constexpr std::int64_t kMost = std::int64_t{64} << 20;
+        return {std::min(kMost, voxels / 2), std::min(kMost, voxels)};
     }
 
   private:

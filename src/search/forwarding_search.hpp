@@ -28,6 +28,7 @@ class ForwardingSearch : public PlacementSearch {
     }
     const char* name() const override { return engine_.name(); }
     std::int64_t memory() const override { return engine_.memory(); }
+    void forget() override { engine_.forget(); }
 
   protected:
     PlacementSearch& engine_;

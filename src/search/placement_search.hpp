@@ -53,7 +53,9 @@ struct FreeQuery {
     /// Extra positions on every side beyond those whose voxels can overlap the grid; at least 1, so
     /// that the outermost positions are wholly outside it.
     int padding = 1;
-    bool once = false;  ///< of free_tiles(): nobody else is going to ask about this tray, so nothing need be kept of it
+    /// Of free_tiles(): what is worked out of the tray for all that ask about it goes with the last of the readers that
+    /// were made so. For many small trays.
+    bool for_readers = false;
 };
 
 /// Free positions by tiles of 64 along x (bits of a word) and 8 along y, for who needs few of them: what
@@ -98,6 +100,9 @@ class PlacementSearch {
 
     /// Bytes the engine holds now.
     virtual std::int64_t memory() const = 0;
+
+    /// Gives back the memory of all that is kept to answer sooner: the next answers take longer, and are the same.
+    virtual void forget() {}
 };
 
 }  // namespace spectralpack

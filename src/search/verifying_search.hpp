@@ -31,6 +31,10 @@ class VerifyingSearch final : public PlacementSearch {
                                                const FreeQuery& query) override;
     const char* name() const override { return engine_->name(); }
     std::int64_t memory() const override { return engine_->memory() + oracle_->memory(); }
+    void forget() override {
+        engine_->forget();
+        oracle_->forget();
+    }
 
     std::int64_t verified() const { return verified_; }  ///< answers compared so far, all of them equal
 

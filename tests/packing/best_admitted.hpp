@@ -29,6 +29,7 @@ void expect_the_best_of_the_admitted(const SceneLimits& limits, std::uint64_t sc
                 if (answer.best && one_in(random, 2)) place(scene, shape, answer.best->index, answer.best->position);
             }
             if (one_in(random, 2)) random_change(scene, random);
+            if (one_in(random, 6)) search.forget();
         }
     }
     EXPECT_GT(answers, 100);

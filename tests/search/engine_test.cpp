@@ -234,6 +234,7 @@ TEST_P(EngineTest, TellsFreePositionsInTilesOfAnyVoxels) {
             FreeQuery query;
             query.padding = between(random, 1, 3);
             if (!scene.present.empty()) query.without = scene.present[random.below(scene.present.size())];
+            query.for_readers = one_in(random, 2);
             const auto tiles = engine->free_tiles(scene.tray, shape.orientations.front().solid, query);
             const FreePositions all = engine->free_positions(scene.tray, shape, 0, query);
             ASSERT_EQ(tiles->origin(), all.origin);
@@ -509,6 +510,50 @@ TEST_P(EngineTest, HoldsMemoryOnceItHasWorked) {
     EXPECT_GE(engine->memory(), 0);
     engine->best_placement(tray, one_box(1, {3, 2, 2}), {}, {});
     EXPECT_GT(engine->memory(), 30 * 20 * 10 / 8);
+}
+
+TEST_P(EngineTest, GivesMemoryBackAndAnswersAsBefore) {
+    const auto engine = make_engine();
+    RandomStream random(5);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        Scene scene = random_scene(random, {}, 1 + 100 * seed);
+        for (const Shape& shape : scene.shapes) {
+            const CostModel model = random_model(random);
+            const SearchResult before = engine->best_placement(scene.tray, shape, model, {});
+            const FreePositions free = engine->free_positions(scene.tray, shape, 0, {});
+            const std::int64_t held = engine->memory();
+            engine->forget();
+            EXPECT_LE(engine->memory(), held);
+            EXPECT_EQ(engine->best_placement(scene.tray, shape, model, {}).best, before.best);
+            EXPECT_EQ(engine->free_positions(scene.tray, shape, 0, {}).free, free.free);
+        }
+    }
+}
+
+TEST_P(EngineTest, ReadersThatShareATrayReadItAsItIs) {
+    Tray tray(box_tray({8, 4, 4}));
+    const auto engine = make_engine();
+    const auto voxel = full_box({1, 1, 1});
+    const auto free_in_tray = [&](FreeTileReader& reader) {
+        FreeTileReader::Rows all;
+        all.fill(~std::uint64_t{0});
+        int count = 0;
+        for (int z = 1; z <= 4; ++z) {
+            const FreeTileReader::Told told = reader.tell(0, 0, z, all);
+            for (int y = 1; y <= 4; ++y) {
+                count += std::popcount(told.free[static_cast<std::size_t>(y)] & std::uint64_t{0x1FE});
+            }
+        }
+        return count;
+    };
+    const auto first = engine->free_tiles(tray, voxel, {.for_readers = true});
+    const auto second = engine->free_tiles(tray, voxel, {.for_readers = true});
+    EXPECT_EQ(free_in_tray(*first), 8 * 4 * 4);
+    EXPECT_EQ(free_in_tray(*second), 8 * 4 * 4);
+    tray.add({full_box({2, 1, 1}), {3, 2, 1}, 0, false});
+    const auto third =
+        engine->free_tiles(tray, voxel, {.for_readers = true});  // the others live, and are not to be asked
+    EXPECT_EQ(free_in_tray(*third), 8 * 4 * 4 - 2);
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(EngineTest);

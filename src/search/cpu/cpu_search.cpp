@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,7 +30,7 @@ std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
-        : workers_(workers), tables_(options.crowd_from), positions_(options.cache_memory) {}
+        : options_(options), workers_(workers), tables_(options.crowd_from), positions_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
@@ -135,7 +136,7 @@ class CpuSearch final : public PlacementSearch {
 
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                                const FreeQuery& query) override {
-        std::shared_ptr<DilatedLayers> layers = query.once ? std::make_shared<DilatedLayers>(tray) : dilated(tray);
+        std::shared_ptr<DilatedLayers> layers = query.for_readers ? dilated_for_readers(tray) : dilated(tray);
         return std::make_unique<FreeTiles>(tray, std::move(layers), query, std::move(solid));
     }
 
@@ -146,6 +147,11 @@ class CpuSearch final : public PlacementSearch {
             bytes += layers->bytes();
         }
         return bytes;
+    }
+    void forget() override {
+        tables_ = TrayTables(options_.crowd_from);
+        positions_ = PositionCache(options_.cache_memory);
+        dilated_.clear();
     }
 
   private:
@@ -166,6 +172,19 @@ class CpuSearch final : public PlacementSearch {
         return layers;
     }
 
+    /// Those that readers of the tray as it is have, or new ones.
+    std::shared_ptr<DilatedLayers> dilated_for_readers(const Tray& tray) {
+        const auto known = lent_.find(tray.instance());
+        if (known != lent_.end()) {
+            std::shared_ptr<DilatedLayers> layers = known->second.lock();
+            if (layers && layers->version() == tray.version()) return layers;
+        }
+        std::erase_if(lent_, [](const auto& lent) { return lent.second.expired(); });
+        auto layers = std::make_shared<DilatedLayers>(tray);
+        lent_[tray.instance()] = layers;
+        return layers;
+    }
+
     BestPlacement with_neighbours(const Placed& best, const Runs& solid, int layers,
                                   const SearchContext& context) const {
         BestPlacement result{best.index, best.position, best.proximity, best.cost, {}};
@@ -178,10 +197,12 @@ class CpuSearch final : public PlacementSearch {
         return result;
     }
 
+    CpuOptions options_;
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
-    std::vector<std::shared_ptr<DilatedLayers>> dilated_;  // the last used first
+    std::vector<std::shared_ptr<DilatedLayers>> dilated_;         // the last used first
+    std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance
 };
 
 }  // namespace

@@ -43,8 +43,9 @@ class DilatedLayers {
 
     const Extent& extent() const { return extent_; }
     std::uint64_t instance() const { return instance_; }
-    int words() const { return words_; }        ///< of a row's table: bits 0 .. extent.x + kShift - 1
-    int columns() const { return words_ + 2; }  ///< with a zero before and after them
+    std::uint64_t version() const { return version_; }  ///< of the tray that they are of
+    int words() const { return words_; }                ///< of a row's table: bits 0 .. extent.x + kShift - 1
+    int columns() const { return words_ + 2; }          ///< with a zero before and after them
 
     /// Bit X + kShift of table k: something in voxels X .. X + 2^k - 1 of the row. `tray` as it was followed last.
     /// Several threads may ask at once. O(words of the layer) when first asked for.
