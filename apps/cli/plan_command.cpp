@@ -108,6 +108,10 @@ Command add_plan_command(CLI::App& app) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     sub->add_option("--voxel", arguments->settings.voxel,
                     "voxel size of the search for ways out, mm [that of the packing's collisions: voxel / detail]");
+    sub->add_option("--ray-spacing", arguments->settings.ray_spacing,
+                    "mm between the rays that tell which copy is straight in whose way; what they miss, flood fills "
+                    "find [the packing's, or four voxels]")
+        ->check(CLI::PositiveNumber);
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
     sub->add_flag("--json", arguments->json, "print the findings as JSON");

@@ -53,6 +53,7 @@ FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& l
     setup.interlock = options.interlock;
     setup.links = options.links;
     setup.take_out = options.take_out;
+    setup.ray_spacing = options.ray_spacing;
     const auto telling = [&listener](Phase phase) {
         return [&listener, phase](int left, int all) {
             listener.on_progress({phase, all - left, all, 0, static_cast<double>(all - left) / all});

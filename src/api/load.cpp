@@ -210,8 +210,9 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     }
     hash.add(container.physical);
     hash.add(options.tray);
-    for (const double value : {options.voxel, options.wall_gap, options.height_penalty.value_or(-1),
-                               options.max_density.value_or(-1), options.max_layer_fill.value_or(-1)}) {
+    for (const double value :
+         {options.voxel, options.wall_gap, options.height_penalty.value_or(-1), options.max_density.value_or(-1),
+          options.max_layer_fill.value_or(-1), options.ray_spacing.value_or(-1)}) {
         hash.add(value);
     }
     hash.add(options.trays);

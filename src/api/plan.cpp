@@ -38,6 +38,9 @@ constexpr int kMostBeam = 100;
 // Finer ones would be s times finer in each of three directions, for nothing: --voxel is the option to turn then.
 constexpr int kMostDetail = 8;
 
+// Rays to a voxel that collisions are decided on: more of them, squared, tell nothing that floods do not.
+constexpr int kMostRays = 20;
+
 // The program itself, its libraries and threads.
 constexpr std::int64_t kProgramMemory = 32'000'000;
 
@@ -293,6 +296,14 @@ Vec3 tray_size(const PackOptions& options) {
     return size;
 }
 
+void check_ray_spacing(double spacing, double voxel) {
+    if (!(spacing > 0) || !std::isfinite(spacing)) throw UsageError("--ray-spacing must be a positive number");
+    if (spacing * kMostRays < voxel) {
+        throw UsageError("--ray-spacing " + number(spacing) + " is too fine: " + number(voxel / kMostRays) +
+                         " is the least for voxels of " + number(voxel) + " mm");
+    }
+}
+
 void check_options(const PackOptions& options) {
     const auto positive = [](double value, const char* what) {
         if (!(value > 0) || !std::isfinite(value)) {
@@ -327,6 +338,7 @@ void check_options(const PackOptions& options) {
     }
     not_negative(options.gap, "--gap");
     not_negative(options.wall_gap, "--wall-gap");
+    if (options.ray_spacing) check_ray_spacing(*options.ray_spacing, options.voxel / options.detail);
     if (options.height_penalty) not_negative(*options.height_penalty, "--height-penalty");
     if (options.memory < 0) throw UsageError("--memory must be a number of bytes");
     if (options.time_limit) not_negative(*options.time_limit, "--time-limit");

@@ -43,6 +43,9 @@ HeightReference height_reference(const PackOptions& options);
 /// The tray with its z set where it was left open: the container, or with open height its base and reference height.
 Vec3 tray_size(const PackOptions& options);
 
+/// Throws UsageError for rays of no use, too fine ones for voxels of that size among them.
+void check_ray_spacing(double spacing, double voxel);
+
 /// Throws UsageError for options that make no sense or are not built.
 void check_options(const PackOptions& options);
 

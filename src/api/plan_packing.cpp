@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/engine_factory.hpp"
+#include "api/plan.hpp"
 #include "core/error.hpp"
 #include "disassembly/disassembler.hpp"
 #include "packing/interlocking.hpp"
@@ -30,7 +31,7 @@ TraySetup grid_around(const Box& copies, double voxel, double wall_gap, Vec3& co
 class StandingTray {
   public:
     StandingTray(const TrayPacking& tray, const PartMeshes& meshes, const Container& container, double voxel,
-                 double wall_gap, const Workers& workers)
+                 double ray_spacing, double wall_gap, const Workers& workers)
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
         make_surfaces();
         Box box;
@@ -46,7 +47,7 @@ class StandingTray {
                                 tray_.placements[i].fixed};
         });
         if (container.physical) parts_.push_back(standing_walls(container, setup_.grid, setup_.corner, workers));
-        setup_.ray_spacing = voxel;
+        setup_.ray_spacing = ray_spacing;
         setup_.on_grid = [this](int i) {
             return std::make_shared<const BitGrid>(voxelize(turned(static_cast<std::size_t>(i)), voxel_, workers_));
         };
@@ -103,6 +104,10 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
                                       const StopToken& stop) {
     const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
     if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
+    const double ray_spacing = settings.ray_spacing.value_or(settings.voxel || !scene.packing.options.ray_spacing
+                                                                 ? DisassemblySetup::spacing_for(voxel)
+                                                                 : *scene.packing.options.ray_spacing);
+    check_ray_spacing(ray_spacing, voxel);
     const Workers workers(settings.threads);
     std::int64_t total = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
@@ -118,8 +123,8 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
             continue;
         }
         const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
-        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, scene.packing.options.wall_gap,
-                              workers);
+        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, ray_spacing,
+                              scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
         plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), [&](int, int) {

@@ -124,7 +124,7 @@ class JobReader {
              "verify-with",    "time-limit",    "unit",        "output",       "report",           "progress",
              "dry-run",        "skip-unusable", "require-all", "json",         "material-density", "detail",
              "take-out",       "open-height",   "minimise",    "fill",         "max-density",      "max-layer-fill",
-             "restarts",       "beam",          "links"});
+             "restarts",       "beam",          "links",       "ray-spacing"});
         JobSettings& s = job_.settings;
         if (const auto v = node.find("printer")) use_printer(*v);
         read_options(node, s.options);

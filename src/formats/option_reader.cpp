@@ -53,6 +53,7 @@ void read_options(const Node& node, PackOptions& o) {
     if (const auto v = node.find("interlock")) o.interlock = v->one_of(kInterlockNames);
     if (const auto v = node.find("links")) o.links = v->one_of(kLinksNames);
     if (const auto v = node.find("take-out")) o.take_out = v->one_of(kTakeOutNames);
+    if (const auto v = node.find("ray-spacing")) o.ray_spacing = v->positive();
     if (const auto v = node.find("height-penalty"); v && !(v->is_text() && v->text() == "auto")) {
         o.height_penalty = v->number_from(0);
     }

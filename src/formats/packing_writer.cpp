@@ -71,6 +71,7 @@ Json options_json(const PackOptions& o) {
             {"interlock", name_of(kInterlockNames, o.interlock)},
             {"links", name_of(kLinksNames, o.links)},
             {"take-out", name_of(kTakeOutNames, o.take_out)},
+            {"ray-spacing", or_null(o.ray_spacing)},
             {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
             {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},
             {"open-height", o.open_height},

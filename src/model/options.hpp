@@ -45,6 +45,7 @@ struct PackOptions {
     Interlock interlock = Interlock::post;     ///< section 4
     Links links = Links::avoid;                ///< with Interlock::post
     TakeOut take_out = TakeOut::thinnest;      ///< the same
+    std::optional<double> ray_spacing;         ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
     std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
     std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
     bool open_height = false;  ///< least height; the tray's z is the reference height (0: its longer side)

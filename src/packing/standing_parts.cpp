@@ -6,20 +6,13 @@
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
-namespace {
-
-// Rays per voxel and axis: every copy of a voxel or more is seen.
-constexpr double kRaysPerVoxel = 1;
-
-}  // namespace
-
 StandingParts::StandingParts(const StandingSetup& setup, const Tray& tray, const std::vector<PlacedItem>& placed,
                              PlacementSearch& search, const StopToken& stop)
     : setup_(setup), tray_(tray), placed_(placed) {
     disassembly_.search = &search;
     disassembly_.corner = setup.walls ? setup.walls->corner : Vec3{setup.wall_gap, setup.wall_gap, setup.wall_gap};
     disassembly_.grid = setup.walls ? setup.walls->grid : finest_setup(tray.setup());
-    disassembly_.ray_spacing = disassembly_.grid.voxel_size / kRaysPerVoxel;
+    disassembly_.ray_spacing = setup.ray_spacing.value_or(DisassemblySetup::spacing_for(disassembly_.grid.voxel_size));
     disassembly_.on_grid = [this](int i) {
         const PlacedItem& item = placed_[static_cast<std::size_t>(i)];
         const Mesh mesh = setup_.surfaces->turned_mesh(item.item.part, item.orientation);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -15,6 +16,8 @@ namespace spectralpack {
 
 struct StandingSetup {
     double wall_gap = 0;  ///< mm
+    std::optional<double>
+        ray_spacing;  ///< mm; none: DisassemblySetup::spacing_for() voxels that collisions are decided on
     PartSurfaces* surfaces = nullptr;
     std::vector<StandingPart> fixed;       ///< what stands in the tray besides the copies placed, and never moves
     const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way

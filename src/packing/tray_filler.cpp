@@ -122,6 +122,7 @@ void TrayFiller::make_removable(const TrayItems& wanted, Tray& tray, std::vector
     InterlockSetup setup;
     setup.voxel_size = setup_.tray.voxel_size;
     setup.wall_gap = setup_.wall_gap;
+    setup.ray_spacing = setup_.ray_spacing;
     setup.model = setup_.model;
     setup.surfaces = &surfaces;
     setup.fixed = std::move(fixed);

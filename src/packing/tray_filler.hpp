@@ -38,6 +38,7 @@ struct FillSetup {
     Interlock interlock = Interlock::off;  ///< section 4
     Links links = Links::avoid;            ///< with Interlock::post: whether copies may be placed linked with another
     TakeOut take_out = TakeOut::thinnest;  ///< with Interlock::post: what goes where some are interlocked
+    std::optional<double> ray_spacing;     ///< StandingSetup's
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 

@@ -73,6 +73,19 @@ TEST(Plan, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
+/// Rays only save sweeps and floods work.
+TEST(Plan, HoldsWithRaysFarApart) {
+    const TemporaryFolder folder;
+    const std::string packed = (folder / "b.json").string();
+    const Ran ran = spectralpack({"pack", kSamples, "--tray", "120x100x80", "--ray-spacing", "500", "-o", packed});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(read_json(packed)["options"]["ray-spacing"], 500);
+    EXPECT_EQ(spectralpack({"check", packed, "--require-plan"}).status, 0);
+    EXPECT_EQ(spectralpack({"plan", packed}).status, 0);
+    const std::string fine = spectralpack({"plan", packed, "--ray-spacing", "0.01"}).err;
+    EXPECT_TRUE(contains(fine, "--ray-spacing 0.01 is too fine")) << fine;
+}
+
 TEST(Plan, EveryPackedCopyComesOutOnce) {
     for (const std::string interlock : {"post", "place"}) {
         const TemporaryFolder folder;

@@ -53,6 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--verify-with", "reference:0"}, "--verify-with"},
         BadCall{{"pack", kPart, "--engine", "cuda"}, "cuda"},
         BadCall{{"pack", kPart, "--interlock", "never"}, "--interlock"},
+        BadCall{{"pack", kPart, "--ray-spacing", "0"}, "--ray-spacing"},
+        BadCall{{"pack", kPart, "--ray-spacing", "0.01"}, "too fine"},
         BadCall{{"pack", kPart, "--links", "never"}, "--links"}, BadCall{{"pack", kPart, "--trays", "few"}, "--trays"},
         BadCall{{"pack", kPart, "--printer", "typewriter"}, "--printer list"},
         BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"}, BadCall{{"pack", kPart + ":0"}, "count"},

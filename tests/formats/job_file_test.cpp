@@ -82,6 +82,7 @@ TEST(JobFile, ReadsEveryKey) {
                            {"interlock", "off"},
                            {"links", "allow"},
                            {"take-out", "smallest"},
+                           {"ray-spacing", 0.75},
                            {"order", "random"},
                            {"height-penalty", 4},
                            {"height-at", "top"},
@@ -130,6 +131,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.order, Order::random);
     EXPECT_EQ(s.options.links, Links::allow);
     EXPECT_EQ(s.options.take_out, TakeOut::smallest);
+    EXPECT_EQ(s.options.ray_spacing, 0.75);
     EXPECT_EQ(s.options.height_penalty, 4);
     EXPECT_EQ(s.options.height_at, HeightReference::top);
     EXPECT_EQ(s.options.seed, 7u);

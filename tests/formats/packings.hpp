@@ -28,6 +28,7 @@ inline Packing small_packing() {
     packing.options.interlock = Interlock::place;
     packing.options.links = Links::allow;
     packing.options.take_out = TakeOut::thinnest;
+    packing.options.ray_spacing = 0.375;
     packing.options.height_penalty = 1e8;
     packing.options.height_at = HeightReference::top;
     packing.options.open_height = true;
