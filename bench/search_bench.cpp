@@ -1,9 +1,10 @@
 /// The placement search from end to end: packs a named set greedily (Algorithm 2, copies of a part
 /// that found no place are skipped) and tells the seconds spent searching, beside the plain
-/// method's (one forward and two inverse transforms of the full tray per orientation, single
-/// precision, FFTW_MEASURE), which is timed on a sample of the same states and extrapolated.
+/// method's (one forward and two inverse transforms of the full tray per orientation and, with
+/// --detail S, S^3 forward ones; single precision, FFTW_MEASURE), which is timed on a sample of the
+/// same states, in a packing of its own lest it disturbs the other's caches, and extrapolated.
 ///
-///   search_bench DATA SET [--voxel MM] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
+///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
 ///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--trace]
 ///
 /// DATA is a folder with sets/SET.csv and meshes/. One line of results on standard output; with
@@ -36,7 +37,7 @@ struct Arguments {
     double voxel = 2, gap = 0.2;
     Vec3 tray{480, 245, 200};
     std::string penalty = "auto";
-    int threads = 0, plain_samples = 0, most = 0;
+    int detail = 1, threads = 0, plain_samples = 0, most = 0;
     std::int64_t cache = CpuOptions{}.cache_memory;
     bool trace = false;
 };
@@ -56,6 +57,8 @@ Arguments parse(int count, char** words) {
         const char* value = words[i];
         if (option == "--voxel")
             result.voxel = std::atof(value);
+        else if (option == "--detail")
+            result.detail = std::atoi(value);
         else if (option == "--gap")
             result.gap = std::atof(value);
         else if (option == "--penalty")
@@ -122,80 +125,110 @@ class TimedSearch final : public PlacementSearch {
     bool trace_;
 };
 
-void run(const Arguments& arguments) {
-    const Workers workers(arguments.threads);
-    const std::vector<Mat3> rotations = orientation_set("90");
-    const std::vector<SetRow> rows = read_set(arguments.data / "sets" / (arguments.set + ".csv"));
+/// A set's copies in their order, and the tray they go into.
+struct Question {
     std::vector<Mesh> meshes;
+    std::vector<PackItem> items;
+    TraySetup setup;
+    CostModel model;
+};
+
+Question read_question(const Arguments& arguments) {
+    Question question;
     std::vector<PartSize> sizes;
-    for (const SetRow& row : rows) {
+    for (const SetRow& row : read_set(arguments.data / "sets" / (arguments.set + ".csv"))) {
         Mesh mesh = read_meshes(arguments.data / "meshes" / row.mesh).front().mesh;
         for (Vec3& vertex : mesh.vertices) {
             vertex = row.scale * vertex;
         }
-        const double volume = bounding_box(mesh).volume();
-        sizes.push_back({static_cast<int>(meshes.size()), row.count, volume});
-        meshes.push_back(std::move(mesh));
+        sizes.push_back({static_cast<int>(question.meshes.size()), row.count, bounding_box(mesh).volume()});
+        question.meshes.push_back(std::move(mesh));
     }
-
-    TraySetup setup;
+    TraySetup& setup = question.setup;
     setup.size = arguments.tray;
     setup.voxel_size = arguments.voxel;
+    setup.detail = arguments.detail;
     setup.gap_classes = {arguments.gap};
-    Tray tray(setup);
-    CostModel model;
-    model.height_penalty = arguments.penalty == "auto"
-                               ? automatic_height_penalty(sizes, setup.size.x * setup.size.y * setup.size.z)
-                               : std::atof(arguments.penalty.c_str());
-    std::vector<PackItem> items = order_items(sizes, Order::size, 0);
-    if (arguments.most > 0 && static_cast<std::size_t>(arguments.most) < items.size()) {
-        items.resize(static_cast<std::size_t>(arguments.most));
+    question.model.height_penalty = arguments.penalty == "auto"
+                                        ? automatic_height_penalty(sizes, setup.size.x * setup.size.y * setup.size.z)
+                                        : std::atof(arguments.penalty.c_str());
+    question.items = order_items(sizes, Order::size, 0);
+    if (arguments.most > 0 && static_cast<std::size_t>(arguments.most) < question.items.size()) {
+        question.items.resize(static_cast<std::size_t>(arguments.most));
     }
+    return question;
+}
+
+struct Packed {
+    std::size_t placed = 0;
+    std::int64_t searches = 0;
+    double costs = 0, megabytes = 0;
+    double seconds = 0, orientations = 0;              ///< of the engine
+    double plain_seconds = 0, plain_orientations = 0;  ///< of the plain method, on its samples
+};
+
+/// Packs greedily. `plain` (may be null) is asked as well, now and then.
+Packed pack(const Question& question, const Arguments& arguments, PlacementSearch* plain, const Workers& workers) {
+    const std::vector<Mat3> rotations = orientation_set("90");
+    const TraySetup& setup = question.setup;
+    Tray tray(setup);
     ShapeStore shapes(
         [&](int part, const Workers& makers) {
             return std::make_shared<const Shape>(
-                make_shape(static_cast<std::uint64_t>(part) + 1, meshes[static_cast<std::size_t>(part)], rotations,
-                           arguments.voxel, 1, arguments.gap, setup.gap_classes, makers));
+                make_shape(static_cast<std::uint64_t>(part) + 1, question.meshes[static_cast<std::size_t>(part)],
+                           rotations, setup.voxel_size, setup.detail, arguments.gap, setup.gap_classes, makers));
         },
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
-    shapes.start_tray(items);
+    shapes.start_tray(question.items);
+    // FFTW tries its ways out on the first question: not part of the method's time.
+    if (plain) plain->best_placement(tray, shapes.at(0), question.model, {});
 
     const auto engine = make_cpu_search({arguments.cache}, workers);
-    std::unique_ptr<PlacementSearch> plain;
+    const int every = std::max(1, static_cast<int>(question.items.size()) / std::max(1, arguments.plain_samples));
+    TimedSearch search(*engine, plain, every, arguments.trace && !plain);
+    GreedyResult result;
+    const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
+        return stand_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
+    };
+    pack_greedily(
+        tray, search, question.model, question.items, shapes, settle, [](std::size_t) {}, {}, result);
+
+    Packed packed{result.placed.size(),
+                  result.searches,
+                  0,
+                  static_cast<double>(engine->memory()) / 1e6,
+                  search.seconds,
+                  search.orientations,
+                  search.plain_seconds,
+                  search.plain_orientations};
+    for (const PlacedItem& placed : result.placed) {
+        packed.costs += placed.cost.primary;
+    }
+    return packed;
+}
+
+void run(const Arguments& arguments) {
+    const Workers workers(arguments.threads);
+    const Question question = read_question(arguments);
+    const Packed packed = pack(question, arguments, nullptr, workers);
+    std::printf(
+        "%s voxel %g detail %d p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
+        "search %.3f s (%.3f ms an orientation), %.0f MB, cost %.6g",
+        arguments.set.c_str(), arguments.voxel, arguments.detail, question.model.height_penalty, workers.threads(),
+        packed.placed, question.items.size(), static_cast<long long>(packed.searches), packed.orientations,
+        packed.seconds, 1e3 * packed.seconds / packed.orientations, packed.megabytes, packed.costs);
 #ifdef SPECTRALPACK_BENCH_REFERENCE
     if (arguments.plain_samples > 0) {
         ReferenceOptions options;
         options.single_precision = true;
         options.measure = true;
-        plain = make_reference_search(options, workers);
-        // FFTW tries its ways out on the first question: not part of the method's time.
-        plain->best_placement(tray, shapes.at(0), model, {});
+        const auto plain = make_reference_search(options, workers);
+        const Packed beside = pack(question, arguments, plain.get(), workers);
+        const double each = beside.plain_seconds / beside.plain_orientations;
+        std::printf(", plain %.2f ms an orientation, %.1f s in all, extrapolated: %.1f times", 1e3 * each,
+                    each * packed.orientations, each * packed.orientations / packed.seconds);
     }
 #endif
-    const int every = std::max(1, static_cast<int>(items.size()) / std::max(1, arguments.plain_samples));
-    TimedSearch search(*engine, plain.get(), every, arguments.trace);
-    GreedyResult result;
-    const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
-        return stand_on_grid(shape, best, arguments.voxel, 1, 0);
-    };
-    pack_greedily(
-        tray, search, model, items, shapes, settle, [](std::size_t) {}, {}, result);
-
-    double costs = 0;
-    for (const PlacedItem& placed : result.placed) {
-        costs += placed.cost.primary;
-    }
-    std::printf(
-        "%s voxel %g p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
-        "search %.3f s (%.3f ms an orientation), %.0f MB, cost %.6g",
-        arguments.set.c_str(), arguments.voxel, model.height_penalty, workers.threads(), result.placed.size(),
-        items.size(), static_cast<long long>(result.searches), search.orientations, search.seconds,
-        1e3 * search.seconds / search.orientations, static_cast<double>(engine->memory()) / 1e6, costs);
-    if (search.plain_orientations > 0) {
-        const double plain_all = search.plain_seconds / search.plain_orientations * search.orientations;
-        std::printf(", plain %.2f ms an orientation, %.1f s in all, extrapolated: %.1f times",
-                    1e3 * search.plain_seconds / search.plain_orientations, plain_all, plain_all / search.seconds);
-    }
     std::printf("\n");
 }
 

@@ -40,6 +40,12 @@ TEST(NextSmooth, IsTheLeastSmoothLengthThatIsLongEnough) {
     }));
 }
 
+TEST(TransformExtent, IsSmoothAndLeastWithRowsOfEvenLength) {
+    EXPECT_EQ(transform_extent({240, 123, 100}, {}), (Extent{240, 125, 100}));
+    EXPECT_EQ(transform_extent({240, 123, 100}, {1, 1, 1}), (Extent{250, 125, 105}));
+    EXPECT_EQ(transform_extent({1, 1, 1}, {}), (Extent{2, 1, 1}));
+}
+
 /// Circular correlation of two grids of small whole numbers, by transforms and by its definition:
 /// the greatest difference, divided by the bound.
 template <class Real>

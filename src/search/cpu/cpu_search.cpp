@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "search/cpu/free_tiles.hpp"
@@ -35,83 +36,19 @@ class CpuSearch final : public PlacementSearch {
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
-        const bool covers = covers_solid(shape);
+        const bool covers = covered(shape);
         tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
         SearchContext context{tables_, model, tray.reference_layers(), {}};
-
-        // Runs and plans of every orientation that has candidates left.
-        const std::size_t count = shape.orientations.size();
-        std::vector<bool> open(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!shape.only_near.empty()) entry.states[i].leave_only(candidates_near(shape, i, tray.detail()));
-            open[i] = !entry.states[i].all_dead();
-        }
-        std::vector<OrientationRuns>& runs = entry.runs;
-        std::vector<std::optional<OrientationTask>> searches(count);
-        // Those that differ in their axes only are made from the first of them.
-        std::vector<bool> wanted(count, false);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!open[i] || !runs[i].of_class.empty()) continue;
-            wanted[i] = true;
-            if (shape.orientations[i].turned_from < 0) continue;
-            const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
-            if (runs[from].of_class.empty()) wanted[from] = true;
-        }
-        const auto make = [&](bool turned) {
-            workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
-                const auto k = static_cast<std::size_t>(i);
-                const OrientedShape& oriented = shape.orientations[k];
-                if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
-                runs[k] =
-                    turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes, tables_)
-                           : make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
-            });
-        };
-        make(false);
-        make(true);
-        const bool as_planned = entry.planned_classes == tables_.occupied_classes();
-        entry.planned_classes = tables_.occupied_classes();
-        workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
-            const auto k = static_cast<std::size_t>(i);
-            OrientationPlan& plan = entry.plans[k];
-            if (!as_planned) plan = {};
-            if (!open[k]) return;
-            if (plan.exact.loads.empty()) plan = make_plan(runs[k], tables_);
-            searches[k].emplace(make_task(context, entry.states[k], runs[k], plan, static_cast<int>(i),
-                                          shape.orientations[k], shape.admits));
-        });
-        positions_.count(entry);
-
-        // Low layers of all orientations first: with a steep height penalty they rule out the rest.
-        struct Task {
-            OrientationTask* search;
-            int begin, end;
-        };
-        std::vector<Task> tasks;
-        for (int begin = 0; begin < tray.extent().z; begin += kLayersPerTask) {
-            for (std::size_t i = 0; i < count; ++i) {
-                const int layers = entry.states[i].bricks().z;
-                if (searches[i] && begin < layers) {
-                    tasks.push_back({&*searches[i], begin, std::min(layers, begin + kLayersPerTask)});
-                }
-            }
-        }
-        std::atomic<bool> stopped{false};
-        workers_.for_each_in_order(std::ssize(tasks), [&](std::int64_t i) {
-            if (stopped || stop.stopped()) {
-                stopped = true;
-                return;
-            }
-            const Task& task = tasks[static_cast<std::size_t>(i)];
-            search_layers(*task.search, task.begin, task.end);
-        });
-        if (stopped) return {std::nullopt, true};
+        const std::vector<bool> open = open_orientations(shape, tray, entry);
+        make_runs_of(shape, tray, open, covers, entry.runs);
+        std::vector<std::optional<OrientationTask>> searches = plan_searches(shape, open, entry, context);
+        if (!search_all(searches, tray, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
-        return {with_neighbours(*best, runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
+        return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
                 false};
     }
 
@@ -155,6 +92,94 @@ class CpuSearch final : public PlacementSearch {
     }
 
   private:
+    /// covers_solid() of the shape, which takes a walk over all its voxels; told once for all its copies.
+    bool covered(const Shape& shape) {
+        const auto [known, unknown] = covered_.try_emplace(shape.id, false);
+        if (unknown) known->second = covers_solid(shape);
+        return known->second;
+    }
+
+    /// Which orientations have candidates left.
+    static std::vector<bool> open_orientations(const Shape& shape, const Tray& tray, PositionCache::Entry& entry) {
+        std::vector<bool> open(shape.orientations.size());
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            if (!shape.only_near.empty()) entry.states[i].leave_only(candidates_near(shape, i, tray.detail()));
+            open[i] = !entry.states[i].all_dead();
+        }
+        return open;
+    }
+
+    /// Makes the runs of open orientations that have none yet. Of those that differ in their axes only, the first is
+    /// made from its voxels and the others from it.
+    void make_runs_of(const Shape& shape, const Tray& tray, const std::vector<bool>& open, bool covers,
+                      std::vector<OrientationRuns>& runs) const {
+        const std::size_t count = shape.orientations.size();
+        std::vector<bool> wanted(count, false);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!open[i] || !runs[i].of_class.empty()) continue;
+            wanted[i] = true;
+            if (shape.orientations[i].turned_from < 0) continue;
+            const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
+            if (runs[from].of_class.empty()) wanted[from] = true;
+        }
+        for (const bool turned : {false, true}) {
+            workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                const OrientedShape& oriented = shape.orientations[k];
+                if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
+                runs[k] =
+                    turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes, tables_)
+                           : make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
+            });
+        }
+    }
+
+    /// A task for each open orientation, none for the others.
+    std::vector<std::optional<OrientationTask>> plan_searches(const Shape& shape, const std::vector<bool>& open,
+                                                              PositionCache::Entry& entry, SearchContext& context) {
+        const bool as_planned = entry.planned_classes == tables_.occupied_classes();
+        entry.planned_classes = tables_.occupied_classes();
+        std::vector<std::optional<OrientationTask>> searches(open.size());
+        workers_.for_each(std::ssize(searches), [&](std::int64_t i) {
+            const auto k = static_cast<std::size_t>(i);
+            OrientationPlan& plan = entry.plans[k];
+            if (!as_planned) plan = {};
+            if (!open[k]) return;
+            if (plan.exact.loads.empty()) plan = make_plan(entry.runs[k], tables_);
+            searches[k].emplace(make_task(context, entry.states[k], entry.runs[k], plan, static_cast<int>(i),
+                                          shape.orientations[k], shape.admits));
+        });
+        positions_.count(entry);
+        return searches;
+    }
+
+    /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.
+    bool search_all(std::vector<std::optional<OrientationTask>>& searches, const Tray& tray,
+                    const StopToken& stop) const {
+        struct Task {
+            OrientationTask* search;
+            int begin, end;
+        };
+        std::vector<Task> tasks;
+        for (int begin = 0; begin < tray.extent().z; begin += kLayersPerTask) {
+            for (std::optional<OrientationTask>& search : searches) {
+                if (!search) continue;
+                const int layers = search->state.bricks().z;
+                if (begin < layers) tasks.push_back({&*search, begin, std::min(layers, begin + kLayersPerTask)});
+            }
+        }
+        std::atomic<bool> stopped{false};
+        workers_.for_each_in_order(std::ssize(tasks), [&](std::int64_t i) {
+            if (stopped || stop.stopped()) {
+                stopped = true;
+                return;
+            }
+            const Task& task = tasks[static_cast<std::size_t>(i)];
+            search_layers(*task.search, task.begin, task.end);
+        });
+        return !stopped;
+    }
+
     /// Those of the trays last asked about.
     std::shared_ptr<DilatedLayers> dilated(const Tray& tray) {
         const auto known = std::find_if(dilated_.begin(), dilated_.end(),
@@ -201,6 +226,7 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
+    std::unordered_map<std::uint64_t, bool> covered_;             // by the shape's id
     std::vector<std::shared_ptr<DilatedLayers>> dilated_;         // the last used first
     std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance
 };

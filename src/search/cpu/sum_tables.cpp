@@ -27,7 +27,7 @@ SumTables::SumTables(const Extent& grid, int block, bool apart)
 
 /// Prefix sums of one row from x on.
 void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) const {
-    std::uint16_t sum = out[within(x)];
+    std::uint16_t sum = out[x];
     if (block_ == 1) {
         for (; x < grid_.x; ++x) {
             sum = static_cast<std::uint16_t>(sum + from[x]);
@@ -35,22 +35,26 @@ void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) 
         }
         return;
     }
-    int phase = x % block_;
-    int at = within(x);
-    for (; x < grid_.x; ++x) {
-        sum = static_cast<std::uint16_t>(sum + from[at]);
-        at += phase_;
-        if (++phase == block_) {
-            phase = 0;
-            at -= stride_ - 1;
+    // In steps of a block, from one that is right: first its sums at phase 0, then each phase from the one before.
+    const int first = x / block_;
+    const auto count = static_cast<std::size_t>(phase_ - first);
+    out += first;
+    from += first;
+    sum = *out;
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = sum;
+        for (int p = 0; p < block_; ++p) {
+            sum = static_cast<std::uint16_t>(sum + from[static_cast<std::size_t>(p * phase_) + i]);
         }
-        out[at] = sum;
+    }
+    for (int p = 1; p < block_; ++p, out += phase_, from += phase_) {
+        add_rows(out + phase_, out, from, count);
     }
 }
 
 void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
     const Extent& n = grid_;
-    const int lo = box.lo.x;
+    const int first = box.lo.x / block_, lo = first * block_;
     const int hi = std::min(n.x, box.hi.x + block_ - 1);
     const auto width = static_cast<std::size_t>(hi - lo);
     // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
@@ -81,9 +85,11 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
                     min_rows(least.data(), least.data(), least.data() + step, width);
                 }
                 std::uint16_t* out = pooled_.data() + row(y, z);
-                for (int x = lo; x < box.hi.x; ++x) {
-                    const int value = least[static_cast<std::size_t>(x - lo)] + floor;
-                    out[within(x)] = static_cast<std::uint16_t>(std::min(value, most));
+                for (int p = 0; p < block_; ++p, out += phase_) {
+                    const std::uint16_t* value = least.data() + p;
+                    for (int i = first; block_ * i + p < box.hi.x; ++i, value += block_) {
+                        out[i] = static_cast<std::uint16_t>(std::min(*value + floor, most));
+                    }
                 }
             }
         }
@@ -101,12 +107,16 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
     std::uint16_t* along_x = values_.data();
     std::uint16_t* along_y = values_.data() + table_;
     std::uint16_t* along_z = values_.data() + 2 * table_;
-    // Whole stretches of a row, one for each phase.
+    // A stretch of a row for each phase, or where that is most of it, all from the first on.
     const int first = box.lo.x / block_;
-    const auto count = static_cast<std::size_t>((box.hi.x - 1) / block_ + 1 - first);
+    const int count = (box.hi.x - 1) / block_ + 1 - first;
     const auto for_each_stretch = [&](const auto& visit) {
+        if (block_ > 1 && 2 * count > phase_) {
+            visit(first, static_cast<std::size_t>(stride_ - first));
+            return;
+        }
         for (int p = 0; p < block_; ++p) {
-            visit(p * phase_ + first);
+            visit(p * phase_ + first, static_cast<std::size_t>(count));
         }
     };
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
@@ -119,7 +129,8 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             for (int y = box.lo.y; y < grid_.y; ++y) {
                 std::uint16_t* out = along_y + row(y, z);
                 const std::uint16_t* from = pooled_row(phi, y, z);
-                for_each_stretch([&](int i) { add_rows(out + stride_ + i, out + i, from + i, count); });
+                for_each_stretch(
+                    [&](int i, std::size_t length) { add_rows(out + stride_ + i, out + i, from + i, length); });
             }
         }
     });
@@ -129,7 +140,7 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             for (int y = box.lo.y + static_cast<int>(begin); y < box.lo.y + static_cast<int>(end); ++y) {
                 std::uint16_t* out = along_z + row(y, z);
                 const std::uint16_t* from = pooled_row(phi, y, z);
-                for_each_stretch([&](int i) { add_rows(out + up + i, out + i, from + i, count); });
+                for_each_stretch([&](int i, std::size_t length) { add_rows(out + up + i, out + i, from + i, length); });
             }
         }
     });

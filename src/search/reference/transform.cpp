@@ -66,11 +66,7 @@ int next_smooth(int least) {
 }
 
 Extent transform_extent(const Extent& tray, const VoxelIndex& more) {
-    Extent grid;
-    for (int axis = 0; axis < 3; ++axis) {
-        grid[axis] = next_smooth(tray[axis] + more[axis]);
-    }
-    return grid;
+    return {2 * next_smooth((tray.x + more.x + 1) / 2), next_smooth(tray.y + more.y), next_smooth(tray.z + more.z)};
 }
 
 template <class Real>

@@ -13,7 +13,8 @@ namespace spectralpack {
 /// and correlation_error_bound() holds for them.
 int next_smooth(int least);
 
-/// Extent of a transform of `tray` with at least `more` empty cells beyond it along each axis.
+/// Extent of a transform of `tray` with at least `more` empty cells beyond it along each axis; even along x, because
+/// transforms of real values take half as long again where rows are odd.
 Extent transform_extent(const Extent& tray, const VoxelIndex& more);
 
 /// Room for one transform of a grid: either its values (x fastest, each row padded to 2 (nx/2 + 1)
