@@ -211,12 +211,14 @@ void run(const Arguments& arguments) {
     const Workers workers(arguments.threads);
     const Question question = read_question(arguments);
     const Packed packed = pack(question, arguments, nullptr, workers);
+    const Extent tray = Tray(question.setup).extent();
     std::printf(
-        "%s voxel %g detail %d p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
+        "%s tray %dx%dx%d voxels of %g detail %d p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
         "search %.3f s (%.3f ms an orientation), %.0f MB, cost %.6g",
-        arguments.set.c_str(), arguments.voxel, arguments.detail, question.model.height_penalty, workers.threads(),
-        packed.placed, question.items.size(), static_cast<long long>(packed.searches), packed.orientations,
-        packed.seconds, 1e3 * packed.seconds / packed.orientations, packed.megabytes, packed.costs);
+        arguments.set.c_str(), tray.x, tray.y, tray.z, arguments.voxel, arguments.detail, question.model.height_penalty,
+        workers.threads(), packed.placed, question.items.size(), static_cast<long long>(packed.searches),
+        packed.orientations, packed.seconds, 1e3 * packed.seconds / packed.orientations, packed.megabytes,
+        packed.costs);
 #ifdef SPECTRALPACK_BENCH_REFERENCE
     if (arguments.plain_samples > 0) {
         ReferenceOptions options;
