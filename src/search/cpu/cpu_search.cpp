@@ -147,7 +147,7 @@ class CpuSearch final : public PlacementSearch {
             if (!open[k]) return;
             if (plan.exact.loads.empty()) plan = make_plan(entry.runs[k], tables_);
             searches[k].emplace(make_task(context, entry.states[k], entry.runs[k], plan, static_cast<int>(i),
-                                          shape.orientations[k], shape.admits));
+                                          shape.orientations[k], entry.hits > 0, shape.admits));
         });
         positions_.count(entry);
         return searches;

@@ -24,6 +24,7 @@ static_assert(kBrickZ <= BitTables::kTileLayers);
 constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
 static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
 constexpr int kMostSkipped = 24;  // rows between two questions in vain
+constexpr int kBeyond = 5;        // sums for copies go a fifth beyond the limit
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
@@ -259,6 +260,13 @@ class Pass {
         }
     }
 
+    /// What sums have to be above to be given up. Copies are likely to be followed by copies, for which the limit is a
+    /// little higher: sums that go on beyond it leave bounds that still rule out then.
+    std::uint32_t StopAbove(std::int64_t limit) const {
+        const std::int64_t least = LaneLimit(limit);
+        return LaneLimit(t_.for_copy ? least + least / kBeyond : least);
+    }
+
     /// Bounds the blocks of a row that are near and have no bound yet.
     void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
         alignas(64) std::uint32_t sums[kLanes];
@@ -272,7 +280,7 @@ class Pass {
         if (unknown == 0) return;
         SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
                  t_.plan.coarse.loads.data(), t_.plan.coarse.batches.data(), t_.plan.coarse.batches.size(),
-                 LaneLimit(most_), sums);
+                 StopAbove(most_), sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
         }
@@ -404,7 +412,7 @@ class Pass {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
         SumLanes(context_.tables.sums().base(x, y, z), t_.plan.exact.loads.data(), t_.plan.exact.batches.data(),
-                 t_.plan.exact.batches.size(), LaneLimit(limit), sums);
+                 t_.plan.exact.batches.size(), StopAbove(limit), sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
@@ -448,16 +456,13 @@ namespace spectralpack {
 HWY_EXPORT(SearchLayers);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          const OrientationPlan& plan, int index, const OrientedShape& shape, const Admits& admits) {
-    return {context,
-            state,
-            runs.solid,
-            plan,
-            runs.cells,
-            runs.fine_cells,
-            index,
-            shape.solid->extent().z,
-            admits ? &admits : nullptr};
+                          const OrientationPlan& plan, int index, const OrientedShape& shape, bool for_copy,
+                          const Admits& admits) {
+    return {context,    state,
+            runs.solid, plan,
+            runs.cells, runs.fine_cells,
+            index,      shape.solid->extent().z,
+            for_copy,   admits ? &admits : nullptr};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) { HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end); }

@@ -29,11 +29,13 @@ struct OrientationTask {
     const CellPlan &cells, &fine_cells;
     int index = 0;                   ///< in Shape::orientations
     int layers = 0;                  ///< the solid's extent along z
+    bool for_copy = false;           ///< the state has been searched before
     const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate
 };
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
-                          const OrientationPlan& plan, int index, const OrientedShape& shape, const Admits& admits);
+                          const OrientationPlan& plan, int index, const OrientedShape& shape, bool for_copy,
+                          const Admits& admits);
 
 /// Offers the best free position of brick layers [begin, end) to the incumbent, if it could be the
 /// answer. Different ranges may run on different threads.

@@ -76,6 +76,33 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     instance_ = tray.instance();
 }
 
+void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
+    for (std::uint64_t v = version_; v < tray.version(); ++v) {
+        const TrayObject& object = tray.object(tray.journal()[v].id);
+        refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
+    }
+}
+
+void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
+    for (std::uint64_t v = version_; v < tray.version(); ++v) {
+        if (!tray.journal()[v].added) {
+            rebuild_phi(tray, workers);
+            return;
+        }
+    }
+    VoxelBox all;
+    for (std::uint64_t v = version_; v < tray.version(); ++v) {
+        const TrayObject& object = tray.object(tray.journal()[v].id);
+        const VoxelBox changed = phi_.add(*object.solid, object.position, workers);
+        changes_.push_back(changed);
+        all = hull(all, changed);
+        if (v % kTightenEvery == 0) phi_.tighten_most();
+    }
+    sums_.update(phi_, all, workers);
+    coarse_.update(phi_, all, workers);
+    minima_.update(phi_, all, workers);
+}
+
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const bool afresh = tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
                         tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
@@ -83,29 +110,8 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
         const bool same_tray = tray.instance() == instance_;
         rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);
     } else if (tray.version() > version_) {
-        const std::uint64_t first = version_;
-        bool removed = false;
-        for (std::uint64_t v = first; v < tray.version(); ++v) {
-            const TrayChange& change = tray.journal()[v];
-            const TrayObject& object = tray.object(change.id);
-            refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
-            removed = removed || !change.added;
-        }
-        if (removed) {
-            rebuild_phi(tray, workers);
-        } else {
-            VoxelBox all;
-            for (std::uint64_t v = first; v < tray.version(); ++v) {
-                const TrayObject& object = tray.object(tray.journal()[v].id);
-                const VoxelBox changed = phi_.add(*object.solid, object.position, workers);
-                changes_.push_back(changed);
-                all = hull(all, changed);
-                if (v % kTightenEvery == 0) phi_.tighten_most();
-            }
-            sums_.update(phi_, all, workers);
-            coarse_.update(phi_, all, workers);
-            minima_.update(phi_, all, workers);
-        }
+        // Bits and distances have nothing to do with each other.
+        workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
     version_ = tray.version();

@@ -66,6 +66,8 @@ class TrayTables {
   private:
     void rebuild(const Tray& tray, int margin, bool apart, const Workers& workers);
     void rebuild_phi(const Tray& tray, const Workers& workers);
+    void follow_bits(const Tray& tray, const Workers& workers);
+    void follow_phi(const Tray& tray, const Workers& workers);
     void note_occupied(const Tray& tray);
 
     std::int64_t crowd_from_;
