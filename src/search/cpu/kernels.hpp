@@ -15,14 +15,24 @@ bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count)
 /// row[i] = min(row[i], from[i] + by) for i in [0, count); values + by below 256.
 void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count);
 
-/// out[i] = a[i] + b[i] modulo 2^16.
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
+/// out[i] = a[i] + b[i] modulo 2^16, i in [0, count), for `rows` rows one after the other, `step` from one of out and
+/// of a to the next, `b_step` of b: what is written to a row of out may be what the next row reads of a.
+void add_blocks(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
+                std::size_t b_step, std::size_t count);
 
 /// out[i] = min(a[i], b[i]); out may be a.
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
 
-/// out[i] = min(out[i], from[i] - floor), the difference modulo 2^16.
-void min_rows_above(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::size_t count);
+/// out[i] = the least of rows[k][i] - floor, the difference modulo 2^16.
+void min_of_four(std::uint16_t* out, const std::uint16_t* const (&rows)[4], std::uint16_t floor, std::size_t count);
+
+/// The least of every four neighbours, dealt out to four rows: out[k stride + i] = min(from[4 i + k + {0, 1, 2, 3}]) +
+/// floor, at most `most`, for i in [0, count). Reads up to from[4 count + 3].
+void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
+                        std::uint16_t most, std::size_t count);
+
+/// out[i + 1] = out[i] + from[i] modulo 2^16, i from 0 up.
+void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count);
 
 /// out[i] &= from[i].
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);

@@ -2,12 +2,14 @@
 
 #include <limits>
 
+#include "core/error.hpp"
 #include "search/cpu/kernels.hpp"
 
 namespace spectralpack {
 namespace {
 
 constexpr int kOverrun = 256;  // lanes past the last position are read, never used
+constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
 
@@ -18,6 +20,7 @@ SumTables::SumTables(const Extent& grid, int block, bool apart)
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
       table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
+    if (block != 1 && block != kPooledBlock) throw InternalError("no sums are kept for blocks of that size");
     if (3 * table_ + stride_ + kOverrun > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
@@ -27,70 +30,46 @@ SumTables::SumTables(const Extent& grid, int block, bool apart)
 
 /// Prefix sums of one row from x on.
 void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) const {
-    std::uint16_t sum = out[x];
     if (block_ == 1) {
-        for (; x < grid_.x; ++x) {
-            sum = static_cast<std::uint16_t>(sum + from[x]);
-            out[x + 1] = sum;
-        }
+        prefix_sums(out + x, from + x, static_cast<std::size_t>(grid_.x - x));
         return;
     }
-    // In steps of a block, from one that is right: first its sums at phase 0, then each phase from the one before.
+    // Phase 0 in steps of a block, from one that is right, then each phase from the one before. Until its turn phase 1
+    // holds the sums over blocks.
     const int first = x / block_;
-    const auto count = static_cast<std::size_t>(phase_ - first);
+    const auto phase = static_cast<std::size_t>(phase_), count = phase - static_cast<std::size_t>(first);
     out += first;
     from += first;
-    sum = *out;
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = sum;
-        for (int p = 0; p < block_; ++p) {
-            sum = static_cast<std::uint16_t>(sum + from[static_cast<std::size_t>(p * phase_) + i]);
-        }
-    }
-    for (int p = 1; p < block_; ++p, out += phase_, from += phase_) {
-        add_rows(out + phase_, out, from, count);
-    }
+    add_blocks(out + phase, from, from + phase, 1, 0, 0, count);
+    add_blocks(out + phase, out + phase, from + 2 * phase, kPooledBlock - 2, 0, phase, count);
+    prefix_sums(out, out + phase, count - 1);
+    add_blocks(out + phase, out, from, kPooledBlock - 1, phase, phase, count);
 }
 
+/// Pools what lies in `box`, whose rows begin and end with a block (which may end beyond the grid).
 void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
     const Extent& n = grid_;
-    const int first = box.lo.x / block_, lo = first * block_;
-    const int hi = std::min(n.x, box.hi.x + block_ - 1);
-    const auto width = static_cast<std::size_t>(hi - lo);
+    const auto width = static_cast<std::size_t>(std::min(n.x, box.hi.x + block_ - 1) - box.lo.x);
+    const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
     // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
     const std::uint16_t floor = apart_ ? 1 : 0;
-    const int most = apart_ ? kMostPooled : std::numeric_limits<std::uint16_t>::max();
+    const std::uint16_t most = apart_ ? kMostPooled : kNone;
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
         std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
-        std::vector<std::uint16_t> least(width + static_cast<std::size_t>(block_));
-        const auto layer_row = [&](int y) { return layer.data() + width * static_cast<std::size_t>(y - box.lo.y); };
+        // Beyond the grid nothing counts.
+        std::vector<std::uint16_t> least(width + static_cast<std::size_t>(2 * block_), kNone);
+        const auto row_of_layer = [&](int y) { return layer.data() + width * static_cast<std::size_t>(y); };
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
-            for (int y = box.lo.y; y < box.lo.y + rows; ++y) {
-                std::uint16_t* out = layer_row(y);
-                std::fill_n(out, width, std::numeric_limits<std::uint16_t>::max());
-                for (int dz = 0; dz < block_ && z + dz < n.z; ++dz) {
-                    min_rows_above(out, phi.row(y, z + dz) + lo, floor, width);
-                }
+            for (int y = 0; y < rows; ++y) {
+                const auto above = [&](int dz) { return phi.row(box.lo.y + y, std::min(z + dz, n.z - 1)) + box.lo.x; };
+                min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor, width);
             }
-            for (int y = box.lo.y; y < box.hi.y; ++y) {
-                std::copy_n(layer_row(y), width, least.data());
-                for (int dy = 1; dy < block_ && y + dy < n.y; ++dy) {
-                    min_rows(least.data(), least.data(), layer_row(y + dy), width);
-                }
-                // Beyond the grid nothing counts.
-                std::fill(least.begin() + static_cast<std::ptrdiff_t>(width), least.end(),
-                          std::numeric_limits<std::uint16_t>::max());
-                for (int step = 1; step < block_; step *= 2) {
-                    min_rows(least.data(), least.data(), least.data() + step, width);
-                }
-                std::uint16_t* out = pooled_.data() + row(y, z);
-                for (int p = 0; p < block_; ++p, out += phase_) {
-                    const std::uint16_t* value = least.data() + p;
-                    for (int i = first; block_ * i + p < box.hi.x; ++i, value += block_) {
-                        out[i] = static_cast<std::uint16_t>(std::min(*value + floor, most));
-                    }
-                }
+            for (int y = 0; y < box.hi.y - box.lo.y; ++y) {
+                const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
+                min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
+                deal_least_of_four(pooled_.data() + row(box.lo.y + y, z) + box.lo.x / block_,
+                                   static_cast<std::size_t>(phase_), least.data(), floor, most,
+                                   static_cast<std::size_t>((box.hi.x - box.lo.x) / block_));
             }
         }
     });
@@ -102,7 +81,11 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
     for (int axis = 0; axis < 3; ++axis) {
         box.lo[axis] = std::max(0, box.lo[axis] - (block_ - 1));
     }
-    if (block_ > 1) pool(phi, box, workers);
+    if (block_ > 1) {
+        box.lo.x = box.lo.x / block_ * block_;
+        box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
+        pool(phi, box, workers);
+    }
 
     std::uint16_t* along_x = values_.data();
     std::uint16_t* along_y = values_.data() + table_;
@@ -119,29 +102,31 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             visit(p * phase_ + first, static_cast<std::size_t>(count));
         }
     };
+    const auto step = static_cast<std::size_t>(stride_);
+    const auto from_step = static_cast<std::size_t>(block_ == 1 ? phi.stride() : stride_);
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
+        const auto rows = static_cast<std::size_t>(grid_.y - box.lo.y);
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
-                std::uint16_t* out = along_x + row(y, z);
-                const std::uint16_t* from = pooled_row(phi, y, z);
-                sum_along(out, from, box.lo.x);
+                sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x);
             }
-            for (int y = box.lo.y; y < grid_.y; ++y) {
-                std::uint16_t* out = along_y + row(y, z);
-                const std::uint16_t* from = pooled_row(phi, y, z);
-                for_each_stretch(
-                    [&](int i, std::size_t length) { add_rows(out + stride_ + i, out + i, from + i, length); });
-            }
+            std::uint16_t* out = along_y + row(box.lo.y, z);
+            const std::uint16_t* from = pooled_row(phi, box.lo.y, z);
+            for_each_stretch([&](int i, std::size_t length) {
+                add_blocks(out + stride_ + i, out + i, from + i, rows, step, from_step, length);
+            });
         }
     });
     workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t up = row(0, 1);
         for (int z = box.lo.z; z < grid_.z; ++z) {
-            for (int y = box.lo.y + static_cast<int>(begin); y < box.lo.y + static_cast<int>(end); ++y) {
-                std::uint16_t* out = along_z + row(y, z);
-                const std::uint16_t* from = pooled_row(phi, y, z);
-                for_each_stretch([&](int i, std::size_t length) { add_rows(out + up + i, out + i, from + i, length); });
-            }
+            const int y = box.lo.y + static_cast<int>(begin);
+            std::uint16_t* out = along_z + row(y, z);
+            const std::uint16_t* from = pooled_row(phi, y, z);
+            for_each_stretch([&](int i, std::size_t length) {
+                add_blocks(out + up + i, out + i, from + i, static_cast<std::size_t>(end - begin), step, from_step,
+                           length);
+            });
         }
     });
 }

@@ -2,7 +2,7 @@
 /// Prefix sums of phi, or of phi pooled over blocks, along each axis, so that the sum over a run of
 /// voxels is the difference of two loads whatever its length.
 ///
-/// With block size P (1, 2, 4, 8), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
+/// With block size P (1 or 4), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
 /// the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
 /// Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^16.
@@ -27,10 +27,11 @@ namespace spectralpack {
 class SumTables {
   public:
     SumTables() = default;
-    /// Throws ResourceError when an offset would not fit 31 bits. Not right before the first
-    /// update().
+    /// `block`: 1 or kPooledBlock. Throws ResourceError when an offset would not fit 31 bits. Not right before the
+    /// first update().
     SumTables(const Extent& grid, int block, bool apart);
 
+    static constexpr int kPooledBlock = 4;
     /// No pooled value is above it where `apart`.
     static constexpr int kMostPooled = 64;
 

@@ -20,7 +20,7 @@ namespace spectralpack {
 class TrayTables {
   public:
     /// Blocks of positions that the coarse bound looks at.
-    static constexpr int kBlock = 4;
+    static constexpr int kBlock = SumTables::kPooledBlock;
 
     /// `crowd_from`: voxels of a tray that crowd tables are kept of.
     explicit TrayTables(std::int64_t crowd_from = 0) : crowd_from_(crowd_from) {}
