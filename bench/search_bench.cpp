@@ -5,10 +5,10 @@
 /// same states, in a packing of its own lest it disturbs the other's caches, and extrapolated.
 ///
 ///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
-///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--trace]
+///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--distinct] [--trace]
 ///
-/// DATA is a folder with sets/SET.csv and meshes/. One line of results on standard output; with
-/// --trace one line a copy: its number, part, voxels, milliseconds.
+/// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
+/// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
 
 #include <chrono>
 #include <cstdio>
@@ -39,7 +39,7 @@ struct Arguments {
     std::string penalty = "auto";
     int detail = 1, threads = 0, plain_samples = 0, most = 0;
     std::int64_t cache = CpuOptions{}.cache_memory;
-    bool trace = false;
+    bool distinct = false, trace = false;
 };
 
 Arguments parse(int count, char** words) {
@@ -49,8 +49,8 @@ Arguments parse(int count, char** words) {
     result.set = words[2];
     for (int i = 3; i < count; ++i) {
         const std::string option = words[i];
-        if (option == "--trace") {
-            result.trace = true;
+        if (option == "--trace" || option == "--distinct") {
+            (option == "--trace" ? result.trace : result.distinct) = true;
             continue;
         }
         if (++i == count) throw UsageError(option + " needs a value");
@@ -141,8 +141,12 @@ Question read_question(const Arguments& arguments) {
         for (Vec3& vertex : mesh.vertices) {
             vertex = row.scale * vertex;
         }
-        sizes.push_back({static_cast<int>(question.meshes.size()), row.count, bounding_box(mesh).volume()});
-        question.meshes.push_back(std::move(mesh));
+        const double volume = bounding_box(mesh).volume();
+        const int parts = arguments.distinct ? row.count : 1;
+        for (int i = 0; i < parts; ++i) {
+            sizes.push_back({static_cast<int>(question.meshes.size()), row.count / parts, volume});
+            question.meshes.push_back(mesh);
+        }
     }
     TraySetup& setup = question.setup;
     setup.size = arguments.tray;

@@ -69,16 +69,23 @@ void AddBlocks(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* 
                std::size_t b_step, std::size_t count) {
     const hn::ScalableTag<std::uint16_t> wide;
     const hn::CappedTag<std::uint16_t, 8> narrow;
+    const auto add = [&](auto d, std::size_t i) {
+        hn::StoreU(hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i)), d, out + i);
+    };
     for (; rows > 0; --rows, out += step, a += step, b += b_step) {
         std::size_t i = 0;
         for (; i + hn::Lanes(wide) <= count; i += hn::Lanes(wide)) {
-            hn::StoreU(hn::Add(hn::LoadU(wide, a + i), hn::LoadU(wide, b + i)), wide, out + i);
+            add(wide, i);
         }
         for (; i + hn::Lanes(narrow) <= count; i += hn::Lanes(narrow)) {
-            hn::StoreU(hn::Add(hn::LoadU(narrow, a + i), hn::LoadU(narrow, b + i)), narrow, out + i);
+            add(narrow, i);
+        }
+        if (i < count && count >= hn::Lanes(narrow)) {
+            add(narrow, count - hn::Lanes(narrow));  // some of them once more
+            continue;
         }
         for (; i < count; ++i) {
-            out[i] = static_cast<std::uint16_t>(a[i] + b[i]);
+            add(hn::CappedTag<std::uint16_t, 1>(), i);
         }
     }
 }
@@ -130,6 +137,39 @@ void PrefixSums(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRI
     }
 }
 
+void PrefixSumsDealt(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t stride,
+                     std::size_t count) {
+    std::size_t i = 0;
+    std::uint16_t sum = out[0];
+#if HWY_TARGET != HWY_SCALAR
+    const hn::FixedTag<std::uint16_t, 8> d;
+    auto before = hn::Set(d, sum);
+    for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
+        const auto v0 = hn::LoadU(d, from + i), v1 = hn::LoadU(d, from + stride + i),
+                   v2 = hn::LoadU(d, from + 2 * stride + i), v3 = hn::LoadU(d, from + 3 * stride + i);
+        const auto four = hn::Add(hn::Add(v0, v1), hn::Add(v2, v3));
+        auto sums = hn::Add(four, hn::ShiftLeftLanes<1>(d, four));
+        sums = hn::Add(sums, hn::ShiftLeftLanes<2>(d, sums));
+        sums = hn::Add(sums, hn::ShiftLeftLanes<4>(d, sums));
+        auto at = hn::Add(before, hn::Sub(sums, four));
+        hn::StoreU(at, d, out + i);
+        at = hn::Add(at, v0);
+        hn::StoreU(at, d, out + stride + i);
+        at = hn::Add(at, v1);
+        hn::StoreU(at, d, out + 2 * stride + i);
+        hn::StoreU(hn::Add(at, v2), d, out + 3 * stride + i);
+        before = hn::Add(before, hn::Broadcast<7>(sums));
+    }
+    sum = hn::GetLane(before);
+#endif
+    for (; i < count; ++i) {
+        for (std::size_t at = i; at < i + 4 * stride; at += stride) {
+            out[at] = sum;
+            sum = static_cast<std::uint16_t>(sum + from[at]);
+        }
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace spectralpack
 HWY_AFTER_NAMESPACE();
@@ -144,6 +184,7 @@ HWY_EXPORT(MinRows);
 HWY_EXPORT(MinOfFour);
 HWY_EXPORT(DealLeastOfFour);
 HWY_EXPORT(PrefixSums);
+HWY_EXPORT(PrefixSumsDealt);
 HWY_EXPORT(AndRows);
 HWY_EXPORT(MaxOfRow);
 
@@ -175,6 +216,10 @@ void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint1
 
 void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(PrefixSums)(out, from, count);
+}
+
+void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(PrefixSumsDealt)(out, from, stride, count);
 }
 
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count) {

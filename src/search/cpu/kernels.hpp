@@ -34,6 +34,9 @@ void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint1
 /// out[i + 1] = out[i] + from[i] modulo 2^16, i from 0 up.
 void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count);
 
+/// The same of a row dealt out to four (element 4 i + k at k stride + i), for i in [0, count), from out[0] on.
+void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count);
+
 /// out[i] &= from[i].
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);
 

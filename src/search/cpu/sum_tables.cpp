@@ -34,16 +34,9 @@ void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) 
         prefix_sums(out + x, from + x, static_cast<std::size_t>(grid_.x - x));
         return;
     }
-    // Phase 0 in steps of a block, from one that is right, then each phase from the one before. Until its turn phase 1
-    // holds the sums over blocks.
     const int first = x / block_;
-    const auto phase = static_cast<std::size_t>(phase_), count = phase - static_cast<std::size_t>(first);
-    out += first;
-    from += first;
-    add_blocks(out + phase, from, from + phase, 1, 0, 0, count);
-    add_blocks(out + phase, out + phase, from + 2 * phase, kPooledBlock - 2, 0, phase, count);
-    prefix_sums(out, out + phase, count - 1);
-    add_blocks(out + phase, out, from, kPooledBlock - 1, phase, phase, count);
+    prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
+                      static_cast<std::size_t>(phase_ - first));
 }
 
 /// Pools what lies in `box`, whose rows begin and end with a block (which may end beyond the grid).
@@ -90,11 +83,11 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
     std::uint16_t* along_x = values_.data();
     std::uint16_t* along_y = values_.data() + table_;
     std::uint16_t* along_z = values_.data() + 2 * table_;
-    // A stretch of a row for each phase, or where that is most of it, all from the first on.
+    // A stretch of a row for each phase, or where whole rows take fewer steps, all from the first on.
     const int first = box.lo.x / block_;
     const int count = (box.hi.x - 1) / block_ + 1 - first;
     const auto for_each_stretch = [&](const auto& visit) {
-        if (block_ > 1 && 2 * count > phase_) {
+        if (block_ > 1 && stride_ / 16 < count + 16) {
             visit(first, static_cast<std::size_t>(stride_ - first));
             return;
         }
