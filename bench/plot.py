@@ -15,6 +15,7 @@ WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 720, 400, 64, 16, 16, 44
 COLOURS = ["#1f6f8b", "#c8553d", "#5b8c3e", "#6c4f9e"]
 WINDOW = 15
 POINTS = 500
+MARKS = [float(f"{digit}e{power}") for power in range(-3, 7) for digit in (1, 2, 5)]
 
 
 def read_trace(path):
@@ -45,8 +46,8 @@ class Axis:
         self.log = logarithmic
         self.low, self.high = min(values), max(values)
         if logarithmic:
-            self.low = 10.0 ** math.floor(math.log10(self.low))
-            self.high = 10.0 ** math.ceil(math.log10(self.high))
+            self.low = max(mark for mark in MARKS if mark <= self.low)
+            self.high = min(mark for mark in MARKS if mark >= self.high)
         self.from_pixel, self.to_pixel = from_pixel, to_pixel
 
     def pixel(self, value):
@@ -55,7 +56,8 @@ class Axis:
 
     def ticks(self):
         if self.log:
-            return [10.0 ** power for power in range(round(math.log10(self.low)), round(math.log10(self.high)) + 1)]
+            marks = [mark for mark in MARKS if self.low <= mark <= self.high]
+            return marks if len(marks) <= 8 else [mark for mark in marks if math.log10(mark) % 1 == 0]
         return [round(self.low + (self.high - self.low) * k / 4) for k in range(5)]
 
 
