@@ -49,8 +49,12 @@ Arguments parse(int count, char** words) {
     result.set = words[2];
     for (int i = 3; i < count; ++i) {
         const std::string option = words[i];
-        if (option == "--trace" || option == "--distinct") {
-            (option == "--trace" ? result.trace : result.distinct) = true;
+        if (option == "--trace") {
+            result.trace = true;
+            continue;
+        }
+        if (option == "--distinct") {
+            result.distinct = true;
             continue;
         }
         if (++i == count) throw UsageError(option + " needs a value");

@@ -65,8 +65,8 @@ std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void AddBlocks(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-               std::size_t b_step, std::size_t count) {
+void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
+             std::size_t b_step, std::size_t count) {
     const hn::ScalableTag<std::uint16_t> wide;
     const hn::CappedTag<std::uint16_t, 8> narrow;
     const auto add = [&](auto d, std::size_t i) {
@@ -117,17 +117,23 @@ void DealLeastOfFour(std::uint16_t* HWY_RESTRICT out, std::size_t stride, const 
     }
 }
 
+#if HWY_TARGET != HWY_SCALAR
+/// Lane i: the sum of lanes 0 to i, by doubling.
+template <class D>
+HWY_INLINE hn::Vec<D> SumsOfEight(D d, hn::Vec<D> v) {
+    v = hn::Add(v, hn::ShiftLeftLanes<1>(d, v));
+    v = hn::Add(v, hn::ShiftLeftLanes<2>(d, v));
+    return hn::Add(v, hn::ShiftLeftLanes<4>(d, v));
+}
+#endif
+
 void PrefixSums(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
     std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
-    // Within eight lanes by doubling, from eight to the next by the sum so far.
     const hn::FixedTag<std::uint16_t, 8> d;
     auto before = hn::Set(d, out[0]);
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
-        auto sums = hn::LoadU(d, from + i);
-        sums = hn::Add(sums, hn::ShiftLeftLanes<1>(d, sums));
-        sums = hn::Add(sums, hn::ShiftLeftLanes<2>(d, sums));
-        sums = hn::Add(sums, hn::ShiftLeftLanes<4>(d, sums));
+        const auto sums = SumsOfEight(d, hn::LoadU(d, from + i));
         hn::StoreU(hn::Add(sums, before), d, out + i + 1);
         before = hn::Add(before, hn::Broadcast<7>(sums));
     }
@@ -148,9 +154,7 @@ void PrefixSumsDealt(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_R
         const auto v0 = hn::LoadU(d, from + i), v1 = hn::LoadU(d, from + stride + i),
                    v2 = hn::LoadU(d, from + 2 * stride + i), v3 = hn::LoadU(d, from + 3 * stride + i);
         const auto four = hn::Add(hn::Add(v0, v1), hn::Add(v2, v3));
-        auto sums = hn::Add(four, hn::ShiftLeftLanes<1>(d, four));
-        sums = hn::Add(sums, hn::ShiftLeftLanes<2>(d, sums));
-        sums = hn::Add(sums, hn::ShiftLeftLanes<4>(d, sums));
+        const auto sums = SumsOfEight(d, four);
         auto at = hn::Add(before, hn::Sub(sums, four));
         hn::StoreU(at, d, out + i);
         at = hn::Add(at, v0);
@@ -179,7 +183,7 @@ namespace spectralpack {
 
 HWY_EXPORT(LowerRow);
 HWY_EXPORT(LowerBytes);
-HWY_EXPORT(AddBlocks);
+HWY_EXPORT(AddRows);
 HWY_EXPORT(MinRows);
 HWY_EXPORT(MinOfFour);
 HWY_EXPORT(DealLeastOfFour);
@@ -196,9 +200,9 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
     HWY_DYNAMIC_DISPATCH(LowerBytes)(row, from, by, count);
 }
 
-void add_blocks(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-                std::size_t b_step, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(AddBlocks)(out, a, b, rows, step, b_step, count);
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
+              std::size_t b_step, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(AddRows)(out, a, b, rows, step, b_step, count);
 }
 
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {

@@ -17,8 +17,8 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
 
 /// out[i] = a[i] + b[i] modulo 2^16, i in [0, count), for `rows` rows one after the other, `step` from one of out and
 /// of a to the next, `b_step` of b: what is written to a row of out may be what the next row reads of a.
-void add_blocks(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-                std::size_t b_step, std::size_t count);
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
+              std::size_t b_step, std::size_t count);
 
 /// out[i] = min(a[i], b[i]); out may be a.
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);

@@ -458,11 +458,16 @@ HWY_EXPORT(SearchLayers);
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
                           const OrientationPlan& plan, int index, const OrientedShape& shape, bool for_copy,
                           const Admits& admits) {
-    return {context,    state,
-            runs.solid, plan,
-            runs.cells, runs.fine_cells,
-            index,      shape.solid->extent().z,
-            for_copy,   admits ? &admits : nullptr};
+    return {.context = context,
+            .state = state,
+            .solid = runs.solid,
+            .plan = plan,
+            .cells = runs.cells,
+            .fine_cells = runs.fine_cells,
+            .index = index,
+            .layers = shape.solid->extent().z,
+            .for_copy = for_copy,
+            .admits = admits ? &admits : nullptr};
 }
 
 void search_layers(OrientationTask& task, int begin, int end) { HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end); }

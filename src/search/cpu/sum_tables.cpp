@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kOverrun = 256;  // lanes past the last position are read, never used
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
+static_assert(SumTables::kPooledBlock == 4);  // as the kernels have it
 
 }  // namespace
 
@@ -106,7 +107,7 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             std::uint16_t* out = along_y + row(box.lo.y, z);
             const std::uint16_t* from = pooled_row(phi, box.lo.y, z);
             for_each_stretch([&](int i, std::size_t length) {
-                add_blocks(out + stride_ + i, out + i, from + i, rows, step, from_step, length);
+                add_rows(out + stride_ + i, out + i, from + i, rows, step, from_step, length);
             });
         }
     });
@@ -117,8 +118,8 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
             std::uint16_t* out = along_z + row(y, z);
             const std::uint16_t* from = pooled_row(phi, y, z);
             for_each_stretch([&](int i, std::size_t length) {
-                add_blocks(out + up + i, out + i, from + i, static_cast<std::size_t>(end - begin), step, from_step,
-                           length);
+                add_rows(out + up + i, out + i, from + i, static_cast<std::size_t>(end - begin), step, from_step,
+                         length);
             });
         }
     });

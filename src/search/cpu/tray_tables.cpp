@@ -55,9 +55,7 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     phi_ = DistanceGrid(tray.extent(), tray.setup().ceiling);
     phi_.add(tray.omega_place(), {}, workers);
     phi_.tighten_most();
-    sums_.update(phi_, whole(tray.extent()), workers);
-    coarse_.update(phi_, whole(tray.extent()), workers);
-    minima_.update(phi_, whole(tray.extent()), workers);
+    update_from_phi(whole(tray.extent()), workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
@@ -98,9 +96,13 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
         all = hull(all, changed);
         if (v % kTightenEvery == 0) phi_.tighten_most();
     }
-    sums_.update(phi_, all, workers);
-    coarse_.update(phi_, all, workers);
-    minima_.update(phi_, all, workers);
+    update_from_phi(all, workers);
+}
+
+void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
+    sums_.update(phi_, changed, workers);
+    coarse_.update(phi_, changed, workers);
+    minima_.update(phi_, changed, workers);
 }
 
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {

@@ -68,6 +68,7 @@ class TrayTables {
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
+    void update_from_phi(const VoxelBox& changed, const Workers& workers);
     void note_occupied(const Tray& tray);
 
     std::int64_t crowd_from_;
