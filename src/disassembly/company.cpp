@@ -295,8 +295,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
             path = std::move(*there_by);
         }
         if (!region.contains(start.position - origin_)) continue;
-        const std::vector<VoxelIndex> way =
-            FloodFill(*tiles, solid->extent(), others, setup_.stop).way_out(start.position - origin_);
+        const std::vector<VoxelIndex> way = FloodFill(region, setup_.stop).way_out(start.position - origin_);
         if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
             const VoxelIndex d = way[k] - way[k - 1];

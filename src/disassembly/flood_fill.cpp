@@ -1,7 +1,7 @@
 #include "disassembly/flood_fill.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 namespace spectralpack {
 namespace {
@@ -13,40 +13,25 @@ VoxelIndex step(VoxelIndex at, int move) {
 
 }  // namespace
 
-FloodFill::FloodFill(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop)
-    : tiles_(tiles),
-      solid_(solid),
-      rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
-      known_(tiles.extent()),
-      stop_(std::move(stop)) {}
+FloodFill::FloodFill(const ReachableRegion& region, StopToken stop)
+    : region_(region), known_(region.extent()), stop_(std::move(stop)) {}
 
 FloodFill::Tile& FloodFill::tile(const VoxelIndex& at) {
-    return known_.at(at.x / 64, at.y, at.z, [&] {
-        FreeTileReader::Rows all;
-        all.fill(~std::uint64_t{0});
-        return Tile{tiles_.tell(at.x / 64, at.y / kRows, at.z, all).free};
-    });
-}
-
-int FloodFill::to_go(const VoxelIndex& at) const {
-    int least = std::numeric_limits<int>::max();
-    for (int axis = 0; axis < 3; ++axis) {
-        least = std::min({least, at[axis] + solid_[axis] - rest_.lo[axis], rest_.hi[axis] - at[axis]});
-    }
-    return std::max(0, least);
+    return known_.at(at.x / 64, at.y, at.z, [&] { return Tile{region_.visited_rows(at.x / 64, at.y, at.z)}; });
 }
 
 std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
-    const VoxelIndex from = start - tiles_.origin();
-    if (!tiles_.extent().contains(from)) return {start};
+    const VoxelIndex from = start - region_.origin();
+    if (!region_.extent().contains(from)) return {start};
     // Buckets by steps in all; the least only grows, since a step brings at most one step nearer.
     std::vector<std::vector<Entry>> open;
-    std::size_t least = static_cast<std::size_t>(to_go(from));
+    auto least = static_cast<std::size_t>(region_.to_go(from));
     const auto push = [&](const Entry& entry) {
-        const auto total = static_cast<std::size_t>(entry.gone + to_go(entry.at));
+        const auto total = static_cast<std::size_t>(entry.gone + region_.to_go(entry.at));
         if (open.size() <= total) open.resize(total + 1);
         open[total].push_back(entry);
     };
+    std::int64_t visited = 0;
     push({from, 0, kStart});
     for (; least < open.size(); ++least) {
         while (!open[least].empty()) {
@@ -54,18 +39,18 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
             open[least].pop_back();
             std::uint8_t& came_here = came(tile(entry.at), entry.at);
             if (came_here != 0) continue;
-            if (++visited_ % kPoll == 0 && stop_.stopped()) return {};
+            if (visited++ % kPoll == 0 && stop_.stopped()) return {};
             came_here = entry.came;
-            if (to_go(entry.at) == 0) return trace(entry.at);
+            if (region_.to_go(entry.at) == 0) return trace(entry.at);
             // The move that led here is tried first (it is pushed last), for few corners.
             const int ahead = entry.came == kStart ? 0 : entry.came - 1;
             for (int i = 5; i >= 0; --i) {
                 const int move = i == 0 ? ahead : i <= ahead ? i - 1 : i;
                 const VoxelIndex next = step(entry.at, move);
-                if (!tiles_.extent().contains(next)) continue;
+                if (!region_.extent().contains(next)) continue;
                 Tile& there = tile(next);
-                const bool free = there.free[static_cast<std::size_t>(next.y % kRows)] >> (next.x % 64) & 1;
-                if (!free || came(there, next) != 0) continue;
+                const bool is_open = there.open[static_cast<std::size_t>(next.y % kRows)] >> (next.x % 64) & 1;
+                if (!is_open || came(there, next) != 0) continue;
                 push({next, entry.gone + 1, static_cast<std::uint8_t>(move + 1)});
             }
         }
@@ -74,7 +59,7 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
 }
 
 std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
-    std::vector<VoxelIndex> way{at + tiles_.origin()};
+    std::vector<VoxelIndex> way{at + region_.origin()};
     int last = -1;
     for (;;) {
         const std::uint8_t came_here = came(tile(at), at);
@@ -82,7 +67,7 @@ std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
         const int move = came_here - 1;
         at = step(at, move ^ 1);  // back
         if (move == last) way.pop_back();
-        way.push_back(at + tiles_.origin());
+        way.push_back(at + region_.origin());
         last = move;
     }
     std::reverse(way.begin(), way.end());

@@ -39,6 +39,10 @@ int ReachableRegion::to_go(int y, int z) const {
                     std::min({y + solid_.y - rest_.lo.y, rest_.hi.y - y, z + solid_.z - rest_.lo.z, rest_.hi.z - z}));
 }
 
+int ReachableRegion::to_go(const VoxelIndex& at) const {
+    return std::max(0, std::min({to_go(at.y, at.z), at.x + solid_.x - rest_.lo.x, rest_.hi.x - at.x}));
+}
+
 /// Those of word i that lie beside the rest along x.
 std::uint64_t ReachableRegion::outside_along_x(int i) const {
     return below(64 * i, rest_.lo.x - solid_.x + 1) | ~below(64 * i, rest_.hi.x);
@@ -129,6 +133,15 @@ bool ReachableRegion::free(const VoxelIndex& position) {
 bool ReachableRegion::visited(const VoxelIndex& position) {
     const VoxelIndex q = position - tiles_.origin();
     return extent_.contains(q) && (place(q.x / 64, q.y, q.z).word().visited >> (q.x % 64) & 1);
+}
+
+FreeTileReader::Rows ReachableRegion::visited_rows(int i, int y, int z) const {
+    FreeTileReader::Rows rows{};
+    const Tile* tile = known_.find(i, y, z);
+    for (std::size_t row = 0; tile && row < kRows; ++row) {
+        rows[row] = tile->words[row].visited;
+    }
+    return rows;
 }
 
 bool ReachableRegion::contains(const VoxelIndex& start) {

@@ -20,18 +20,28 @@ class ReachableRegion {
     /// on it, so that it need not go on to the end.
     using StraightOut = std::function<bool(const VoxelIndex&)>;
 
-    /// As FloodFill. When stopped a walk ends where it is, and what has been said of positions is not to be used.
+    /// `tiles`: free positions of a copy's voxels of this extent, itself not in the way. Outside is where its box does
+    /// not meet `rest`, the box of all other voxels (of which none may lie outside the tiles' grid). When stopped a
+    /// walk ends where it is, and what has been said of positions is not to be used.
     ReachableRegion(FreeTileReader& tiles, const Extent& solid, const VoxelBox& rest, StopToken stop,
                     StraightOut straight_out = {});
+
+    /// Positions that are told of, as tiles are: origin() + (x, y, z), 0 <= (x, y, z) < extent().
+    const VoxelIndex& origin() const { return tiles_.origin(); }
+    const Extent& extent() const { return extent_; }
 
     bool free(const VoxelIndex& position);
     /// On a walk so far.
     bool visited(const VoxelIndex& position);
+    /// Likewise of positions 64 i .. 64 i + 63, from origin(), of layer z and of the 8 rows that y is one of.
+    FreeTileReader::Rows visited_rows(int i, int y, int z) const;
 
     /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every
     /// position visited for that is remembered with the answer, and a walk that meets one ends there: none is visited
     /// twice.
     bool contains(const VoxelIndex& start);
+    /// Steps at least from a position, from origin(), to outside; 0 is outside.
+    int to_go(const VoxelIndex& at) const;
 
     /// Around all positions visited so far.
     const VoxelBox& visited_box() const { return visited_box_; }

@@ -27,12 +27,16 @@ class TileMap {
     /// That of word i of row (y, z), from the tiles' origin; made by `make` when it is first touched.
     template <class Make>
     Tile& at(int i, int y, int z, const Make& make) {
-        Tile**& row = rows_[static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
-                            static_cast<std::size_t>(y / FreeTileReader::kRows)];
+        Tile**& row = rows_[row_of(y, z)];
         if (!row) std::uninitialized_value_construct_n(row = room_for<Tile*>(words_), words_);
         Tile*& tile = row[i];
         if (!tile) tile = std::construct_at(room_for<Tile>(1), make());
         return *tile;
+    }
+    /// Null: not touched so far.
+    const Tile* find(int i, int y, int z) const {
+        Tile* const* row = rows_[row_of(y, z)];
+        return row ? row[i] : nullptr;
     }
     /// Of a row.
     int words() const { return words_; }
@@ -41,6 +45,11 @@ class TileMap {
 
   private:
     static constexpr std::size_t kFirstPiece = 4096;  // bytes
+
+    std::size_t row_of(int y, int z) const {
+        return static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(y / FreeTileReader::kRows);
+    }
 
     template <class T>
     T* room_for(int count) {
