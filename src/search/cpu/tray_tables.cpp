@@ -63,6 +63,12 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
 
 void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
     const Extent& n = tray.extent();
+    // What there was makes room first.
+    bits_ = {};
+    crowd_ = {};
+    sums_ = coarse_ = {};
+    minima_ = {};
+    phi_ = {};
     bits_ = tables_for(tray, margin);
     crowd_ = n.count() >= crowd_from_ ? CrowdTables(bits_) : CrowdTables();
     apart_ = apart;
