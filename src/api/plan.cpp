@@ -427,9 +427,9 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.memory += engines(plan.grid.z);
     plan.cache = std::max<std::int64_t>(0, plan.memory_limit - plan.memory) / kCacheShare;
     if (options.memory == 0) {
-        // Where what links take is kept as well, the maps of the part asked about last will do, which engines keep in
-        // any case: its copies come one after the other, but in a fill.
-        const double per_voxel = keeps_links(options) && !options.fill ? 0 : kCacheUnasked;
+        // Where what walks or links take is kept as well, the maps of the part asked about last will do, which engines
+        // keep in any case: its copies come one after the other, but in a fill.
+        const double per_voxel = options.interlock == Interlock::off || options.fill ? kCacheUnasked : 0;
         const double wanted =
             per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
