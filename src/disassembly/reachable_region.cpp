@@ -53,6 +53,7 @@ void ReachableRegion::reach(const Place& at, std::uint64_t fresh) {
     Tile& tile = *at.tile;
     Word& word = at.word();
     word.visited |= fresh;
+    word.known &= ~fresh;
     if (!std::exchange(tile.on_walk, true)) walk_.tiles.push_back(&tile);
     const auto left = static_cast<std::size_t>(to_go(at.y, tile.z));
     const auto leads_straight_out = [&] {
@@ -63,14 +64,16 @@ void ReachableRegion::reach(const Place& at, std::uint64_t fresh) {
         walk_.outside = true;
         return;
     }
-    if (word.onward == 0) {
+    if ((tile.onward & at.bit()) == 0) {
         if (walk_.open.size() <= left) walk_.open.resize(left + 1);
         walk_.open[left].push_back(at);
         walk_.least = std::min(walk_.least, left);
+        tile.onward |= at.bit();
     }
-    if (word.sideways == 0) walk_.sideways.push_back(at);
-    word.onward |= fresh;
-    word.sideways |= fresh;
+    if ((tile.sideways & at.bit()) == 0) {
+        walk_.sideways.push_back(at);
+        tile.sideways |= at.bit();
+    }
 }
 
 /// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
@@ -79,20 +82,21 @@ void ReachableRegion::look(const Place& at, std::uint64_t wanted) {
     Tile& tile = *at.tile;
     FreeTileReader::Rows unknown;
     for (std::size_t row = 0; row < kRows; ++row) {
-        unknown[row] = wanted & ~tile.words[row].known;
+        unknown[row] = wanted & ~(tile.words[row].known | tile.words[row].visited);
     }
     const FreeTileReader::Told told = tiles_.tell(tile.i, tile.y / kRows, tile.z, unknown);
     for (std::size_t row = 0; row < kRows; ++row) {
         Word& word = tile.words[row];
-        word.free |= told.free[row] & ~word.known;
-        word.known |= told.known[row];
+        const std::uint64_t news = told.known[row] & ~(word.known | word.visited);
+        word.free |= told.free[row] & news;
+        word.known |= news;
     }
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
 void ReachableRegion::touch(const Place& at, std::uint64_t neighbours) {
     const Word& word = at.word();
-    if (neighbours & word.outside) {
+    if (neighbours & word.outside()) {
         walk_.outside = true;
         return;
     }
@@ -102,8 +106,9 @@ void ReachableRegion::touch(const Place& at, std::uint64_t neighbours) {
 }
 
 void ReachableRegion::go_on(const Place& from) {
-    const std::uint64_t positions = std::exchange(from.word().onward, 0);
-    const Tile& tile = *from.tile;
+    Tile& tile = *from.tile;
+    tile.onward ^= from.bit();
+    const std::uint64_t positions = from.word().on_walk();
     for (int move = 0; move < 4 && !walk_.outside; ++move) {
         int y = from.y, z = tile.z;
         (move < 2 ? y : z) += move % 2 == 0 ? 1 : -1;
@@ -114,7 +119,8 @@ void ReachableRegion::go_on(const Place& from) {
 }
 
 void ReachableRegion::go_sideways(const Place& from) {
-    const std::uint64_t positions = std::exchange(from.word().sideways, 0);
+    from.tile->sideways ^= from.bit();
+    const std::uint64_t positions = from.word().on_walk();
     const int i = from.tile->i, y = from.y, z = from.tile->z;
     touch(from, positions << 1 | positions >> 1);
     if (positions >> 63 && i + 1 < known_.words()) touch(place(i + 1, y, z), 1);
@@ -126,8 +132,9 @@ bool ReachableRegion::free(const VoxelIndex& position) {
     if (!extent_.contains(q)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place at = place(q.x / 64, q.y, q.z);
+    if (at.word().visited & bit) return true;
     look(at, bit);
-    return (at.word().free | at.word().visited) & bit;
+    return at.word().free & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) {
@@ -149,9 +156,8 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
     if (!extent_.contains(q)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place from = place(q.x / 64, q.y, q.z);
-    if (from.word().visited & bit) return from.word().outside & bit;
+    if (from.word().visited & bit) return from.word().free & bit;
 
-    from.word().known |= bit;
     from.word().free |= bit;
     reach(from, bit);
     while (!walk_.outside && !stop_.stopped()) {
@@ -179,17 +185,14 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
 void ReachableRegion::end_walk() {
     for (Tile* tile : walk_.tiles) {
         tile->on_walk = false;
+        tile->onward = tile->sideways = 0;
         const int x = 64 * tile->i;
         for (int row = 0; row < kRows; ++row) {
             Word& word = tile->words[static_cast<std::size_t>(row)];
-            const std::uint64_t visited = word.visited & word.free & ~word.outside;
+            const std::uint64_t visited = word.on_walk();
             if (visited == 0) continue;
-            if (walk_.outside) {
-                word.outside |= visited;
-            } else {
-                word.free &= ~visited;
-            }
-            word.onward = word.sideways = 0;
+            if (!walk_.outside) word.free &= ~visited;
+            word.known |= visited;
             const VoxelIndex lo{x + std::countr_zero(visited), tile->y + row, tile->z};
             const VoxelIndex hi{x + 64 - std::countl_zero(visited), tile->y + row + 1, tile->z + 1};
             visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});

@@ -50,27 +50,31 @@ class ReachableRegion {
     std::int64_t bytes() const { return known_.bytes(); }
 
   private:
-    /// What is known of 64 positions. Of the visited, those that are no longer called free have no way; the others have
-    /// one, or are on the walk under way.
+    static constexpr int kRows = FreeTileReader::kRows;
+    /// What is known of 64 positions. There are millions of these, so they say much in few bits: of what the walk under
+    /// way has visited nothing is known, and once it ends that is called free which has a way.
     struct Word {
         std::uint64_t known = 0, free = 0;  ///< whether each is free
         std::uint64_t visited = 0;
-        std::uint64_t outside = 0;   ///< of the visited: there is a way
-        std::uint64_t onward = 0;    ///< of the visited: to be gone on from along y and z
-        std::uint64_t sideways = 0;  ///< likewise along x
+
+        std::uint64_t outside() const { return visited & known & free; }
+        std::uint64_t on_walk() const { return visited & ~known; }
     };
-    static constexpr int kRows = FreeTileReader::kRows;
     struct Tile {
         int i, y, z;  ///< word i of rows y .. y + 7 of layer z, from the tiles' origin
         bool on_walk = false;
+        std::uint8_t onward = 0, sideways = 0;  ///< rows that are to be gone on from along y and z, and along x
         std::array<Word, kRows> words{};
     };
+    static_assert(kRows <= 8);
     /// Row y of a tile.
     struct Place {
         Tile* tile;
         int y;
 
         Word& word() const { return tile->words[static_cast<std::size_t>(y - tile->y)]; }
+        /// Among those of a tile.
+        std::uint8_t bit() const { return static_cast<std::uint8_t>(1 << (y - tile->y)); }
     };
 
     Place place(int i, int y, int z);

@@ -29,11 +29,11 @@ class ReachableSearch : public ForwardingSearch {
         : ForwardingSearch(engine), walls_(walls), rows_along_(rows_along), kept_(kept) {}
 
     static constexpr std::int64_t kKept = std::int64_t{512} << 20;
-    /// Of kKept, what walks come by in such a grid, about: of a position they keep six bits, and of few orientations
+    /// Of kKept, what walks come by in such a grid, about: of a position they keep three bits, and of few orientations
     /// they see it all.
     static std::int64_t kept_in(const Extent& grid) {
-        constexpr std::int64_t kOrientations = 8;
-        return std::min(kKept, kOrientations * grid.count() * 6 / 8);
+        constexpr std::int64_t kOrientations = 8, kBits = 3;
+        return std::min(kKept, kOrientations * grid.count() * kBits / 8);
     }
 
     /// Asks the engine, which asks back of each candidate that would be the best so far whether it is reachable. Where
