@@ -1,7 +1,10 @@
 #include "geometry/bvh.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace spectralpack {
 
@@ -53,6 +56,12 @@ class Builder {
     std::vector<Vec3> centres_;
 };
 
+/// The greatest float that is no greater.
+float at_most(double x) {
+    const auto nearest = static_cast<float>(x);
+    return nearest > x ? std::nextafter(nearest, -std::numeric_limits<float>::infinity()) : nearest;
+}
+
 }  // namespace
 
 Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
@@ -62,27 +71,39 @@ Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
         const auto first = builder.order_.begin() + node.first;
         if (node.leaf()) std::sort(first, first + node.count);
     }
-    triangles_.reserve(mesh.triangles.size());
+    std::vector<Triangle> triangles;
+    triangles.reserve(mesh.triangles.size());
     for (const std::uint32_t i : builder.order_) {
-        triangles_.push_back(mesh.triangles[i]);
+        triangles.push_back(mesh.triangles[i]);
     }
+    triangles_ = std::make_shared<const std::vector<Triangle>>(std::move(triangles));
     refit();
     faces_outwards_ = faces_outwards || (is_closed(mesh) && signed_volume(mesh) > 0);
 }
 
 void Bvh::refit() {
+    box_ = Box{};
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         Node& node = nodes_[i];
-        node.box = Box{};
         if (node.leaf()) {
+            Box box;
             for (std::size_t t = node.first; t < node.first + node.count; ++t) {
                 for (const Vec3& corner : corners(t)) {
-                    node.box.add(corner);
+                    box.add(corner);
                 }
             }
+            box_.add(box);
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto k = static_cast<std::size_t>(axis);
+                node.min[k] = at_most(box.min[axis]);
+                node.max[k] = -at_most(-box.max[axis]);
+            }
         } else {
-            node.box.add(nodes_[i + 1].box);
-            node.box.add(nodes_[node.first].box);
+            const Node &left = nodes_[i + 1], &right = nodes_[node.first];
+            for (std::size_t k = 0; k < 3; ++k) {
+                node.min[k] = std::min(left.min[k], right.min[k]);
+                node.max[k] = std::max(left.max[k], right.max[k]);
+            }
         }
     }
 }
@@ -93,16 +114,18 @@ Bvh Bvh::turned(const Mat3& linear) const {
         vertex = Transform{linear, {}} * vertex;
     }
     if (determinant(linear) < 0) {
-        for (Triangle& t : result.triangles_) {
+        std::vector<Triangle> mirrored = *triangles_;
+        for (Triangle& t : mirrored) {
             std::swap(t[1], t[2]);
         }
+        result.triangles_ = std::make_shared<const std::vector<Triangle>>(std::move(mirrored));
     }
     result.refit();
     return result;
 }
 
 std::int64_t Bvh::bytes() const {
-    return static_cast<std::int64_t>(vertices_.size() * sizeof(Vec3) + triangles_.size() * sizeof(Triangle) +
+    return static_cast<std::int64_t>(vertices_.size() * sizeof(Vec3) + triangles_->size() * sizeof(Triangle) +
                                      nodes_.size() * sizeof(Node));
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,17 +16,18 @@ using Corners = std::array<Vec3, 3>;  ///< of one triangle, in its order
 
 inline Box bounding_box(const Corners& t) { return {min(t[0], min(t[1], t[2])), max(t[0], max(t[1], t[2]))}; }
 
-/// Immutable and shareable. About 60 bytes a triangle.
+/// Immutable and shareable. About 45 bytes a triangle, 33 where a tree was turned from another and both are kept.
 class Bvh {
   public:
     /// An inner node's left child is the next node, its right child is `first`; a leaf holds the
-    /// triangles first .. first + count - 1.
+    /// triangles first .. first + count - 1. Two fit a cache line: boxes are in single precision, rounded outwards.
     struct Node {
-        Box box;
+        std::array<float, 3> min, max;
         std::uint32_t first = 0;
         std::uint32_t count = 0;  ///< 0: inner node
 
         bool leaf() const { return count > 0; }
+        Box box() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
     };
 
     static constexpr std::size_t kLeafTriangles = 4;  ///< 8 is slower, 1 and 2 are larger and no faster
@@ -39,16 +41,17 @@ class Bvh {
     Bvh turned(const Mat3& linear) const;
 
     std::span<const Node> nodes() const { return nodes_; }  ///< the root first; empty without triangles
-    std::size_t triangle_count() const { return triangles_.size(); }
+    std::size_t triangle_count() const { return triangles_->size(); }
     Corners corners(std::size_t i) const {
-        const Triangle& t = triangles_[i];
+        const Triangle& t = (*triangles_)[i];
         return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
     }
-    Box box() const { return nodes_.empty() ? Box{} : nodes_.front().box; }
+    const Box& box() const { return box_; }  ///< exact
 
     /// The triangles face outwards: the mesh is closed and its signed volume is positive, or it was said so.
     bool faces_outwards() const { return faces_outwards_; }
 
+    /// With the triangles, which trees turned from each other share.
     std::int64_t bytes() const;
     /// What bytes() of the mesh's tree is at most: a leaf holds more than half of kLeafTriangles, unless it is the
     /// root.
@@ -59,8 +62,9 @@ class Bvh {
     void refit();
 
     std::vector<Vec3> vertices_;
-    std::vector<Triangle> triangles_;  // in the order of the leaves
+    std::shared_ptr<const std::vector<Triangle>> triangles_;  // in the order of the leaves
     std::vector<Node> nodes_;
+    Box box_;
     bool faces_outwards_ = false;
 };
 

@@ -43,7 +43,7 @@ class Search {
     };
 
     Pair pair_of(std::uint32_t a, std::uint32_t b) const {
-        return {a, b, square_distance(moved(a_.nodes()[a].box, offset_), b_.nodes()[b].box)};
+        return {a, b, square_distance(moved(a_.nodes()[a].box(), offset_), b_.nodes()[b].box())};
     }
 
     void push(std::uint32_t a, std::uint32_t b) { stack_.push_back(pair_of(a, b)); }
@@ -55,7 +55,7 @@ class Search {
             compare(a, b);
             return;
         }
-        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box) > extent(b.box));
+        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box()) > extent(b.box()));
         Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
         Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
         if (one.square < two.square) std::swap(one, two);  // the nearer on top
@@ -78,7 +78,7 @@ class Search {
                 corner = corner + offset_;
             }
             const Box box = bounding_box(one);
-            if (square_distance(box, b.box) >= best_.distance * best_.distance) continue;
+            if (square_distance(box, b.box()) >= best_.distance * best_.distance) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
                 if (square_distance(box, boxes[j]) >= best_.distance * best_.distance) continue;
                 if (plane_separation(one, others[j], {}) >= best_.distance) continue;

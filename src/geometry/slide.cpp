@@ -91,7 +91,7 @@ class Slide {
     }
 
     Pair pair_of(std::uint32_t a, std::uint32_t b) const {
-        return {a, b, earliest(sweep(moving_.nodes()[a].box, offset_), sweep(still_.nodes()[b].box, {}))};
+        return {a, b, earliest(sweep(moving_.nodes()[a].box(), offset_), sweep(still_.nodes()[b].box(), {}))};
     }
 
     void push(std::uint32_t a, std::uint32_t b) {
@@ -106,7 +106,7 @@ class Slide {
             meet(a, b);
             return;
         }
-        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box) > extent(b.box));
+        const bool split_a = b.leaf() || (!a.leaf() && extent(a.box()) > extent(b.box()));
         Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
         Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
         if (one.earliest < two.earliest) std::swap(one, two);  // the earlier contact on top
@@ -127,7 +127,7 @@ class Slide {
             ahead[j] = still_.corners(b.first + j);
             sweeps[j] = sweep(bounding_box(ahead[j]), {});
         }
-        const Sweep all = sweep(b.box, {});
+        const Sweep all = sweep(b.box(), {});
         for (std::size_t i = a.first; i < a.first + a.count; ++i) {
             Corners one = moving_.corners(i);
             for (Vec3& corner : one) {

@@ -35,7 +35,7 @@ class Passage {
             const Bvh::Node &a = moving_.nodes()[i], &b = still_.nodes()[j];
             if (a.leaf() && b.leaf()) {
                 if (leaves_meet(a, b)) return false;
-            } else if (b.leaf() || (!a.leaf() && extent(a.box) > extent(b.box))) {
+            } else if (b.leaf() || (!a.leaf() && extent(a.box()) > extent(b.box()))) {
                 push(i + 1, j);
                 push(a.first, j);
             } else {
@@ -71,11 +71,12 @@ class Passage {
     }
 
     void push(std::uint32_t i, std::uint32_t j) {
-        if (!apart(seen(moving_.nodes()[i].box, offset_), seen(still_.nodes()[j].box, {}))) stack_.emplace_back(i, j);
+        if (!apart(seen(moving_.nodes()[i].box(), offset_), seen(still_.nodes()[j].box(), {})))
+            stack_.emplace_back(i, j);
     }
 
     bool leaves_meet(const Bvh::Node& a, const Bvh::Node& b) const {
-        const SeenBox box = seen(b.box, {});
+        const SeenBox box = seen(b.box(), {});
         std::array<SeenTriangle, Bvh::kLeafTriangles> ahead;
         std::size_t made = 0;
         for (std::size_t i = a.first; i < a.first + a.count; ++i) {

@@ -87,12 +87,12 @@ class Search {
     /// Pairs with one triangle under each.
     void between(std::uint32_t first, std::uint32_t second) {
         const Bvh::Node &a = tree_.nodes()[first], &b = tree_.nodes()[second];
-        if (!spend(1) || !meet(a.box, b.box)) return;
+        if (!spend(1) || !meet(a.box(), b.box())) return;
         if (a.leaf() && b.leaf()) {
             for (std::uint32_t i = a.first; i < a.first + a.count; ++i) {
                 test(i, b.first, b.first + b.count);
             }
-        } else if (b.leaf() || (!a.leaf() && a.box.volume() > b.box.volume())) {
+        } else if (b.leaf() || (!a.leaf() && a.box().volume() > b.box().volume())) {
             between(first + 1, second);
             between(a.first, second);
         } else {

@@ -97,9 +97,9 @@ TEST(Bvh, HoldsEveryTriangleOnceInsideItsBoxes) {
         for (std::size_t i = node.first; i < node.first + node.count; ++i) {
             ++seen[i];
             for (const Vec3& corner : bvh.corners(i)) {
-                Box grown = node.box;
+                Box grown = node.box();
                 grown.add(corner);
-                EXPECT_EQ(grown, node.box);
+                EXPECT_EQ(grown, node.box());
             }
         }
     }
@@ -107,11 +107,13 @@ TEST(Bvh, HoldsEveryTriangleOnceInsideItsBoxes) {
     for (std::size_t i = 0; i < bvh.nodes().size(); ++i) {
         const Bvh::Node& node = bvh.nodes()[i];
         if (node.leaf()) continue;
-        Box both = bvh.nodes()[i + 1].box;
-        both.add(bvh.nodes()[node.first].box);
-        EXPECT_EQ(both, node.box);
+        Box both = bvh.nodes()[i + 1].box();
+        both.add(bvh.nodes()[node.first].box());
+        EXPECT_EQ(both, node.box());
     }
     EXPECT_EQ(bvh.box(), bounding_box(mesh));
+    EXPECT_NEAR(distance(bvh.nodes().front().box(), {{20, -1, -1}, {21, 1, 1}}),
+                distance(bvh.box(), {{20, -1, -1}, {21, 1, 1}}), 2e-6);
 }
 
 TEST(Bvh, TurnedIsTheTreeOfTheTurnedMesh) {
