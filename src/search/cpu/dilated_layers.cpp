@@ -4,67 +4,70 @@
 
 namespace spectralpack {
 
+VoxelBox DilatedRows::read_for(const VoxelBox& changed, const Extent& extent) {
+    VoxelBox box = changed;
+    box.lo.x = 64 * std::max(0, first_word(changed.lo.x) - 1);
+    box.hi.x = std::min(extent.x, 64 * (last_word(changed.hi.x) + 1));
+    return box;
+}
+
+void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const VoxelIndex& corner) const {
+    const int first = first_word(changed.lo.x), last = last_word(changed.hi.x);
+    // Table 0: the voxels, moved up by 63 bits, which is a word less one bit.
+    static_assert(kShift == 63);
+    for (int y = changed.lo.y; y < changed.hi.y; ++y) {
+        const Word* row = voxels.row(y - corner.y, changed.lo.z - corner.z);
+        const auto word = [&](int w) {
+            const int i = w - corner.x / 64;
+            return 0 <= i && i < voxels.words_per_row() ? row[i] : 0;
+        };
+        for (int w = first; w <= last; ++w) {
+            words[w * stride + y] = word(w) << 63 | word(w - 1) >> 1;
+        }
+    }
+    for (int level = 1; level < kLevels; ++level) {
+        const int by = 1 << (level - 1);
+        for (int w = first; w <= last; ++w) {
+            const Word* half = words + (level - 1) * table + w * stride;
+            Word* whole = words + level * table + w * stride;
+            for (int y = changed.lo.y; y < changed.hi.y; ++y) {
+                whole[y] = half[y] | half[y] >> by | half[y + stride] << (64 - by);
+            }
+        }
+    }
+}
+
 DilatedLayers::DilatedLayers(const Tray& tray)
     : extent_(tray.extent()),
       instance_(tray.instance()),
       version_(tray.version()),
       words_(words_for(extent_)),
-      layers_(static_cast<std::size_t>(extent_.z)) {}
+      layers_(static_cast<std::size_t>(extent_.z)) {
+    for (int z = 0; z < extent_.z; ++z) {
+        layers_[static_cast<std::size_t>(z)].changed = {{0, 0, z}, {extent_.x, extent_.y, z + 1}};
+    }
+}
 
 void DilatedLayers::follow(const Tray& tray) {
     for (; version_ < tray.version(); ++version_) {
         const TrayObject& object = tray.object(tray.journal()[version_].id);
-        const VoxelBox box = intersection(object.box(), whole(extent_));
-        for (int z = box.lo.z; z < box.hi.z; ++z) {
-            layers_[static_cast<std::size_t>(z)].current = false;
+        VoxelBox box = intersection(object.box(), whole(extent_));
+        for (int z = box.lo.z, end = box.hi.z; z < end; ++z) {
+            Layer& layer = layers_[static_cast<std::size_t>(z)];
+            layer.current = false;
+            box.lo.z = z;
+            box.hi.z = z + 1;
+            layer.changed = hull(layer.changed, box);
         }
     }
 }
 
-std::size_t DilatedLayers::table_words(int words, int rows) {
-    // Up to kTogether - 1 rows before and after those that hold something are read with them.
-    const int padded = rows + 2 * (DilatedRows::kTogether - 1);
-    return static_cast<std::size_t>(DilatedRows::kLevels) * static_cast<std::size_t>(words + 2) *
-           static_cast<std::size_t>(padded);
-}
-
-std::size_t DilatedLayers::table_words(int rows) const { return table_words(words_, rows); }
-
-DilatedRows DilatedLayers::dilate(const BitGrid& voxels, int z, int first_row, Word* words) const {
-    const int rows = voxels.extent().y;
-    DilatedRows result;
-    result.stride = rows + 2 * (DilatedRows::kTogether - 1);
-    result.first = words + DilatedRows::kTogether - 1 - first_row;
-    result.begin = first_row + rows;
-    result.end = first_row;
-    // Table 0: the voxels, moved up by 63 bits, which is a word less one bit.
-    static_assert(DilatedRows::kShift == 63);
-    const auto stride = static_cast<std::size_t>(result.stride);
-    Word* table = words + stride + DilatedRows::kTogether - 1;  // word 0 of row 0
-    for (int y = 0; y < rows; ++y) {
-        const Word* row = voxels.row(y, z);
-        Word any = 0;
-        for (int i = 0; i < voxels.words_per_row(); ++i) {
-            Word* to = table + static_cast<std::size_t>(i) * stride + y;
-            any |= row[i];
-            to[0] |= row[i] << 63;
-            if (i + 1 < words_) to[stride] |= row[i] >> 1;
-        }
-        if (any == 0) continue;
-        result.begin = std::min(result.begin, first_row + y);
-        result.end = first_row + y + 1;
-    }
-    const std::size_t table_size = static_cast<std::size_t>(columns()) * stride;
-    for (int level = 1; level < DilatedRows::kLevels; ++level) {
-        const int by = 1 << (level - 1);
-        const Word* half = table;
-        table += table_size;
-        // Padding goes through it as well and stays zero.
-        for (std::size_t i = 0; i < static_cast<std::size_t>(words_) * stride; ++i) {
-            table[i] = half[i] | half[i] >> by | half[i + stride] << (64 - by);
-        }
-    }
-    return result;
+std::size_t DilatedLayers::layer_words(const Extent& extent) {
+    // A column of zeros before and after the others; up to kTogether - 1 rows before and after those that hold
+    // something are read with them.
+    const int columns = words_for(extent) + 2, rows = extent.y + 2 * (DilatedRows::kTogether - 1);
+    return static_cast<std::size_t>(DilatedRows::kLevels) * static_cast<std::size_t>(columns) *
+           static_cast<std::size_t>(rows);
 }
 
 const DilatedRows& DilatedLayers::layer(const Tray& tray, int z) {
@@ -72,30 +75,48 @@ const DilatedRows& DilatedLayers::layer(const Tray& tray, int z) {
     if (layer.current.load(std::memory_order_acquire)) return layer.rows;
     const std::lock_guard lock(making_);
     if (layer.current.load(std::memory_order_relaxed)) return layer.rows;
-    const BitGrid voxels = tray.omega_move({{0, 0, z}, {extent_.x, extent_.y, z + 1}}, std::nullopt);
-    if (voxels.none()) {
-        layer.rows = {};
-    } else {
-        const std::size_t count = table_words(extent_.y);
-        if (!layer.words) {
-            layer.words = std::make_unique<Word[]>(count);
-            ++made_;
-        } else {
-            std::fill_n(layer.words.get(), count, Word{0});
-        }
-        layer.rows = dilate(voxels, 0, 0, layer.words.get());
-    }
+    bring_up(layer, tray);
+    layer.changed = {};
     layer.current.store(true, std::memory_order_release);
     return layer.rows;
 }
 
+void DilatedLayers::bring_up(Layer& layer, const Tray& tray) {
+    const VoxelBox box = DilatedRows::read_for(layer.changed, extent_);
+    const BitGrid voxels = tray.omega_move(box, std::nullopt);
+    DilatedRows& rows = layer.rows;
+    if (!layer.words) {
+        if (voxels.none()) return;
+        layer.words = std::make_unique<Word[]>(layer_words(extent_));
+        ++made_;
+        rows.stride = extent_.y + 2 * (DilatedRows::kTogether - 1);
+        rows.table = (words_ + 2) * rows.stride;
+        rows.words = layer.words.get() + rows.stride + DilatedRows::kTogether - 1;
+    }
+    rows.make(layer.changed, voxels, box.lo);
+    rows.begin = std::min(rows.begin, layer.changed.lo.y);
+    rows.end = std::max(rows.end, layer.changed.hi.y);
+    const auto empty = [&](int y) {
+        for (int w = 0; w < words_; ++w) {
+            if (rows.words[w * rows.stride + y] != 0) return false;
+        }
+        return true;
+    };
+    while (rows.begin < rows.end && empty(rows.begin)) {
+        ++rows.begin;
+    }
+    while (rows.begin < rows.end && empty(rows.end - 1)) {
+        --rows.end;
+    }
+}
+
 std::int64_t DilatedLayers::bytes() const {
     return static_cast<std::int64_t>(layers_.size() * sizeof(Layer)) +
-           made_.load() * static_cast<std::int64_t>(table_words(extent_.y) * sizeof(Word));
+           made_.load() * static_cast<std::int64_t>(layer_words(extent_) * sizeof(Word));
 }
 
 std::int64_t DilatedLayers::most_bytes(const Extent& extent) {
-    const std::size_t layer = sizeof(Layer) + table_words(words_for(extent), extent.y) * sizeof(Word);
+    const std::size_t layer = sizeof(Layer) + layer_words(extent) * sizeof(Word);
     return static_cast<std::int64_t>(extent.z) * static_cast<std::int64_t>(layer);
 }
 

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "search/tray.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
-/// The tables of one layer, or of some neighbouring rows of it: for 1, 2, 4 .. 64 voxels along x. Words of 64 voxels
-/// lie in the order row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
+/// The tables of one layer, or of a part of it: for 1, 2, 4 .. 64 voxels along x. Words of 64 voxels lie in the order
+/// row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
 struct DilatedRows {
     using Word = BitGrid::Word;
     static constexpr int kLevels = 7;
@@ -24,9 +25,19 @@ struct DilatedRows {
     /// Something is in rows begin .. end - 1 at most.
     int begin = std::numeric_limits<int>::max(), end = 0;
     /// Row `row` and the seven after it, of word w (-1 .. words() - 1, or one more: zeros) of table `level`, are at
-    /// first[(level * columns + w + 1) * stride + row], for any of them that meet rows begin .. end - 1.
-    const Word* first = nullptr;
-    std::int64_t stride = 0;
+    /// words[level * table + w * stride + row], for any of them that meet rows begin .. end - 1.
+    Word* words = nullptr;
+    std::int64_t table = 0, stride = 0;
+
+    /// Of the words that voxels from x = lo on, or up to hi - 1, set bits in: the first, the last.
+    static int first_word(int lo) { return lo / 64; }
+    static int last_word(int hi) { return (hi - 1 + kShift) / 64; }
+    /// The voxels that make() asks for where a layer, or many, of such an extent changed in a box.
+    static VoxelBox read_for(const VoxelBox& changed, const Extent& extent);
+
+    /// Makes the tables anew for one layer of voxels that may have come or gone in the box `changed`, from `voxels`,
+    /// which hold those of read_for() from `corner` on. What lies beside the words that these set bits in is right.
+    void make(const VoxelBox& changed, const BitGrid& voxels, const VoxelIndex& corner) const;
 };
 
 class DilatedLayers {
@@ -45,17 +56,10 @@ class DilatedLayers {
     std::uint64_t instance() const { return instance_; }
     std::uint64_t version() const { return version_; }  ///< of the tray that they are of
     int words() const { return words_; }                ///< of a row's table: bits 0 .. extent.x + kShift - 1
-    int columns() const { return words_ + 2; }          ///< with a zero before and after them
 
     /// Bit X + kShift of table k: something in voxels X .. X + 2^k - 1 of the row. `tray` as it was followed last.
-    /// Several threads may ask at once. O(words of the layer) when first asked for.
+    /// Several threads may ask at once. O(words of the layer) when first asked for; then of what has changed.
     const DilatedRows& layer(const Tray& tray, int z);
-
-    /// Words that the tables of so many rows take.
-    std::size_t table_words(int rows) const;
-    /// The tables of layer z of `voxels`, whose rows are those from first_row on; in `words`, table_words() zeros
-    /// before.
-    DilatedRows dilate(const BitGrid& voxels, int z, int first_row, Word* words) const;
 
     std::int64_t bytes() const;
     /// Of all layers of such a grid: what bytes() comes to at most.
@@ -64,12 +68,14 @@ class DilatedLayers {
   private:
     struct Layer {
         std::atomic<bool> current = false;
+        VoxelBox changed;  // since it was current; before it was, all of it
         DilatedRows rows;
         std::unique_ptr<Word[]> words;  // null: nothing in it so far
     };
 
-    static int words_for(const Extent& extent) { return (extent.x + DilatedRows::kShift + 63) / 64; }
-    static std::size_t table_words(int words, int rows);
+    static int words_for(const Extent& extent) { return DilatedRows::last_word(extent.x) + 1; }
+    static std::size_t layer_words(const Extent& extent);
+    void bring_up(Layer& layer, const Tray& tray);
 
     Extent extent_;
     std::uint64_t instance_;

@@ -38,9 +38,10 @@ bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int
         const int at_y = y + look.y, at_word = word + look.word;
         if (static_cast<unsigned>(at_word + 1) >= columns) return;
         const DilatedRows* rows = layer.all;
-        if (at_y < layer.end && at_y + kRows > layer.begin) rows = layer.without;
         if (at_y >= rows->end || at_y + kRows <= rows->begin) return;
-        const std::uint64_t* low = rows->first + (look.table + at_word) * rows->stride + at_y;
+        const bool beside = at_y >= layer.end || at_y + kRows <= layer.begin;
+        if (!beside && at_word >= layer.from && at_word < layer.to) rows = layer.without;
+        const std::uint64_t* low = rows->words + look.level * rows->table + at_word * rows->stride + at_y;
         if (look.shift == 0) {
             for (std::size_t v = 0; v < kVectors; ++v) {
                 known[v] = hn::Or(known[v], hn::LoadU(d, low + v * kStep));
@@ -124,21 +125,17 @@ FreeTiles::FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, co
         extent_[axis] = tray.extent()[axis] + solid_->extent()[axis] - 1 + 2 * query.padding;
     }
     if (!query.without) return;
-    VoxelBox around = intersection(tray.object(*query.without).box(), whole(tray.extent()));
-    if (around.empty()) return;
-    around.lo.x = 0;
-    around.hi.x = tray.extent().x;
-    around.lo.y -= kRows - 1;
-    around.hi.y += kRows - 1;
-    around_ = intersection(around, whole(tray.extent()));
-    voxels_without_ = tray.omega_move(around_, query.without);
-    without_.resize(static_cast<std::size_t>(around_.hi.z - around_.lo.z));
+    const VoxelBox out = intersection(tray.object(*query.without).box(), whole(tray.extent()));
+    if (out.empty()) return;
+    out_ = out;
+    read_ = DilatedRows::read_for(out_, tray.extent());
+    voxels_without_ = tray.omega_move(read_, query.without);
+    without_.resize(static_cast<std::size_t>(out_.hi.z - out_.lo.z));
 }
 
 TileLooks FreeTiles::looks_for(const BitGrid& voxels) const {
     constexpr int kLevels = DilatedRows::kLevels;
     constexpr int kLongest = 2 << (kLevels - 1);
-    const int columns = shared_->columns();
     std::vector<std::array<TileLook, 2>> all;  // of a run, at its ends; by z and y
     for (const Run& run : runs_along(voxels, 0).runs) {
         for (int done = 0; done < run.length; done += kLongest) {
@@ -146,8 +143,7 @@ TileLooks FreeTiles::looks_for(const BitGrid& voxels) const {
             const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), kLevels) - 1;
             const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
             const auto look = [&](int bit) {
-                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level * columns + 1, bit >> 6,
-                                bit & 63};
+                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level, bit >> 6, bit & 63};
             };
             all.push_back({look(begin), look(begin + length - (1 << level))});
         }
@@ -181,15 +177,35 @@ void FreeTiles::make_layers(int begin, int end) {
         TileLayer& layer = layers_[static_cast<std::size_t>(z)];
         if (layer.all) continue;
         layer.all = &shared_->layer(tray_, z);
-        if (z < around_.lo.z || z >= around_.hi.z) continue;
-        Without& without = without_[static_cast<std::size_t>(z - around_.lo.z)];
-        without.words = std::make_unique<DilatedRows::Word[]>(shared_->table_words(voxels_without_.extent().y));
-        without.rows = shared_->dilate(voxels_without_, z - around_.lo.z, around_.lo.y, without.words.get());
-        layer.without = &without.rows;
-        // Of around_ those rows that its object may have something in.
-        layer.begin = around_.lo.y == 0 ? 0 : around_.lo.y + kRows - 1;
-        layer.end = around_.hi.y == tray_.extent().y ? around_.hi.y : around_.hi.y - (kRows - 1);
+        if (layer.all->words && out_.lo.z <= z && z < out_.hi.z) leave_out(layer, z);
     }
+}
+
+/// Of the layer's tables what the object that is out has something in, made anew without it.
+void FreeTiles::leave_out(TileLayer& layer, int z) {
+    const DilatedRows& all = *layer.all;
+    layer.begin = out_.lo.y;
+    layer.end = out_.hi.y;
+    layer.from = DilatedRows::first_word(out_.lo.x) - 1;
+    layer.to = DilatedRows::last_word(out_.hi.x) + 1;
+    const int first_row = layer.begin - (kRows - 1), rows = layer.end + kRows - 1 - first_row;
+    const int columns = layer.to + 1 - layer.from;
+
+    Without& without = without_[static_cast<std::size_t>(z - out_.lo.z)];
+    without.words = std::make_unique_for_overwrite<DilatedRows::Word[]>(
+        static_cast<std::size_t>(DilatedRows::kLevels * columns) * static_cast<std::size_t>(rows));
+    DilatedRows& part = without.rows;
+    part.stride = rows;
+    part.table = columns * part.stride;
+    part.words = without.words.get() - layer.from * part.stride - first_row;
+    for (int level = 0; level < DilatedRows::kLevels; ++level) {
+        for (int word = layer.from; word <= layer.to; ++word) {
+            std::copy_n(all.words + level * all.table + word * all.stride + first_row, rows,
+                        part.words + level * part.table + word * part.stride + first_row);
+        }
+    }
+    part.make({{out_.lo.x, out_.lo.y, z}, {out_.hi.x, out_.hi.y, z + 1}}, voxels_without_, read_.lo);
+    layer.without = &part;
 }
 
 FreeTileReader::Told FreeTiles::tell(int i, int j, int z, const Rows& wanted) {

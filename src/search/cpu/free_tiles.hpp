@@ -15,7 +15,7 @@ namespace spectralpack {
 /// 64 positions side by side, in the tables of a row: what a run of the shape meets, or a part of it.
 struct TileLook {
     int y = 0, z = 0;  ///< of the row, from the position's
-    int table = 0;     ///< columns before the table's, and that of word 0
+    int level = 0;     ///< of the table
     int word = 0;      ///< from the tile's
     int shift = 0;     ///< of the first bit in it
 };
@@ -30,12 +30,14 @@ struct TileLooks {
     std::vector<Layer> layers;  ///< of the others
 };
 
-/// A look at a layer: the tray's rows, but for those that an object which is out has something in.
+/// A look at a layer: the tray's rows, but for what an object which is out has something in.
 struct TileLayer {
     const DilatedRows* all = nullptr;
     const DilatedRows* without = nullptr;
-    /// For rows begin .. end - 1 `without` is to be asked; it knows those around as well.
+    /// In rows begin .. end - 1 `without` is to be asked for words from .. to - 1; it knows the rows around, and word
+    /// `to`, as well.
     int begin = std::numeric_limits<int>::max(), end = 0;
+    int from = 0, to = 0;
 };
 
 /// A run of 2^k voxels or more, up to twice as many, is two look-ups in the tray's layers dilated by 2^k, for eight
@@ -63,6 +65,7 @@ class FreeTiles final : public FreeTileReader {
 
     TileLooks looks_for(const BitGrid& voxels) const;
     void make_layers(int begin, int end);
+    void leave_out(TileLayer& layer, int z);
 
     const Tray& tray_;
     std::shared_ptr<DilatedLayers> shared_;
@@ -71,9 +74,10 @@ class FreeTiles final : public FreeTileReader {
     std::shared_ptr<const BitGrid> solid_;
     TileLooks looks_;                // empty: not yet made. Many readers are made of whom few are asked
     std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
-    VoxelBox around_;               // of the object that is out, and rows beside it that are read together; empty: none
-    BitGrid voxels_without_;        // Omega_move in that box
-    std::vector<Without> without_;  // by z from around_.lo.z on
+    VoxelBox out_;                   // the object that is, in the tray; empty: none
+    VoxelBox read_;                  // what its words hold
+    BitGrid voxels_without_;         // Omega_move in that box
+    std::vector<Without> without_;   // by z from out_.lo.z on
 };
 
 }  // namespace spectralpack
