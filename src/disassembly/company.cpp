@@ -301,7 +301,11 @@ Company::Flooded Company::way_out(Flood& flood) const {
             const VoxelIndex d = way[k] - way[k - 1];
             path.push_back({d.x * dx, d.y * dx, d.z * dx});
         }
-        if (const std::optional<Path> out = out_along(i, merged(path))) return {shortened(i, *out), {}};
+        if (std::optional<Path> out = out_along(i, merged(path))) {
+            return {shortened(std::move(*out),
+                              [&](const Vec3& from, const Vec3& move) { return free_move(i, from, move); }),
+                    {}};
+        }
         // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
         return {std::nullopt, {others.lo + origin_, others.hi + origin_}};
     }
@@ -347,32 +351,6 @@ std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path)
         }
     }
     return std::nullopt;
-}
-
-Company::Path Company::shortened(std::size_t i, Path path) const {
-    Vec3 from;
-    for (std::size_t k = 0; k + 2 < path.size();) {
-        const Vec3 both = path[k] + path[k + 2], between = path[k + 1];
-        bool shorter = false;
-        if (direction_of(path[k]).axis == direction_of(path[k + 2]).axis) {
-            for (const Path& tried : {merged({both, between}), merged({between, both})}) {
-                if (!free_path(i, from, tried)) continue;
-                path.erase(path.begin() + static_cast<std::ptrdiff_t>(k),
-                           path.begin() + static_cast<std::ptrdiff_t>(k + 3));
-                path.insert(path.begin() + static_cast<std::ptrdiff_t>(k), tried.begin(), tried.end());
-                path = merged(path);
-                shorter = true;
-                break;
-            }
-        }
-        if (shorter) {
-            k = 0;
-            from = {};
-        } else {
-            from = from + path[k++];
-        }
-    }
-    return path;
 }
 
 }  // namespace spectralpack

@@ -130,8 +130,6 @@ class Company {
     /// Goes along `path`, which leads outside, to the first corner from which it is free to go straight out, and then
     /// that way. None where a move is not free.
     std::optional<Path> out_along(std::size_t i, const Path& path) const;
-    /// Of a free path: two moves along the same axis with one between them become one, before it or after it.
-    Path shortened(std::size_t i, Path path) const;
 
     const DisassemblySetup& setup_;
     std::vector<int> names_;

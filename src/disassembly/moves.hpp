@@ -2,6 +2,7 @@
 /// Boxes and paths that move parallel to the axes.
 
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "geometry/box.hpp"
@@ -47,5 +48,11 @@ inline double way_past(const Box& box, const Box& others, AxisDirection directio
 
 /// Moves along one axis that follow each other become one; moves of no length go.
 std::vector<Vec3> merged(const std::vector<Vec3>& path);
+
+/// Whether an axis-parallel move is free from somewhere on a path, as seen from its start.
+using FreeMove = std::function<bool(const Vec3& from, const Vec3& move)>;
+/// Of a free path: two moves along the same axis with one between them become one, before it or after it, where that is
+/// free as well, until no more do.
+std::vector<Vec3> shortened(std::vector<Vec3> path, const FreeMove& free);
 
 }  // namespace spectralpack
