@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "disassembly/moves.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -71,7 +73,34 @@ std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
         last = move;
     }
     std::reverse(way.begin(), way.end());
-    return way;
+    return with_few_corners(way);
+}
+
+std::vector<VoxelIndex> FloodFill::with_few_corners(const std::vector<VoxelIndex>& way) const {
+    std::vector<Vec3> moves;  // in voxels
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const VoxelIndex d = way[k] - way[k - 1];
+        moves.push_back({static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)});
+    }
+    const auto position = [&](const Vec3& at) {
+        return way.front() + VoxelIndex{static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)};
+    };
+    moves = shortened(std::move(moves), [&](const Vec3& from, const Vec3& move) {
+        const AxisDirection direction = direction_of(move);
+        const VoxelIndex end = position(from + move);
+        for (VoxelIndex at = position(from); at != end;) {
+            at[direction.axis] += direction.sign;
+            if (!region_.visited(at)) return false;
+        }
+        return true;
+    });
+    std::vector<VoxelIndex> corners{way.front()};
+    Vec3 at;
+    for (const Vec3& move : moves) {
+        at = at + move;
+        corners.push_back(position(at));
+    }
+    return corners;
 }
 
 }  // namespace spectralpack

@@ -20,7 +20,8 @@ class FloodFill {
 
     /// A shortest way from `start`, which a walk of the region's has found a way from, to outside, through positions
     /// that the region has visited: its ends and corners, axis-parallel from one to the next. Empty when it was
-    /// stopped. To be asked once. Best-first by steps gone and steps at least to go, which are exact (A*).
+    /// stopped. To be asked once. Best-first by steps gone and steps at least to go, which are exact (A*); of its
+    /// corners then those are left out that such positions lie beside (shortened()).
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
   private:
@@ -44,6 +45,7 @@ class FloodFill {
         return tile.came[static_cast<std::size_t>(at.y % kRows)][static_cast<std::size_t>(at.x % 64)];
     }
     std::vector<VoxelIndex> trace(VoxelIndex at);
+    std::vector<VoxelIndex> with_few_corners(const std::vector<VoxelIndex>& way) const;
 
     const ReachableRegion& region_;
     TileMap<Tile> known_;

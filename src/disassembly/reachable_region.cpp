@@ -137,9 +137,10 @@ bool ReachableRegion::free(const VoxelIndex& position) {
     return at.word().free & bit;
 }
 
-bool ReachableRegion::visited(const VoxelIndex& position) {
+bool ReachableRegion::visited(const VoxelIndex& position) const {
     const VoxelIndex q = position - tiles_.origin();
-    return extent_.contains(q) && (place(q.x / 64, q.y, q.z).word().visited >> (q.x % 64) & 1);
+    const Tile* tile = extent_.contains(q) ? known_.find(q.x / 64, q.y, q.z) : nullptr;
+    return tile && (tile->words[static_cast<std::size_t>(q.y % kRows)].visited >> (q.x % 64) & 1);
 }
 
 FreeTileReader::Rows ReachableRegion::visited_rows(int i, int y, int z) const {

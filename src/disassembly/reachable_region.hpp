@@ -32,7 +32,7 @@ class ReachableRegion {
 
     bool free(const VoxelIndex& position);
     /// On a walk so far.
-    bool visited(const VoxelIndex& position);
+    bool visited(const VoxelIndex& position) const;
     /// Likewise of positions 64 i .. 64 i + 63, from origin(), of layer z and of the 8 rows that y is one of.
     FreeTileReader::Rows visited_rows(int i, int y, int z) const;
 
