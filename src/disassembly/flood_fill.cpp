@@ -1,9 +1,8 @@
 #include "disassembly/flood_fill.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
-
-#include "disassembly/moves.hpp"
 
 namespace spectralpack {
 namespace {
@@ -77,30 +76,45 @@ std::vector<VoxelIndex> FloodFill::trace(VoxelIndex at) {
 }
 
 std::vector<VoxelIndex> FloodFill::with_few_corners(const std::vector<VoxelIndex>& way) const {
-    std::vector<Vec3> moves;  // in voxels
-    for (std::size_t k = 1; k < way.size(); ++k) {
-        const VoxelIndex d = way[k] - way[k - 1];
-        moves.push_back({static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)});
-    }
-    const auto position = [&](const Vec3& at) {
-        return way.front() + VoxelIndex{static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z)};
-    };
-    moves = shortened(std::move(moves), [&](const Vec3& from, const Vec3& move) {
-        const AxisDirection direction = direction_of(move);
-        const VoxelIndex end = position(from + move);
-        for (VoxelIndex at = position(from); at != end;) {
-            at[direction.axis] += direction.sign;
-            if (!region_.visited(at)) return false;
-        }
-        return true;
-    });
     std::vector<VoxelIndex> corners{way.front()};
-    Vec3 at;
-    for (const Vec3& move : moves) {
-        at = at + move;
-        corners.push_back(position(at));
+    for (std::size_t k = 0; k + 1 < way.size();) {
+        // Straight, or with a corner or two, to the farthest corner that can be reached so; the next one can.
+        std::size_t next = way.size() - 1;
+        std::vector<VoxelIndex> leg;
+        while (next > k + 1 && (leg = leg_between(way[k], way[next], next - k)).empty()) {
+            --next;
+        }
+        if (next == k + 1) leg = {way[next]};
+        corners.insert(corners.end(), leg.begin(), leg.end());
+        k = next;
     }
     return corners;
+}
+
+std::vector<VoxelIndex> FloodFill::leg_between(const VoxelIndex& from, const VoxelIndex& to,
+                                               std::size_t fewer_than) const {
+    // Long moves first: the way may go straight out after them.
+    std::array<int, 3> order{0, 1, 2};
+    const auto before = [&](int a, int b) {
+        const int way_a = std::abs(to[a] - from[a]), way_b = std::abs(to[b] - from[b]);
+        return way_a != way_b ? way_a > way_b : a < b;
+    };
+    std::sort(order.begin(), order.end(), before);
+    do {
+        std::vector<VoxelIndex> leg;
+        VoxelIndex at = from;
+        const bool free = std::all_of(order.begin(), order.end(), [&](int axis) {
+            if (at[axis] == to[axis]) return true;
+            while (at[axis] != to[axis]) {
+                at[axis] += to[axis] > at[axis] ? 1 : -1;
+                if (!region_.visited(at)) return false;
+            }
+            leg.push_back(at);
+            return true;
+        });
+        if (free && leg.size() < fewer_than) return leg;
+    } while (std::next_permutation(order.begin(), order.end(), before));
+    return {};
 }
 
 }  // namespace spectralpack

@@ -21,7 +21,7 @@ class FloodFill {
     /// A shortest way from `start`, which a walk of the region's has found a way from, to outside, through positions
     /// that the region has visited: its ends and corners, axis-parallel from one to the next. Empty when it was
     /// stopped. To be asked once. Best-first by steps gone and steps at least to go, which are exact (A*); of its
-    /// corners then those are left out that such positions lie beside (shortened()).
+    /// corners then those are left out that such positions lead past.
     std::vector<VoxelIndex> way_out(const VoxelIndex& start);
 
   private:
@@ -46,6 +46,9 @@ class FloodFill {
     }
     std::vector<VoxelIndex> trace(VoxelIndex at);
     std::vector<VoxelIndex> with_few_corners(const std::vector<VoxelIndex>& way) const;
+    /// The corners of a leg between two positions, axis by axis, but `from`; empty where none goes that has fewer
+    /// moves.
+    std::vector<VoxelIndex> leg_between(const VoxelIndex& from, const VoxelIndex& to, std::size_t fewer_than) const;
 
     const ReachableRegion& region_;
     TileMap<Tile> known_;
