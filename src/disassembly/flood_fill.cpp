@@ -12,6 +12,11 @@ VoxelIndex step(VoxelIndex at, int move) {
     return at;
 }
 
+/// Of axis-parallel moves from a to b and from b to c.
+bool in_line(const VoxelIndex& a, const VoxelIndex& b, const VoxelIndex& c) {
+    return (a.x != b.x) == (b.x != c.x) && (a.y != b.y) == (b.y != c.y);
+}
+
 }  // namespace
 
 FloodFill::FloodFill(const ReachableRegion& region, StopToken stop)
@@ -85,7 +90,10 @@ std::vector<VoxelIndex> FloodFill::with_few_corners(const std::vector<VoxelIndex
             --next;
         }
         if (next == k + 1) leg = {way[next]};
-        corners.insert(corners.end(), leg.begin(), leg.end());
+        for (const VoxelIndex& corner : leg) {
+            if (corners.size() > 1 && in_line(corners[corners.size() - 2], corners.back(), corner)) corners.pop_back();
+            corners.push_back(corner);
+        }
         k = next;
     }
     return corners;

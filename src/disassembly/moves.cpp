@@ -47,7 +47,7 @@ std::vector<Vec3> shortened(std::vector<Vec3> path, const FreeMove& free) {
         // What was tried of the moves before is as it was, up to the first that is another.
         const auto other = std::mismatch(shorter.begin(), shorter.end(), path.begin(), path.end()).first;
         const auto same = static_cast<std::size_t>(other - shorter.begin());
-        k = same < 2 ? 0 : same - 2;
+        k = std::min(k, same < 2 ? 0 : same - 2);
         path = std::move(shorter);
     }
     return path;

@@ -91,6 +91,10 @@ TEST(FloodFill, FindsShortestWaysThroughWhatWasVisited) {
             for (std::size_t k = 1; k < way.size(); ++k) {
                 VoxelIndex d = way[k] - way[k - 1], here = way[k - 1];
                 EXPECT_EQ((d.x != 0) + (d.y != 0) + (d.z != 0), 1);
+                if (k > 1) {
+                    const VoxelIndex before = way[k - 1] - way[k - 2];
+                    EXPECT_EQ(before.x * d.x + before.y * d.y + before.z * d.z, 0);
+                }
                 for (; !(here == way[k]); ++steps) {
                     for (int axis = 0; axis < 3; ++axis) {
                         here[axis] += (d[axis] > 0) - (d[axis] < 0);
