@@ -302,9 +302,10 @@ Company::Flooded Company::way_out(Flood& flood) const {
             path.push_back({d.x * dx, d.y * dx, d.z * dx});
         }
         if (std::optional<Path> out = out_along(i, merged(path))) {
-            return {shortened(std::move(*out),
-                              [&](const Vec3& from, const Vec3& move) { return free_move(i, from, move); }),
-                    {}};
+            const auto free = [this, one = flood.i](const Vec3& from, const Vec3& move) {
+                return free_move(one, from, move);
+            };
+            return {shortened(std::move(*out), free), {}};
         }
         // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
         return {std::nullopt, {others.lo + origin_, others.hi + origin_}};

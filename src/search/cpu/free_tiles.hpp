@@ -74,7 +74,7 @@ class FreeTiles final : public FreeTileReader {
     std::shared_ptr<const BitGrid> solid_;
     TileLooks looks_;                // empty: not yet made. Many readers are made of whom few are asked
     std::vector<TileLayer> layers_;  // by z; without `all`: not yet made
-    VoxelBox out_;                   // the object that is, in the tray; empty: none
+    VoxelBox out_;                   // the object that is out, within the tray; empty: none
     VoxelBox read_;                  // what its words hold
     BitGrid voxels_without_;         // Omega_move in that box
     std::vector<Without> without_;   // by z from out_.lo.z on
