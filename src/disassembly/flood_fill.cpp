@@ -101,18 +101,21 @@ std::vector<VoxelIndex> FloodFill::with_few_corners(const std::vector<VoxelIndex
 
 std::vector<VoxelIndex> FloodFill::leg_between(const VoxelIndex& from, const VoxelIndex& to,
                                                std::size_t fewer_than) const {
+    std::vector<int> axes;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (from[axis] != to[axis]) axes.push_back(axis);
+    }
+    if (axes.size() >= fewer_than) return {};
     // Long moves first: the way may go straight out after them.
-    std::array<int, 3> order{0, 1, 2};
     const auto before = [&](int a, int b) {
         const int way_a = std::abs(to[a] - from[a]), way_b = std::abs(to[b] - from[b]);
         return way_a != way_b ? way_a > way_b : a < b;
     };
-    std::sort(order.begin(), order.end(), before);
+    std::sort(axes.begin(), axes.end(), before);
     do {
         std::vector<VoxelIndex> leg;
         VoxelIndex at = from;
-        const bool free = std::all_of(order.begin(), order.end(), [&](int axis) {
-            if (at[axis] == to[axis]) return true;
+        const bool free = std::all_of(axes.begin(), axes.end(), [&](int axis) {
             while (at[axis] != to[axis]) {
                 at[axis] += to[axis] > at[axis] ? 1 : -1;
                 if (!region_.visited(at)) return false;
@@ -120,8 +123,8 @@ std::vector<VoxelIndex> FloodFill::leg_between(const VoxelIndex& from, const Vox
             leg.push_back(at);
             return true;
         });
-        if (free && leg.size() < fewer_than) return leg;
-    } while (std::next_permutation(order.begin(), order.end(), before));
+        if (free) return leg;
+    } while (std::next_permutation(axes.begin(), axes.end(), before));
     return {};
 }
 

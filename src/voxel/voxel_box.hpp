@@ -16,6 +16,13 @@ struct VoxelBox {
 
 inline VoxelBox whole(const Extent& extent) { return {{0, 0, 0}, {extent.x, extent.y, extent.z}}; }
 
+/// Its layer z alone.
+inline VoxelBox layer_of(VoxelBox box, int z) {
+    box.lo.z = z;
+    box.hi.z = z + 1;
+    return box;
+}
+
 inline VoxelBox intersection(const VoxelBox& a, const VoxelBox& b) {
     VoxelBox box;
     for (int axis = 0; axis < 3; ++axis) {

@@ -44,30 +44,21 @@ DilatedLayers::DilatedLayers(const Tray& tray)
       words_(words_for(extent_)),
       layers_(static_cast<std::size_t>(extent_.z)) {
     for (int z = 0; z < extent_.z; ++z) {
-        layers_[static_cast<std::size_t>(z)].changed = {{0, 0, z}, {extent_.x, extent_.y, z + 1}};
+        layers_[static_cast<std::size_t>(z)].changed = layer_of(whole(extent_), z);
     }
 }
 
 void DilatedLayers::follow(const Tray& tray) {
     for (; version_ < tray.version(); ++version_) {
         const TrayObject& object = tray.object(tray.journal()[version_].id);
-        VoxelBox box = intersection(object.box(), whole(extent_));
-        for (int z = box.lo.z, end = box.hi.z; z < end; ++z) {
+        const VoxelBox box = intersection(object.box(), whole(extent_));
+        if (box.empty()) continue;
+        for (int z = box.lo.z; z < box.hi.z; ++z) {
             Layer& layer = layers_[static_cast<std::size_t>(z)];
             layer.current = false;
-            box.lo.z = z;
-            box.hi.z = z + 1;
-            layer.changed = hull(layer.changed, box);
+            layer.changed = hull(layer.changed, layer_of(box, z));
         }
     }
-}
-
-std::size_t DilatedLayers::layer_words(const Extent& extent) {
-    // A column of zeros before and after the others; up to kTogether - 1 rows before and after those that hold
-    // something are read with them.
-    const int columns = words_for(extent) + 2, rows = extent.y + 2 * (DilatedRows::kTogether - 1);
-    return static_cast<std::size_t>(DilatedRows::kLevels) * static_cast<std::size_t>(columns) *
-           static_cast<std::size_t>(rows);
 }
 
 const DilatedRows& DilatedLayers::layer(const Tray& tray, int z) {
@@ -89,9 +80,7 @@ void DilatedLayers::bring_up(Layer& layer, const Tray& tray) {
         if (voxels.none()) return;
         layer.words = std::make_unique<Word[]>(layer_words(extent_));
         ++made_;
-        rows.stride = extent_.y + 2 * (DilatedRows::kTogether - 1);
-        rows.table = (words_ + 2) * rows.stride;
-        rows.words = layer.words.get() + rows.stride + DilatedRows::kTogether - 1;
+        rows.lie_in(layer.words.get(), -1, columns_for(extent_), 1 - DilatedRows::kTogether, rows_for(extent_));
     }
     rows.make(layer.changed, voxels, box.lo);
     rows.begin = std::min(rows.begin, layer.changed.lo.y);

@@ -29,6 +29,17 @@ struct DilatedRows {
     Word* words = nullptr;
     std::int64_t table = 0, stride = 0;
 
+    /// Words of tables with so many columns, a word wide, and rows.
+    static std::size_t words_in(int columns, int rows) {
+        return static_cast<std::size_t>(kLevels) * static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    }
+    /// They lie from `block` on, of words `first_word` .. and rows `first_row` ..
+    void lie_in(Word* block, int first_word, int columns, int first_row, int rows) {
+        stride = rows;
+        table = columns * stride;
+        words = block - first_word * stride - first_row;
+    }
+
     /// Of the words that voxels from x = lo on, or up to hi - 1, set bits in: the first, the last.
     static int first_word(int lo) { return lo / 64; }
     static int last_word(int hi) { return (hi - 1 + kShift) / 64; }
@@ -74,7 +85,13 @@ class DilatedLayers {
     };
 
     static int words_for(const Extent& extent) { return DilatedRows::last_word(extent.x) + 1; }
-    static std::size_t layer_words(const Extent& extent);
+    /// Of a layer's tables: with a column of zeros before and after the others, and with the rows before and after that
+    /// are read with those that hold something.
+    static int columns_for(const Extent& extent) { return words_for(extent) + 2; }
+    static int rows_for(const Extent& extent) { return extent.y + 2 * (DilatedRows::kTogether - 1); }
+    static std::size_t layer_words(const Extent& extent) {
+        return DilatedRows::words_in(columns_for(extent), rows_for(extent));
+    }
     void bring_up(Layer& layer, const Tray& tray);
 
     Extent extent_;

@@ -192,19 +192,16 @@ void FreeTiles::leave_out(TileLayer& layer, int z) {
     const int columns = layer.to + 1 - layer.from;
 
     Without& without = without_[static_cast<std::size_t>(z - out_.lo.z)];
-    without.words = std::make_unique_for_overwrite<DilatedRows::Word[]>(
-        static_cast<std::size_t>(DilatedRows::kLevels * columns) * static_cast<std::size_t>(rows));
+    without.words = std::make_unique_for_overwrite<DilatedRows::Word[]>(DilatedRows::words_in(columns, rows));
     DilatedRows& part = without.rows;
-    part.stride = rows;
-    part.table = columns * part.stride;
-    part.words = without.words.get() - layer.from * part.stride - first_row;
+    part.lie_in(without.words.get(), layer.from, columns, first_row, rows);
     for (int level = 0; level < DilatedRows::kLevels; ++level) {
         for (int word = layer.from; word <= layer.to; ++word) {
             std::copy_n(all.words + level * all.table + word * all.stride + first_row, rows,
                         part.words + level * part.table + word * part.stride + first_row);
         }
     }
-    part.make({{out_.lo.x, out_.lo.y, z}, {out_.hi.x, out_.hi.y, z + 1}}, voxels_without_, read_.lo);
+    part.make(layer_of(out_, z), voxels_without_, read_.lo);
     layer.without = &part;
 }
 
