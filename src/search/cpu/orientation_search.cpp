@@ -23,8 +23,9 @@ static_assert(kBrickZ <= BitTables::kTileLayers);
 // A tile of the crowd tables is that many bricks.
 constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
 static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
-constexpr int kMostSkipped = 24;  // rows between two questions in vain
-constexpr int kBeyond = 5;        // sums for copies go a fifth beyond the limit
+constexpr int kMostSkipped = 24;             // rows between two questions in vain
+constexpr std::int64_t kLoadsPerLookup = 8;  // of what is left, until it is weighed
+constexpr int kBeyond = 5;                   // sums for copies go a fifth beyond the limit
 
 /// What SumLanes() can take as a limit: nothing is above kSumLimit.
 std::uint32_t LaneLimit(std::int64_t limit) {
@@ -239,7 +240,7 @@ class Pass {
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
                             plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
         for (int i = 0; i < kBrickZ; ++i) {
-            Block(1, kSiftBatches, bx, by, kBrickZ * bz + i, live + kBrickY * i);
+            Block(1, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, live + kBrickY * i);
         }
     }
 
@@ -300,8 +301,8 @@ class Pass {
         }
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
-            SettleTile(bx, by, kBrickZ * bz + i, sifted ? kSiftBatches : 0, limits_[i], live + kBrickY * i, before,
-                       near, after);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted ? t_.plan.collision.sift : 0, limits_[i], live + kBrickY * i,
+                       before, near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
@@ -353,11 +354,12 @@ class Pass {
     /// most is free and too far off, and rho decides sooner. Returns the first batch that was not made.
     std::size_t SiftFurther(std::size_t begin, int bx, int by, int z, std::uint64_t* free) const {
         const std::vector<LookupPlan::Batch>& batches = t_.plan.collision.of_positions.batches;
+        const auto loads = static_cast<std::int64_t>(t_.plan.exact.loads.size());
         std::int64_t made = 0;
         for (std::size_t b = begin; b < batches.size(); ++b) {
             const std::int64_t sums = HalfRows(free);
             if (sums == 0) break;
-            if (b >= kSiftBatches && 4 * made > sums * static_cast<std::int64_t>(t_.plan.exact.loads.size())) return b;
+            if (b >= t_.plan.collision.sift && kLoadsPerLookup * made > sums * loads) return b;
             Block(b, b + 1, bx, by, z, free);
             made += batches[b].lookups;
         }

@@ -13,9 +13,11 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kSumRange = 65535;   // what 16 bits hold
-constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
-constexpr std::size_t kFirstBatch = 8;      // look-ups; later batches grow
+constexpr std::int64_t kSumRange = 65535;              // what 16 bits hold
+constexpr std::size_t kLoadsPerBatch = 24;             // between two looks at the limit
+constexpr std::size_t kFirstBatch = 8;                 // look-ups; batches after the sift grow
+constexpr std::size_t kLeastSift = 4, kMostSift = 16;  // batches
+constexpr std::size_t kLoadsPerLookup = 8;             // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
@@ -31,6 +33,9 @@ struct Lookup {
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
 constexpr int kRanks = BitTables::kLevels + 2;
 int rank_of(const Form& form) { return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1; }
+/// With s > 1 pieces in voxels of dx decide more, and there are s^3 times fewer tables to look them up in: all of them
+/// come first.
+constexpr int kCoarse = kRanks, kAllRanks = 2 * kRanks;
 
 /// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
 /// from another start, so that each stretch of about `stretch` is spread over all and yet walks
@@ -290,32 +295,35 @@ int overhang(const Shape& shape, int detail) {
     return most;
 }
 
-CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables) {
+CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
     std::vector<Lookup> lookups;
-    const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer) {
+    const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int first_rank) {
         for (const Piece& piece : pieces) {
-            lookups.push_back({tables.bits().spot(layer, piece.form, piece.corner + offset), rank_of(piece.form),
-                               tables.crowd().holds(layer, piece.form)});
+            lookups.push_back({tables.bits().spot(layer, piece.form, piece.corner + offset),
+                               first_rank + rank_of(piece.form), tables.crowd().holds(layer, piece.form)});
         }
     };
     for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
         const int gap_class = static_cast<int>(c);
         if (!tables.occupied(gap_class)) continue;
         const auto& widened = runs.widened[static_cast<std::size_t>(runs.of_class[c])];
-        if (!widened.core.empty()) look_up(widened.core, widened.core_offset, tables.coarse_layer(gap_class));
-        look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class));
+        if (!widened.core.empty()) {
+            look_up(widened.core, widened.core_offset, tables.coarse_layer(gap_class), kCoarse);
+        }
+        look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
     }
-    if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer());
+    if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
     const std::vector<Lookup> ordered =
-        by_level(lookups, kRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; });
+        by_level(lookups, kAllRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; });
     const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
+    plan.sift = std::clamp(loads / kLoadsPerLookup / kFirstBatch, kLeastSift, kMostSift);
     std::size_t size = kFirstBatch;
     for (std::size_t begin = 0; begin < all.size();) {
         const std::size_t count = std::min(all.size() - begin, size);
         append_batch(all.subspan(begin, count), tables.bits(), plan.of_positions);
         begin += count;
-        if (plan.of_positions.batches.size() >= kSiftBatches) size = std::min(2 * size, kLastBatch);
+        if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
     std::vector<Lookup> of_blocks;
     for (const Lookup& lookup : all) {
@@ -375,8 +383,11 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
 }
 
 OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables) {
-    return {plan_collision(runs, tables), plan_sum(runs, tables.sums(), tables.phi().most()),
-            plan_sum(runs, tables.coarse(), tables.most_pooled())};
+    OrientationPlan plan;
+    plan.exact = plan_sum(runs, tables.sums(), tables.phi().most());
+    plan.coarse = plan_sum(runs, tables.coarse(), tables.most_pooled());
+    plan.collision = plan_collision(runs, tables, plan.coarse.loads.size());
+    return plan;
 }
 
 std::int64_t bytes_of(const OrientationRuns& runs) {

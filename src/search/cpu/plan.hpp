@@ -70,9 +70,6 @@ struct SumLoad {
     std::uint16_t least = 0;           ///< the difference at a free position, or less
 };
 
-/// The batches that every position goes through; the others are for what is left.
-inline constexpr std::size_t kSiftBatches = 4;
-
 /// Look-ups in batches: a position survives a batch or not, and most die in the first few.
 struct LookupPlan {
     std::vector<std::int32_t> offsets;
@@ -87,11 +84,13 @@ struct LookupPlan {
 struct CollisionPlan {
     LookupPlan of_positions;  ///< into the bit tables: all that there are
     LookupPlan of_blocks;     ///< into the crowd tables: the first of them
+    std::size_t sift = 0;  ///< batches of the former that every position goes through; the others are for what is left
 };
 
 /// Covers every widened voxel against its class's objects and every solid voxel against the walls,
-/// in pieces that may overlap. The first batches take large pieces from all over the shape.
-CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables);
+/// in pieces that may overlap. The first batches take large pieces from all over the shape. `loads`: of the sum that is
+/// made of what the sift leaves; the more they are, the longer is the sift.
+CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads);
 
 struct SumPlan {
     std::int64_t least = 0;  ///< what all loads come to at least at a free position

@@ -43,11 +43,12 @@ void PositionState::candidates(int bx, int by, int bz, const std::uint32_t (&ali
     for (int j = 0; j < kBlocksY; ++j) {
         row[j] = ~std::uint64_t{0} >> (kBrickX - columns) & widened(alive[j]);
     }
-    const int rows = count_.y - kBrickY * by;
-    const int layers = count_.z - kBrickZ * bz;
-    for (int z = 0; z < kBrickZ; ++z) {
-        for (int y = 0; y < kBrickY; ++y) {
-            words[kBrickY * z + y] = y < rows && z < layers ? row[y / TrayTables::kBlock] : 0;
+    const int rows = std::min(kBrickY, count_.y - kBrickY * by);
+    const int layers = std::min(kBrickZ, count_.z - kBrickZ * bz);
+    std::fill_n(words, kBrickY * kBrickZ, std::uint64_t{0});
+    for (int z = 0; z < layers; ++z) {
+        for (int y = 0; y < rows; ++y) {
+            words[kBrickY * z + y] = row[y / TrayTables::kBlock];
         }
     }
 }
