@@ -57,7 +57,7 @@ TrayObject on_finest(TrayObject object) {
 
 TrayIdentity::TrayIdentity() {
     static std::atomic<std::uint64_t> counter{0};  // an identity: nothing depends on its value
-    value_ = ++counter;
+    value_ = std::make_shared<const std::uint64_t>(++counter);
 }
 
 Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {

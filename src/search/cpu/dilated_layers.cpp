@@ -39,6 +39,7 @@ void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const Vox
 
 DilatedLayers::DilatedLayers(const Tray& tray)
     : extent_(tray.extent()),
+      tray_life_(tray.life()),
       instance_(tray.instance()),
       version_(tray.version()),
       words_(words_for(extent_)),

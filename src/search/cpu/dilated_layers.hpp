@@ -55,15 +55,13 @@ class DilatedLayers {
   public:
     using Word = DilatedRows::Word;
 
-    /// Trays whose layers an engine keeps: while copies are put back, there are two that grow side by side.
-    static constexpr int kTrays = 2;
-
     explicit DilatedLayers(const Tray& tray);
 
     /// Brings the layers up to `tray`, which is the same one as ever. Nobody may be reading.
     void follow(const Tray& tray);
 
     const Extent& extent() const { return extent_; }
+    bool tray_is_gone() const { return tray_life_.expired(); }
     std::uint64_t instance() const { return instance_; }
     std::uint64_t version() const { return version_; }  ///< of the tray that they are of
     int words() const { return words_; }                ///< of a row's table: bits 0 .. extent.x + kShift - 1
@@ -97,6 +95,7 @@ class DilatedLayers {
     void bring_up(Layer& layer, const Tray& tray);
 
     Extent extent_;
+    std::weak_ptr<const void> tray_life_;
     std::uint64_t instance_;
     std::uint64_t version_;
     int words_;
