@@ -217,7 +217,7 @@ class Untangling {
         RemovablePacking packing(standing_, result_.plan.steps);
         ReachableSearch reachable(search_, setup_.walls);
         ShapeStore& shapes = *setup_.shapes;
-        shapes.start_tray(items);
+        shapes.start_tray(items, ShapeStore::kAheadOfWays);
         std::unordered_set<int> hopeless;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool was_taken_out = taken_out.contains(items[i]);
