@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/heap.hpp"
 #include "search/cpu/free_tiles.hpp"
 #include "search/cpu/orientation_search.hpp"
 
@@ -88,6 +89,7 @@ class CpuSearch final : public PlacementSearch {
         tables_ = TrayTables(options_.crowd_from);
         positions_ = PositionCache(options_.cache_memory);
         dilated_ = nullptr;
+        give_back_freed();
     }
 
   private:
