@@ -45,7 +45,7 @@ class UnlinkedSearch final : public ForwardingSearch {
     };
     static Kept kept_in(std::int64_t voxels) {
         constexpr std::int64_t kMost = std::int64_t{64} << 20;
-        return {std::min(kMost, voxels / 2), std::min(kMost, voxels)};
+        return {std::min(kMost, voxels / 2), std::min(kMost, voxels / 3)};
     }
 
   private:
