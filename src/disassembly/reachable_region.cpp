@@ -81,7 +81,7 @@ void ReachableRegion::reach(const Place& at, std::uint64_t fresh) {
 }
 
 /// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
-/// False where that was known.
+/// True where nothing of the tile is free: it is let go of then.
 bool ReachableRegion::look(const Place& at, std::uint64_t wanted) {
     if ((wanted & ~at.word().known) == 0) return false;
     Tile& tile = *at.tile;
@@ -96,7 +96,7 @@ bool ReachableRegion::look(const Place& at, std::uint64_t wanted) {
         word.free |= told.free[row] & news;
         word.known |= news;
     }
-    return true;
+    return let_go_if_closed(tile);
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
@@ -107,12 +107,8 @@ void ReachableRegion::touch(const Place& at, std::uint64_t neighbours) {
         return;
     }
     const std::uint64_t wanted = neighbours & ~word.visited;
-    const bool news = look(at, wanted);
-    if (const std::uint64_t fresh = wanted & word.free) {
-        reach(at, fresh);
-    } else if (news) {
-        let_go_if_closed(*at.tile);
-    }
+    if (look(at, wanted)) return;
+    if (const std::uint64_t fresh = wanted & word.free) reach(at, fresh);
 }
 
 void ReachableRegion::go_on(const Place& from) {
@@ -143,8 +139,7 @@ bool ReachableRegion::free(const VoxelIndex& position) {
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place at = place(q.x / 64, q.y, q.z);
     if (at.word().visited & bit) return true;
-    look(at, bit);
-    return at.word().free & bit;
+    return !look(at, bit) && at.word().free & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) const {
@@ -194,8 +189,10 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
 }
 
 /// Two thirds of the tiles end so, and one does for all of them.
-void ReachableRegion::let_go_if_closed(const Tile& tile) {
-    if (!tile.on_walk && tile.closed()) known_.replace(tile.i, tile.y, tile.z, closed_);
+bool ReachableRegion::let_go_if_closed(const Tile& tile) {
+    if (tile.on_walk || !tile.closed()) return false;
+    known_.replace(tile.i, tile.y, tile.z, closed_);
+    return true;
 }
 
 /// Remembers of all that was visited what it came to.

@@ -94,7 +94,7 @@ class ReachableRegion {
     void go_on(const Place& from);
     void go_sideways(const Place& from);
     void end_walk();
-    void let_go_if_closed(const Tile& tile);
+    bool let_go_if_closed(const Tile& tile);
 
     FreeTileReader& tiles_;
     Extent extent_;  // of the tiles

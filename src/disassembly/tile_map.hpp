@@ -28,11 +28,9 @@ class TileMap {
     /// That of word i of row (y, z), from the tiles' origin; made by `make` when it is first touched.
     template <class Make>
     Tile& at(int i, int y, int z, const Make& make) {
-        Tile**& row = rows_[row_of(y, z)];
-        if (!row) std::uninitialized_value_construct_n(row = room_for<Tile*>(words_), words_);
-        Tile*& tile = row[i];
-        if (!tile) tile = std::construct_at(spare_ ? spare_room() : room_for<Tile>(1), make());
-        return *tile;
+        Tile* const* row = rows_[row_of(y, z)];
+        if (row && row[i]) return *row[i];
+        return place(i, row_of(y, z), make());
     }
     /// Gives back the room of one that at() made: from now on `instead`, which outlives the map, stands for it.
     void replace(int i, int y, int z, Tile& instead) {
@@ -61,6 +59,12 @@ class TileMap {
     std::size_t row_of(int y, int z) const {
         return static_cast<std::size_t>(z) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(y / FreeTileReader::kRows);
+    }
+
+    Tile& place(int i, std::size_t at, const Tile& made) {
+        Tile**& row = rows_[at];
+        if (!row) std::uninitialized_value_construct_n(row = room_for<Tile*>(words_), words_);
+        return *(row[i] = std::construct_at(spare_ ? spare_room() : room_for<Tile>(1), made));
     }
 
     template <class T>
