@@ -33,7 +33,7 @@ constexpr bool kHasReference = false;
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
 /// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each
 /// part on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows
-/// dilated, of as many trays as are kept.
+/// dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product(
@@ -41,7 +41,7 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
     };
     const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
     const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
-    const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::kTrays * DilatedLayers::most_bytes(need.ways);
+    const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
     const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
     return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;
 }

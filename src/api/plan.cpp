@@ -388,6 +388,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
+    if (options.interlock == Interlock::place) plan.ahead = std::min(plan.ahead, ShapeStore::kAheadOfWays);
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const Part& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;

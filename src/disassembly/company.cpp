@@ -285,7 +285,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
     }
     int snaps = 0;
     for (const Start& start : starts) {
-        if (region.visited(start.position - origin_)) continue;
+        if (!region.free(start.position - origin_)) continue;  // in a pocket found closed
         Path path;
         if (start.away > 0) {
             if (++snaps > kSnaps) break;

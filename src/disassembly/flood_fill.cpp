@@ -60,6 +60,7 @@ std::vector<VoxelIndex> FloodFill::way_out(const VoxelIndex& start) {
                 push({next, entry.gone + 1, static_cast<std::uint8_t>(move + 1)});
             }
         }
+        open[least] = {};  // its room
     }
     return {};
 }

@@ -27,7 +27,11 @@ ReachableRegion::ReachableRegion(FreeTileReader& tiles, const Extent& solid, con
       rest_{rest.lo - tiles.origin(), rest.hi - tiles.origin()},
       known_(tiles.extent()),
       stop_(std::move(stop)),
-      straight_out_(std::move(straight_out)) {}
+      straight_out_(std::move(straight_out)) {
+    for (Word& word : closed_.words) {
+        word.known = kAll;
+    }
+}
 
 ReachableRegion::Place ReachableRegion::place(int i, int y, int z) {
     return {&known_.at(i, y, z, [&] { return Tile{i, y / kRows * kRows, z}; }), y};
@@ -77,8 +81,9 @@ void ReachableRegion::reach(const Place& at, std::uint64_t fresh) {
 }
 
 /// Finds out which of these positions are free, and likewise of those beside them along y, which a walk asks for next.
-void ReachableRegion::look(const Place& at, std::uint64_t wanted) {
-    if ((wanted & ~at.word().known) == 0) return;
+/// True where nothing of the tile is free: it is let go of then.
+bool ReachableRegion::look(const Place& at, std::uint64_t wanted) {
+    if ((wanted & ~at.word().known) == 0) return false;
     Tile& tile = *at.tile;
     FreeTileReader::Rows unknown;
     for (std::size_t row = 0; row < kRows; ++row) {
@@ -91,6 +96,7 @@ void ReachableRegion::look(const Place& at, std::uint64_t wanted) {
         word.free |= told.free[row] & news;
         word.known |= news;
     }
+    return let_go_if_closed(tile);
 }
 
 /// Visits those of `neighbours`, next to positions visited, that are free.
@@ -101,7 +107,7 @@ void ReachableRegion::touch(const Place& at, std::uint64_t neighbours) {
         return;
     }
     const std::uint64_t wanted = neighbours & ~word.visited;
-    look(at, wanted);
+    if (look(at, wanted)) return;
     if (const std::uint64_t fresh = wanted & word.free) reach(at, fresh);
 }
 
@@ -133,8 +139,7 @@ bool ReachableRegion::free(const VoxelIndex& position) {
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place at = place(q.x / 64, q.y, q.z);
     if (at.word().visited & bit) return true;
-    look(at, bit);
-    return at.word().free & bit;
+    return !look(at, bit) && at.word().free & bit;
 }
 
 bool ReachableRegion::visited(const VoxelIndex& position) const {
@@ -157,7 +162,8 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
     if (!extent_.contains(q)) return true;
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place from = place(q.x / 64, q.y, q.z);
-    if (from.word().visited & bit) return from.word().free & bit;
+    if (from.word().outside() & bit) return true;
+    if (from.word().known & ~from.word().free & bit) return false;  // of a closed pocket
 
     from.word().free |= bit;
     reach(from, bit);
@@ -182,6 +188,13 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
     return outside;
 }
 
+/// Two thirds of the tiles end so, and one does for all of them.
+bool ReachableRegion::let_go_if_closed(const Tile& tile) {
+    if (tile.on_walk || !tile.closed()) return false;
+    known_.replace(tile.i, tile.y, tile.z, closed_);
+    return true;
+}
+
 /// Remembers of all that was visited what it came to.
 void ReachableRegion::end_walk() {
     for (Tile* tile : walk_.tiles) {
@@ -192,12 +205,16 @@ void ReachableRegion::end_walk() {
             Word& word = tile->words[static_cast<std::size_t>(row)];
             const std::uint64_t visited = word.on_walk();
             if (visited == 0) continue;
-            if (!walk_.outside) word.free &= ~visited;
+            if (!walk_.outside) {
+                word.free &= ~visited;
+                word.visited &= ~visited;
+            }
             word.known |= visited;
             const VoxelIndex lo{x + std::countr_zero(visited), tile->y + row, tile->z};
             const VoxelIndex hi{x + 64 - std::countl_zero(visited), tile->y + row + 1, tile->z + 1};
             visited_box_ = hull(visited_box_, {lo + tiles_.origin(), hi + tiles_.origin()});
         }
+        if (!walk_.outside) let_go_if_closed(*tile);
     }
     if (walk_.tiles.size() > kTilesOfShortWalk) {
         walk_ = {};

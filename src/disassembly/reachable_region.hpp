@@ -2,6 +2,7 @@
 /// From which positions there is a way to outside (section 4.3): a walk over free positions, 64 side by side at a time.
 /// Each word goes to its neighbours along y and z at once; along x, where little is found that they do not find, last.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -30,15 +31,16 @@ class ReachableRegion {
     const VoxelIndex& origin() const { return tiles_.origin(); }
     const Extent& extent() const { return extent_; }
 
+    /// Free, and not in a pocket that a walk found closed.
     bool free(const VoxelIndex& position);
-    /// On a walk so far.
+    /// On a walk so far that led outside.
     bool visited(const VoxelIndex& position) const;
     /// Likewise of positions 64 i .. 64 i + 63, from origin(), of layer z and of the 8 rows that y is one of.
     FreeTileReader::Rows visited_rows(int i, int y, int z) const;
 
-    /// Whether there is a way from `start`, which is free, to outside, in single steps from face to face. Every
-    /// position visited for that is remembered with the answer, and a walk that meets one ends there: none is visited
-    /// twice.
+    /// Whether there is a way from `start`, which nothing is in the way of, to outside, in single steps from face to
+    /// face. Every position visited for that is remembered with the answer, and a walk that meets one ends there: none
+    /// is visited twice.
     bool contains(const VoxelIndex& start);
     /// Steps at least from a position, from origin(), to outside; 0 is outside.
     int to_go(const VoxelIndex& at) const;
@@ -52,7 +54,8 @@ class ReachableRegion {
   private:
     static constexpr int kRows = FreeTileReader::kRows;
     /// What is known of 64 positions. There are millions of these, so they say much in few bits: of what the walk under
-    /// way has visited nothing is known, and once it ends that is called free which has a way.
+    /// way has visited nothing is known, and once it ends that stays free and visited which has a way. A closed pocket
+    /// is as good as occupied: no later walk comes near it.
     struct Word {
         std::uint64_t known = 0, free = 0;  ///< whether each is free
         std::uint64_t visited = 0;
@@ -65,6 +68,11 @@ class ReachableRegion {
         bool on_walk = false;
         std::uint8_t onward = 0, sideways = 0;  ///< rows that are to be gone on from along y and z, and along x
         std::array<Word, kRows> words{};
+
+        /// All of it is known, and none of it free.
+        bool closed() const {
+            return std::ranges::all_of(words, [](const Word& w) { return (~w.known | w.free) == 0; });
+        }
     };
     static_assert(kRows <= 8);
     /// Row y of a tile.
@@ -72,26 +80,28 @@ class ReachableRegion {
         Tile* tile;
         int y;
 
-        Word& word() const { return tile->words[static_cast<std::size_t>(y - tile->y)]; }
+        Word& word() const { return tile->words[static_cast<std::size_t>(y % kRows)]; }
         /// Among those of a tile.
-        std::uint8_t bit() const { return static_cast<std::uint8_t>(1 << (y - tile->y)); }
+        std::uint8_t bit() const { return static_cast<std::uint8_t>(1 << (y % kRows)); }
     };
 
     Place place(int i, int y, int z);
     int to_go(int y, int z) const;
     std::uint64_t outside_along_x(int i) const;
     void reach(const Place& at, std::uint64_t fresh);
-    void look(const Place& at, std::uint64_t wanted);
+    bool look(const Place& at, std::uint64_t wanted);
     void touch(const Place& at, std::uint64_t neighbours);
     void go_on(const Place& from);
     void go_sideways(const Place& from);
     void end_walk();
+    bool let_go_if_closed(const Tile& tile);
 
     FreeTileReader& tiles_;
     Extent extent_;  // of the tiles
     Extent solid_;
     VoxelBox rest_;  // from the tiles' origin
     TileMap<Tile> known_;
+    Tile closed_{};  // stands for all such, wherever they are
     StopToken stop_;
     StraightOut straight_out_;
     VoxelBox visited_box_;

@@ -160,6 +160,9 @@ class Untangling {
         return top;
     }
 
+    /// Tells where copies are tried first.
+    PlacementSearch& best() { return setup_.best ? *setup_.best : search_; }
+
     void remove_from_tray(const PlacedItem& item) {
         if (Caps* caps = setup_.limits.caps) caps->remove(item.item.part, item.orientation, item.offset);
         tray_.remove(item.object);
@@ -188,6 +191,7 @@ class Untangling {
             remove_from_tray(item);
         }
         result_.plan.complete = true;
+        best().forget();
         put_in(setup_.order, {});
         if (!stop_.stopped() && placed_.size() >= placed.size() && height() < height_now) {
             result_.report.counts = {.fills = repaired.report.counts.fills + result_.report.counts.fills};
@@ -217,7 +221,7 @@ class Untangling {
         RemovablePacking packing(standing_, result_.plan.steps);
         ReachableSearch reachable(search_, setup_.walls);
         ShapeStore& shapes = *setup_.shapes;
-        shapes.start_tray(items);
+        shapes.start_tray(items, ShapeStore::kAheadOfWays);
         std::unordered_set<int> hopeless;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool was_taken_out = taken_out.contains(items[i]);
@@ -249,8 +253,7 @@ class Untangling {
     bool put_in(const PackItem& item, const Shape& shape, RemovablePacking& packing, ReachableSearch& reachable) {
         const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
-        PlacementSearch& best = setup_.best ? *setup_.best : search_;
-        for (PlacementSearch* search : {&best, static_cast<PlacementSearch*>(&reachable)}) {
+        for (PlacementSearch* search : {&best(), static_cast<PlacementSearch*>(&reachable)}) {
             const SearchResult found = find_place(tray_, *search, setup_.model, item, shape, setup_.limits, stop_);
             if (!found.best) return false;
             if (put_at(*found.best, item, shape, packing)) return true;

@@ -31,10 +31,15 @@ int ShapeStore::ahead(std::size_t orientations) {
 }
 
 ShapeStore::ShapeStore(Make make, const Workers& workers, std::int64_t keep, int ahead)
-    : make_(std::move(make)), workers_(workers), keep_(keep), ahead_(static_cast<std::size_t>(ahead)) {}
+    : make_(std::move(make)),
+      workers_(workers),
+      keep_(keep),
+      most_ahead_(static_cast<std::size_t>(ahead)),
+      ahead_(most_ahead_) {}
 
-void ShapeStore::start_tray(const std::vector<PackItem>& items) {
+void ShapeStore::start_tray(const std::vector<PackItem>& items, int ahead) {
     items_ = items;
+    ahead_ = std::min(most_ahead_, static_cast<std::size_t>(ahead));
     next_ = 0;
     std::size_t parts = shapes_.size();
     for (const PackItem& item : items_) {

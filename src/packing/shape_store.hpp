@@ -22,6 +22,8 @@ class ShapeStore {
     /// Parts held at most of those not asked for so far, with the one that is: enough to keep the threads busy, few
     /// enough to hold.
     static constexpr int kAhead = 32;
+    /// Where ways out are looked for as well, which takes longer than making voxels.
+    static constexpr int kAheadOfWays = 4;
     /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all
     /// threads.
     static int ahead(std::size_t orientations);
@@ -30,7 +32,8 @@ class ShapeStore {
     ShapeStore(Make make, const Workers& workers, std::int64_t keep = 0, int ahead = kAhead);
 
     /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
-    void start_tray(const std::vector<PackItem>& items);
+    /// `ahead`: fewer than the store's.
+    void start_tray(const std::vector<PackItem>& items, int ahead = kAhead);
 
     /// The shape of items[i].part. Calls come with i ascending, about; the next distinct parts are begun. Throws what
     /// `make` throws.
@@ -51,8 +54,8 @@ class ShapeStore {
     Make make_;
     Workers workers_, alone_{1};
     double seconds_ = 0;
-    std::int64_t keep_;  // bytes that may still be held for later trays
-    std::size_t ahead_;
+    std::int64_t keep_;                                 // bytes that may still be held for later trays
+    std::size_t most_ahead_, ahead_;                    // at all; in this tray
     std::size_t next_ = 0;                              // of items_: those before have been begun or made
     std::size_t begun_ = 0;                             // parts, those not asked for so far
     std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next four

@@ -34,7 +34,7 @@ struct Alone {
 
     explicit Alone(TrayObject object) : tray(tray_around(std::move(object))) {}
 
-    /// Of what readers share, about: of 64 voxels they keep one or two words in each of seven tables.
+    /// Of what readers share, about: of 64 voxels they keep two words in each of five tables.
     std::int64_t bytes() const { return 2 * tray.extent().count(); }
 };
 

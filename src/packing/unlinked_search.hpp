@@ -44,8 +44,8 @@ class UnlinkedSearch final : public ForwardingSearch {
         std::int64_t all() const { return outlines + walks; }
     };
     static Kept kept_in(std::int64_t voxels) {
-        constexpr std::int64_t kMost = std::int64_t{64} << 20;
-        return {std::min(kMost, voxels / 2), std::min(kMost, voxels)};
+        constexpr std::int64_t kMost = std::int64_t{64} << 20, kEnough = std::int64_t{16} << 20;
+        return {std::min(kMost, voxels / 2), std::min({kMost, voxels, std::max(kEnough, voxels / 3)})};
     }
 
   private:

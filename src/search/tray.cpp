@@ -57,7 +57,7 @@ TrayObject on_finest(TrayObject object) {
 
 TrayIdentity::TrayIdentity() {
     static std::atomic<std::uint64_t> counter{0};  // an identity: nothing depends on its value
-    value_ = ++counter;
+    value_ = std::make_shared<const std::uint64_t>(++counter);
 }
 
 Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
@@ -81,11 +81,14 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
         throw InternalError("a tray's gap classes must be ascending, and at least one");
     }
     reference_layers_ = setup_.reference_layers > 0 ? setup_.reference_layers : extent_.z;
-    occupied_.assign(setup_.gap_classes.size(), BitGrid(extent_));
-    if (setup_.detail > 1) {
-        parts_.assign(setup_.gap_classes.size() * static_cast<std::size_t>(part_count(setup_.detail)),
-                      BitGrid(extent_));
-    }
+    const auto make = [&](std::vector<BitGrid>& grids, std::size_t count) {
+        grids.reserve(count);  // one more on the way would be as large as a tray
+        while (grids.size() < count) {
+            grids.emplace_back(extent_);
+        }
+    };
+    make(occupied_, gaps.size());
+    if (setup_.detail > 1) make(parts_, gaps.size() * static_cast<std::size_t>(part_count(setup_.detail)));
 }
 
 Extent Tray::candidates(const Vec3& size) const {

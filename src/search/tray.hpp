@@ -82,10 +82,11 @@ class TrayIdentity {
         value_ = TrayIdentity().value_;
         return *this;
     }
-    std::uint64_t value() const { return value_; }
+    std::uint64_t value() const { return *value_; }
+    std::weak_ptr<const void> life() const { return value_; }
 
   private:
-    std::uint64_t value_;
+    std::shared_ptr<const std::uint64_t> value_;
 };
 
 class Tray {
@@ -138,6 +139,8 @@ class Tray {
 
     /// Distinct for every tray of the process, copies included.
     std::uint64_t instance() const { return identity_.value(); }
+    /// Ends with the tray, for engines that keep what they derived from it no longer.
+    std::weak_ptr<const void> life() const { return identity_.life(); }
     std::uint64_t version() const { return journal_.size(); }  ///< grows by one per change
     /// Changes in order; entry i made version i + 1.
     const std::vector<TrayChange>& journal() const { return journal_; }

@@ -38,6 +38,21 @@ TEST(ShapeStore, MakesSoManyPartsAheadAndNoMore) {
     EXPECT_EQ(made, 7);
 }
 
+TEST(ShapeStore, MakesFewerAheadInATrayThatWantsFewer) {
+    std::atomic<int> made{0};
+    ShapeStore shapes([&](int part, const Workers&) { return box_part(part, 2, made); }, Workers(2), 0, 4);
+    shapes.start_tray(one_each(7), 2);
+    for (std::size_t i = 0; i < 7; ++i) {
+        shapes.at(i);
+        EXPECT_LE(made, static_cast<int>(i) + 2);
+        shapes.release(i, true);
+    }
+    made = 0;
+    shapes.start_tray(one_each(7));
+    shapes.at(0);
+    EXPECT_TRUE(test::eventually([&] { return made == 4; })) << "the next tray as many as ever";
+}
+
 TEST(ShapeStore, MakesNothingAheadOnOneThreadOrForPartsOfManyOrientations) {
     for (const auto& [threads, ahead] : {std::pair{1, 3}, {2, 1}}) {
         std::atomic<int> made{0};

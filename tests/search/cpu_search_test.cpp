@@ -85,6 +85,25 @@ TEST(CpuSearch, RemembersWithinItsMemory) {
     EXPECT_LT(none->memory(), all->memory());
 }
 
+TEST(CpuSearch, KeepsNothingOfATrayThatIsGone) {
+    RandomStream random(12);
+    const Scene scene = random_scene(random, middling_scene());
+    const Shape& shape = scene.shapes.front();
+    const auto search = make_cpu_search({}, Workers(1));
+    search->best_placement(scene.tray, shape, {}, {});
+    search->best_placement(scene.tray, shape, {}, {});
+    const std::int64_t before = search->memory();
+    {
+        const Tray tray = scene.tray;
+        search->free_positions(tray, shape, 0, {});
+        EXPECT_GT(search->memory(), before);
+        search->best_placement(scene.tray, shape, {}, {});
+        EXPECT_GT(search->memory(), before) << "it may be asked about again";
+    }
+    search->best_placement(scene.tray, shape, {}, {});
+    EXPECT_EQ(search->memory(), before);
+}
+
 TEST(CpuSearch, AnswersAlikeOnEveryInstructionSet) {
     EXPECT_FALSE(instruction_sets().empty());
     RandomStream random(12);

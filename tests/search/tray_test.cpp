@@ -273,6 +273,25 @@ TEST(Tray, CopiesAreTraysOfTheirOwn) {
     EXPECT_NE(copy.instance(), tray.instance());
 }
 
+TEST(Tray, ItsLifeEndsWithItOrWhenItBecomesAnother) {
+    std::weak_ptr<const void> life, of_copy;
+    Tray last(setup_of({6, 5, 4}, 1));
+    {
+        Tray tray(setup_of({6, 5, 4}, 1));
+        Tray copy = tray;
+        life = tray.life();
+        of_copy = copy.life();
+        EXPECT_FALSE(life.expired());
+        copy = last;
+        EXPECT_TRUE(of_copy.expired());
+        of_copy = copy.life();
+        EXPECT_FALSE(of_copy.expired());
+    }
+    EXPECT_TRUE(life.expired());
+    EXPECT_TRUE(of_copy.expired());
+    EXPECT_FALSE(last.life().expired());
+}
+
 TEST(Tray, HeightIsMeasuredInItsOwnLayersUnlessToldOtherwise) {
     TraySetup setup = setup_of({6, 5, 4}, 1);
     EXPECT_EQ(Tray(setup).reference_layers(), 4);

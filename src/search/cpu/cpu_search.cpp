@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/heap.hpp"
 #include "search/cpu/free_tiles.hpp"
 #include "search/cpu/orientation_search.hpp"
 
@@ -36,6 +37,7 @@ class CpuSearch final : public PlacementSearch {
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
+        if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
         const bool covers = covered(shape);
         tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
@@ -80,15 +82,14 @@ class CpuSearch final : public PlacementSearch {
     const char* name() const override { return "cpu"; }
     std::int64_t memory() const override {
         std::int64_t bytes = tables_.bytes() + positions_.bytes();
-        for (const auto& layers : dilated_) {
-            bytes += layers->bytes();
-        }
+        if (dilated_) bytes += dilated_->bytes();
         return bytes;
     }
     void forget() override {
         tables_ = TrayTables(options_.crowd_from);
         positions_ = PositionCache(options_.cache_memory);
-        dilated_.clear();
+        dilated_ = nullptr;
+        give_back_freed();
     }
 
   private:
@@ -180,21 +181,15 @@ class CpuSearch final : public PlacementSearch {
         return !stopped;
     }
 
-    /// Those of the trays last asked about.
+    /// Those of the tray asked about last.
     std::shared_ptr<DilatedLayers> dilated(const Tray& tray) {
-        const auto known = std::find_if(dilated_.begin(), dilated_.end(),
-                                        [&](const auto& layers) { return layers->instance() == tray.instance(); });
-        std::shared_ptr<DilatedLayers> layers;
-        if (known != dilated_.end()) {
-            layers = *known;
-            dilated_.erase(known);
-            layers->follow(tray);
+        if (dilated_ && dilated_->instance() == tray.instance()) {
+            dilated_->follow(tray);
         } else {
-            layers = std::make_shared<DilatedLayers>(tray);
+            dilated_ = nullptr;  // makes room first
+            dilated_ = std::make_shared<DilatedLayers>(tray);
         }
-        if (std::ssize(dilated_) == DilatedLayers::kTrays) dilated_.pop_back();
-        dilated_.insert(dilated_.begin(), layers);
-        return layers;
+        return dilated_;
     }
 
     /// Those that readers of the tray as it is have, or new ones.
@@ -226,8 +221,8 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
-    std::unordered_map<std::uint64_t, bool> covered_;             // by the shape's id
-    std::vector<std::shared_ptr<DilatedLayers>> dilated_;         // the last used first
+    std::unordered_map<std::uint64_t, bool> covered_;  // by the shape's id
+    std::shared_ptr<DilatedLayers> dilated_;
     std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance
 };
 

@@ -13,8 +13,8 @@ VoxelBox DilatedRows::read_for(const VoxelBox& changed, const Extent& extent) {
 
 void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const VoxelIndex& corner) const {
     const int first = first_word(changed.lo.x), last = last_word(changed.hi.x);
-    // Table 0: the voxels, moved up by 63 bits, which is a word less one bit.
-    static_assert(kShift == 63);
+    // Table 0: the voxels, moved up.
+    static_assert(kShift < 64);
     for (int y = changed.lo.y; y < changed.hi.y; ++y) {
         const Word* row = voxels.row(y - corner.y, changed.lo.z - corner.z);
         const auto word = [&](int w) {
@@ -22,7 +22,7 @@ void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const Vox
             return 0 <= i && i < voxels.words_per_row() ? row[i] : 0;
         };
         for (int w = first; w <= last; ++w) {
-            words[w * stride + y] = word(w) << 63 | word(w - 1) >> 1;
+            words[w * stride + y] = word(w) << kShift | word(w - 1) >> (64 - kShift);
         }
     }
     for (int level = 1; level < kLevels; ++level) {
@@ -39,6 +39,7 @@ void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const Vox
 
 DilatedLayers::DilatedLayers(const Tray& tray)
     : extent_(tray.extent()),
+      tray_life_(tray.life()),
       instance_(tray.instance()),
       version_(tray.version()),
       words_(words_for(extent_)),
@@ -80,7 +81,7 @@ void DilatedLayers::bring_up(Layer& layer, const Tray& tray) {
         if (voxels.none()) return;
         layer.words = std::make_unique<Word[]>(layer_words(extent_));
         ++made_;
-        rows.lie_in(layer.words.get(), -1, columns_for(extent_), 1 - DilatedRows::kTogether, rows_for(extent_));
+        rows.lie_in(layer.words.get(), -1, columns_for(extent_), -kBeside, rows_for(extent_));
     }
     rows.make(layer.changed, voxels, box.lo);
     rows.begin = std::min(rows.begin, layer.changed.lo.y);

@@ -14,11 +14,11 @@
 
 namespace spectralpack {
 
-/// The tables of one layer, or of a part of it: for 1, 2, 4 .. 64 voxels along x. Words of 64 voxels lie in the order
-/// row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
+/// The tables of one layer, or of a part of it: for 1, 2, 4 .. 2^(kLevels - 1) voxels along x. Words of 64 voxels lie
+/// in the order row, word along x, table, rows fastest, so that neighbouring rows are loaded together.
 struct DilatedRows {
     using Word = BitGrid::Word;
-    static constexpr int kLevels = 7;
+    static constexpr int kLevels = 5;
     static constexpr int kShift = (1 << (kLevels - 1)) - 1;
     static constexpr int kTogether = 8;  ///< rows that are read at once
 
@@ -55,15 +55,13 @@ class DilatedLayers {
   public:
     using Word = DilatedRows::Word;
 
-    /// Trays whose layers an engine keeps: while copies are put back, there are two that grow side by side.
-    static constexpr int kTrays = 2;
-
     explicit DilatedLayers(const Tray& tray);
 
     /// Brings the layers up to `tray`, which is the same one as ever. Nobody may be reading.
     void follow(const Tray& tray);
 
     const Extent& extent() const { return extent_; }
+    bool tray_is_gone() const { return tray_life_.expired(); }
     std::uint64_t instance() const { return instance_; }
     std::uint64_t version() const { return version_; }  ///< of the tray that they are of
     int words() const { return words_; }                ///< of a row's table: bits 0 .. extent.x + kShift - 1
@@ -85,16 +83,19 @@ class DilatedLayers {
     };
 
     static int words_for(const Extent& extent) { return DilatedRows::last_word(extent.x) + 1; }
-    /// Of a layer's tables: with a column of zeros before and after the others, and with the rows before and after that
-    /// are read with those that hold something.
-    static int columns_for(const Extent& extent) { return words_for(extent) + 2; }
-    static int rows_for(const Extent& extent) { return extent.y + 2 * (DilatedRows::kTogether - 1); }
+    /// Rows of zeros that are read with those that hold something, before and after them.
+    static constexpr int kBeside = DilatedRows::kTogether - 1;
+    /// Of a layer's tables: with a column of zeros before the others, which is that after those of the table before,
+    /// and rows of zeros, which likewise are those after the rows of the column before.
+    static int columns_for(const Extent& extent) { return words_for(extent) + 1; }
+    static int rows_for(const Extent& extent) { return extent.y + kBeside; }
     static std::size_t layer_words(const Extent& extent) {
-        return DilatedRows::words_in(columns_for(extent), rows_for(extent));
+        return DilatedRows::words_in(columns_for(extent), rows_for(extent)) + rows_for(extent) + kBeside;
     }
     void bring_up(Layer& layer, const Tray& tray);
 
     Extent extent_;
+    std::weak_ptr<const void> tray_life_;
     std::uint64_t instance_;
     std::uint64_t version_;
     int words_;
