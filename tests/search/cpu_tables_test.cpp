@@ -334,6 +334,39 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
     }
 }
 
+TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
+    TraySetup setup;
+    setup.size = {200, 180, 160};
+    setup.detail = 2;
+    Tray tray(setup);
+    BitGrid ball({50, 50, 50});
+    for_each_voxel(ball.extent(), [&](int x, int y, int z) {
+        const auto off = [](int v) { return (2 * v - 49) * (2 * v - 49); };
+        ball.set(x, y, z, off(x) + off(y) + off(z) < 50 * 50);
+    });
+    const auto fine = std::make_shared<const BitGrid>(ball);
+    tray.add(fine_object(fine, {8, 6, 4}, 2, 0));
+    TrayTables tables;
+    tables.follow(tray, 0, false, Workers(1));
+    const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
+    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
+    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables);
+    const std::size_t pieces = runs.widened.front().pieces.size(), core = runs.widened.front().core.size();
+    ASSERT_GT(core, 0u);
+    std::vector<std::int32_t> all;
+    std::size_t sift = 0;
+    for (const std::size_t loads : {std::size_t{0}, std::size_t{600}, std::size_t{1'000'000}}) {
+        const CollisionPlan plan = plan_collision(runs, tables, loads);
+        EXPECT_GT(plan.sift, sift);
+        sift = plan.sift;
+        std::vector<std::int32_t> offsets = plan.of_positions.offsets;
+        EXPECT_EQ(offsets.size(), pieces + core);
+        std::ranges::sort(offsets);
+        if (all.empty()) all = offsets;
+        EXPECT_EQ(offsets, all);
+    }
+}
+
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
