@@ -64,7 +64,7 @@ class Pass {
     struct Survivor {
         std::uint32_t bound = 0;
         int bx = 0, by = 0;
-        bool sifted = false;                // in this search: the first batches need not be repeated
+        std::size_t sifted = 0;             // batches that need not be repeated, made in this search
         std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
@@ -193,7 +193,8 @@ class Pass {
             any |= near[j];
         }
         if (any == 0) return;
-        if (fresh && !Sift(bx, by, bz, room)) return;
+        std::size_t sifted[kPair] = {};
+        if (fresh && !Sift(bx, by, bz, room, sifted)) return;
         for (int j = 0; j < kBlocksY; ++j) {
             near[j] = Close(bx, by * kBlocksY + j, bz, near[j], bound[j]);
             BoundRow(bx, by * kBlocksY + j, bz, near[j], bound[j]);
@@ -206,7 +207,7 @@ class Pass {
                 }
             }
             if (least > limit) continue;
-            Survivor survivor{least, bx + i, by, fresh, {}};
+            Survivor survivor{least, bx + i, by, sifted[i], {}};
             for (int j = 0; j < kBlocksY; ++j) {
                 survivor.near[j] = static_cast<std::uint16_t>(near[j] >> (i * kBlocksX));
             }
@@ -215,8 +216,8 @@ class Pass {
     }
 
     /// Opens a fresh pair with what the first batches of look-ups leave of its blocks that have `room`. True if that is
-    /// anything.
-    bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY]) {
+    /// anything; `sifted` is how many batches each brick went through.
+    bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
         alignas(64) BrickWords live[kPair] = {};
         for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
             std::uint32_t alive[kBlocksY], any = 0;
@@ -226,22 +227,45 @@ class Pass {
             }
             if (any == 0) continue;
             state_.candidates(bx + i, by, bz, alive, live[i]);
-            SiftLayers(bx + i, by, bz, live[i]);
+            sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
         }
         return state_.open(bx, by, bz, live);
     }
 
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
-    void SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
+    /// Returns how many batches all that is left went through.
+    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        if (plan.batches.empty()) return;
+        if (plan.batches.empty()) return 0;
         const LookupPlan::Batch& first = plan.batches.front();
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
                             plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
+        std::size_t least = plan.batches.size();
         for (int i = 0; i < kBrickZ; ++i) {
-            Block(1, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, live + kBrickY * i);
+            least = std::min(least, SiftTile(bx, by, kBrickZ * bz + i, live + kBrickY * i));
         }
+        return least;
+    }
+
+    /// The sift of a tile after the first batch. Where a batch beyond the least that a sift has clears nothing, the
+    /// tile lies in the open, or is empty. Returns how many batches it went through, of an empty one all that there
+    /// are.
+    std::size_t SiftTile(int bx, int by, int z, std::uint64_t* words) const {
+        const std::size_t all = t_.plan.collision.of_positions.batches.size();
+        Block(1, CollisionPlan::kLeastSift, bx, by, z, words);
+        for (std::size_t b = CollisionPlan::kLeastSift; b < std::min(t_.plan.collision.sift, all); ++b) {
+            std::uint64_t before[kBrickY], any = 0, cleared = 0;
+            std::copy_n(words, kBrickY, before);
+            Block(b, b + 1, bx, by, z, words);
+            for (int y = 0; y < kBrickY; ++y) {
+                any |= words[y];
+                cleared |= before[y] ^ words[y];
+            }
+            if (any == 0) return all;
+            if (cleared == 0) return b + 1;
+        }
+        return std::min(t_.plan.collision.sift, all);
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
@@ -301,8 +325,7 @@ class Pass {
         }
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
-            SettleTile(bx, by, kBrickZ * bz + i, sifted ? t_.plan.collision.sift : 0, limits_[i], live + kBrickY * i,
-                       before, near, after);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live + kBrickY * i, before, near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
@@ -359,7 +382,7 @@ class Pass {
         for (std::size_t b = begin; b < batches.size(); ++b) {
             const std::int64_t sums = HalfRows(free);
             if (sums == 0) break;
-            if (b >= t_.plan.collision.sift && kLoadsPerLookup * made > sums * loads) return b;
+            if (b >= CollisionPlan::kLeastSift && kLoadsPerLookup * made > sums * loads) return b;
             Block(b, b + 1, bx, by, z, free);
             made += batches[b].lookups;
         }

@@ -82,9 +82,12 @@ struct LookupPlan {
 };
 
 struct CollisionPlan {
+    static constexpr std::size_t kLeastSift = 4, kMostSift = 16;
+
     LookupPlan of_positions;  ///< into the bit tables: all that there are
     LookupPlan of_blocks;     ///< into the crowd tables: the first of them
-    std::size_t sift = 0;  ///< batches of the former that every position goes through; the others are for what is left
+    /// Batches of the former that every position goes through that is not in the open; the others are for what is left.
+    std::size_t sift = 0;
 };
 
 /// Covers every widened voxel against its class's objects and every solid voxel against the walls,
