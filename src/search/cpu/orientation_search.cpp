@@ -239,33 +239,21 @@ class Pass {
         const LookupPlan& plan = t_.plan.collision.of_positions;
         if (plan.batches.empty()) return 0;
         const LookupPlan::Batch& first = plan.batches.front();
+        BrickWords before;
+        std::copy_n(live, kBrickY * kBrickZ, before);
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
                             plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
-        std::size_t least = plan.batches.size();
+        std::size_t least = t_.plan.collision.sift;
         for (int i = 0; i < kBrickZ; ++i) {
-            least = std::min(least, SiftTile(bx, by, kBrickZ * bz + i, live + kBrickY * i));
-        }
-        return least;
-    }
-
-    /// The sift of a tile after the first batch. Where a batch beyond the least that a sift has clears nothing, the
-    /// tile lies in the open, or is empty. Returns how many batches it went through, of an empty one all that there
-    /// are.
-    std::size_t SiftTile(int bx, int by, int z, std::uint64_t* words) const {
-        const std::size_t all = t_.plan.collision.of_positions.batches.size();
-        Block(1, CollisionPlan::kLeastSift, bx, by, z, words);
-        for (std::size_t b = CollisionPlan::kLeastSift; b < std::min(t_.plan.collision.sift, all); ++b) {
-            std::uint64_t before[kBrickY], any = 0, cleared = 0;
-            std::copy_n(words, kBrickY, before);
-            Block(b, b + 1, bx, by, z, words);
-            for (int y = 0; y < kBrickY; ++y) {
-                any |= words[y];
-                cleared |= before[y] ^ words[y];
+            const int tile = kBrickY * i;
+            Block(1, CollisionPlan::kLeastSift, bx, by, kBrickZ * bz + i, live + tile);
+            if (std::equal(live + tile, live + tile + kBrickY, before + tile)) {
+                least = CollisionPlan::kLeastSift;  // in the open, where most of it would be in vain
+            } else {
+                Block(CollisionPlan::kLeastSift, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, live + tile);
             }
-            if (any == 0) return all;
-            if (cleared == 0) return b + 1;
         }
-        return std::min(t_.plan.collision.sift, all);
+        return std::min(least, plan.batches.size());
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
