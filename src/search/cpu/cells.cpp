@@ -44,14 +44,17 @@ std::int64_t triangle(std::int64_t n) { return n > 0 ? n * (n + 1) / 2 : 0; }
 /// Calls visit(cell, stretch) for the stretches of all runs within cells.
 template <class Visit>
 void for_each_stretch(const Runs& solid, const CellGrid& grid, const Visit& visit) {
+    const std::size_t steps[3] = {1, static_cast<std::size_t>(grid.count.x),
+                                  static_cast<std::size_t>(grid.count.x) * static_cast<std::size_t>(grid.count.y)};
+    const int along = solid.axis;
     for (const Run& run : solid.runs) {
-        const int end = run.start[solid.axis] + run.length;
+        const int end = run.start[along] + run.length;
         Run stretch = run;
-        while (stretch.start[solid.axis] < end) {
-            int& first = stretch.start[solid.axis];
+        int& first = stretch.start[along];
+        for (std::size_t cell = grid.index(run.start); first < end; cell += steps[along]) {
             const int border = std::min(end, grid.end(first));
             stretch.length = border - first;
-            visit(grid.index(stretch.start), stretch);
+            visit(cell, stretch);
             first = border;
         }
     }

@@ -5,62 +5,64 @@
 #include "search/cpu/kernels.hpp"
 
 namespace spectralpack {
-namespace {
-
-/// row[i] = min over j of row[j] + |i - j|, 0 beyond both ends; for values up to kDeepest. `spare` is for its use.
-void lower_along_x(std::uint8_t* row, std::size_t count, std::vector<std::uint8_t>& spare) {
-    constexpr std::size_t kMargin = kDeepest / 2 + 1;  // the farthest step
-    spare.assign(count + 2 * kMargin, 0);
-    std::uint8_t* middle = spare.data() + kMargin;
-    for (std::size_t by = 1; by <= std::min(kMargin, count); by *= 2) {
-        std::copy_n(row, count, middle);
-        lower_bytes(row, middle - by, static_cast<std::uint8_t>(by), count);
-        lower_bytes(row, middle + by, static_cast<std::uint8_t>(by), count);
-    }
-}
-
-}  // namespace
 
 Depths::Depths(const BitGrid& solid, const Runs& runs)
-    : step_{1, solid.extent().x, static_cast<std::ptrdiff_t>(solid.extent().x) * solid.extent().y},
-      depth_(static_cast<std::size_t>(solid.extent().count())) {
-    const Extent& n = solid.extent();
-    const auto width = static_cast<std::size_t>(n.x);
-    const auto layer = static_cast<std::size_t>(step_[2]);
-    const auto row_at = [this](int y, int z) { return depth_.data() + row(y, z); };
-
+    : extent_(solid.extent()),
+      step_{1, extent_.x + 1, static_cast<std::ptrdiff_t>(extent_.x + 1) * extent_.y},
+      depth_(static_cast<std::size_t>(2 * kMargin + step_[2] * extent_.z)) {
     // Along the runs' own axis each voxel's distance to the nearer end; then the other two axes, both ways.
     for (const Run& run : runs.runs) {
-        std::uint8_t* voxel = row_at(run.start.y, run.start.z) + run.start.x;
+        std::uint8_t* voxel = depth_.data() + row(run.start.y, run.start.z) + run.start.x;
         for (int i = 0; i < run.length; ++i, voxel += step_[runs.axis]) {
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
-    const std::vector<std::uint8_t> outside(layer, 0);
-    const auto lower = [&](int y, int z, const std::uint8_t* from) { lower_bytes(row_at(y, z), from, 1, width); };
-    if (runs.axis != 0) {
-        std::vector<std::uint8_t> spare;
-        for (std::size_t at = 0; at < depth_.size(); at += width) {
-            lower_along_x(depth_.data() + at, width, spare);
-        }
+    const std::vector<std::uint8_t> outside(static_cast<std::size_t>(step_[2]), 0);
+    if (runs.axis != 2) lower_along_z(outside);
+    for (int z = 0; z < extent_.z; ++z) {
+        if (runs.axis != 1) lower_along_y(z, outside);
+        if (runs.axis != 0) lower_along_x(z);
     }
-    if (runs.axis != 1) {
-        for (int z = 0; z < n.z; ++z) {
-            for (int y = 0; y < n.y; ++y)
-                lower(y, z, y > 0 ? row_at(y - 1, z) : outside.data());
-            for (int y = n.y - 1; y >= 0; --y)
-                lower(y, z, y + 1 < n.y ? row_at(y + 1, z) : outside.data());
-        }
+}
+
+/// By doubling, a layer at once. What is read from other rows is no less than a row's own end is far: no harm is done.
+void Depths::lower_along_x(int z) {
+    std::uint8_t* layer = depth_.data() + row(0, z);
+    const auto count = static_cast<std::size_t>(step_[2]);
+    std::uint8_t most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        most = std::max(most, layer[i]);
     }
-    if (runs.axis != 2) {
-        const auto lower_layer = [&](int z, int from) {
-            lower_bytes(row_at(0, z), from >= 0 && from < n.z ? row_at(0, from) : outside.data(), 1, layer);
-        };
-        for (int z = 0; z < n.z; ++z)
-            lower_layer(z, z - 1);
-        for (int z = n.z - 1; z >= 0; --z)
-            lower_layer(z, z + 1);
+    // What lies as far as the greatest value lowers nothing.
+    for (int by = 1; by < most; by *= 2) {
+        lower_bytes(layer, layer - by, static_cast<std::uint8_t>(by), count);
+        lower_bytes(layer, layer + by, static_cast<std::uint8_t>(by), count);
     }
+}
+
+void Depths::lower_along_y(int z, const std::vector<std::uint8_t>& outside) {
+    std::uint8_t* layer = depth_.data() + row(0, z);
+    const auto lower = [&](int y, int from) {
+        const bool inside = from >= 0 && from < extent_.y;
+        lower_bytes(layer + y * step_[1], inside ? layer + from * step_[1] : outside.data(), 1,
+                    static_cast<std::size_t>(extent_.x));
+    };
+    for (int y = 0; y < extent_.y; ++y)
+        lower(y, y - 1);
+    for (int y = extent_.y - 1; y >= 0; --y)
+        lower(y, y + 1);
+}
+
+void Depths::lower_along_z(const std::vector<std::uint8_t>& outside) {
+    const auto lower = [&](int z, int from) {
+        const bool inside = from >= 0 && from < extent_.z;
+        lower_bytes(depth_.data() + row(0, z), inside ? depth_.data() + row(0, from) : outside.data(), 1,
+                    static_cast<std::size_t>(step_[2]));
+    };
+    for (int z = 0; z < extent_.z; ++z)
+        lower(z, z - 1);
+    for (int z = extent_.z - 1; z >= 0; --z)
+        lower(z, z + 1);
 }
 
 std::uint32_t Depths::sum(const Run& run, int axis) const {

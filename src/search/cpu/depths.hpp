@@ -23,9 +23,16 @@ class Depths {
 
   private:
     /// Of voxel (0, y, z), in depth_.
-    std::ptrdiff_t row(int y, int z) const { return step_[2] * z + step_[1] * y; }
+    std::ptrdiff_t row(int y, int z) const { return kMargin + step_[2] * z + step_[1] * y; }
+    void lower_along_x(int z);
+    void lower_along_y(int z, const std::vector<std::uint8_t>& outside);
+    void lower_along_z(const std::vector<std::uint8_t>& outside);
 
+    static constexpr std::ptrdiff_t kMargin = 32;  // the farthest that is looked along x at once
+
+    Extent extent_;
     std::ptrdiff_t step_[3];  // from a voxel to the next along each axis
+    // Rows have a 0 behind their end, and there are zeros before the first and behind the last.
     std::vector<std::uint8_t> depth_;
 };
 

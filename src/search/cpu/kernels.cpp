@@ -24,13 +24,6 @@ bool LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT
     return changed != 0;
 }
 
-void LowerBytes(std::uint8_t* HWY_RESTRICT row, const std::uint8_t* HWY_RESTRICT from, std::uint8_t by,
-                std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        row[i] = std::min(row[i], static_cast<std::uint8_t>(from[i] + by));
-    }
-}
-
 void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = std::min(a[i], b[i]);
@@ -64,6 +57,26 @@ std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
 // Those that a compiler would not: short rows, lanes that change places.
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
+    const hn::ScalableTag<std::uint8_t> d;
+    const std::size_t step = hn::Lanes(d);
+    const auto above = hn::Set(d, by);
+    const auto lower = [&](std::size_t i) {
+        hn::StoreU(hn::Min(hn::LoadU(d, row + i), hn::Add(hn::LoadU(d, from + i), above)), d, row + i);
+    };
+    std::size_t i = 0;
+    for (; i + step <= count; i += step) {
+        lower(i);
+    }
+    if (i < count && count >= step) {
+        lower(count - step);  // some of them once more
+        return;
+    }
+    for (; i < count; ++i) {
+        row[i] = std::min(row[i], static_cast<std::uint8_t>(from[i] + by));
+    }
+}
 
 void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
              std::size_t b_step, std::size_t count) {

@@ -12,7 +12,8 @@ namespace spectralpack {
 /// row[i] = min(row[i], from[i] + 1) for i in [0, count); true when something changed.
 bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count);
 
-/// row[i] = min(row[i], from[i] + by) for i in [0, count); values + by below 256.
+/// row[i] = min(row[i], from[i] + by) for i in [0, count); values + by below 256. The two may overlap: which of from's
+/// values are lowered already when they are read is not said.
 void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count);
 
 /// out[i] = a[i] + b[i] modulo 2^16, i in [0, count), for `rows` rows one after the other, `step` from one of out and
