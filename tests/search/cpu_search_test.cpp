@@ -45,7 +45,7 @@ TEST(CpuSearch, AnswersTheDefinitionForCopyAfterCopy) {
         RandomStream random(seed);
         const Scene scene = random_scene(random, middling_scene());
         CpuOptions options;
-        if (seed % 2 == 1) options.crowd_from = 0;
+        if (seed % 2 == 1) options.large_from = 0;
         VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
         EXPECT_NO_THROW(pack_copies(search, scene, random, 25));
     }
@@ -113,7 +113,7 @@ TEST(CpuSearch, AnswersAlikeOnEveryInstructionSet) {
         SCOPED_TRACE(name);
         use_instruction_set(name);
         CpuOptions options;
-        options.crowd_from = 0;
+        options.large_from = 0;
         VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
         EXPECT_NO_THROW(all.push_back(pack_copies(search, scene, random, 20)));
     }

@@ -18,7 +18,7 @@ std::vector<EngineFactory> engines() {
     all.push_back({"cpu", [](const Workers& workers) { return make_cpu_search({}, workers); }});
     all.push_back({"cpu_with_crowd_tables", [](const Workers& workers) {
                        CpuOptions options;
-                       options.crowd_from = 0;
+                       options.large_from = 0;
                        return make_cpu_search(options, workers);
                    }});
 #endif

@@ -32,7 +32,7 @@ std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
-        : options_(options), workers_(workers), tables_(options.crowd_from), positions_(options.cache_memory) {}
+        : options_(options), workers_(workers), tables_(options.large_from), positions_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
@@ -86,7 +86,7 @@ class CpuSearch final : public PlacementSearch {
         return bytes;
     }
     void forget() override {
-        tables_ = TrayTables(options_.crowd_from);
+        tables_ = TrayTables(options_.large_from);
         positions_ = PositionCache(options_.cache_memory);
         dilated_ = nullptr;
         give_back_freed();

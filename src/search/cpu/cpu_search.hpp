@@ -16,8 +16,9 @@ struct CpuOptions {
     /// Bytes for what is remembered of shapes between searches, so that further copies are cheap.
     /// What the tray itself takes comes on top.
     std::int64_t cache_memory = std::int64_t{1} << 28;
-    /// Voxels of a tray from which on crowd tables are kept: in smaller ones they cost as much time as they spare.
-    std::int64_t crowd_from = 4'000'000;
+    /// From how many voxels on a tray is large: crowd tables are kept of it, and solids are cut into small cells too. In
+    /// smaller ones either takes as much time as it spares.
+    std::int64_t large_from = 4'000'000;
 };
 
 /// What best_placement() keeps follows one tray at a time: alternating between trays costs a fresh

@@ -70,7 +70,8 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     minima_ = {};
     phi_ = {};
     bits_ = tables_for(tray, margin);
-    crowd_ = n.count() >= crowd_from_ ? CrowdTables(bits_) : CrowdTables();
+    large_ = n.count() >= large_from_;
+    crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
     apart_ = apart;
     sums_ = SumTables(n, 1, false);
     coarse_ = SumTables(n, kBlock, apart);
@@ -165,7 +166,7 @@ void TrayTables::check(const Tray& tray) const {
     minima.update(phi_, whole(n), one);
     require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
-    CrowdTables crowd = crowd_.bytes() > 0 ? CrowdTables(bits) : CrowdTables();
+    CrowdTables crowd = large_ ? CrowdTables(bits) : CrowdTables();
     refresh_all(bits, crowd, tray, one);
     require(bits == bits_, "bit tables");
     require(crowd == crowd_, "crowd tables");

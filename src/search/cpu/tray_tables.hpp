@@ -22,14 +22,16 @@ class TrayTables {
     /// Blocks of positions that the coarse bound looks at.
     static constexpr int kBlock = SumTables::kPooledBlock;
 
-    /// `crowd_from`: voxels of a tray that crowd tables are kept of.
-    explicit TrayTables(std::int64_t crowd_from = 0) : crowd_from_(crowd_from) {}
+    /// `large_from`: how many voxels make a tray large().
+    explicit TrayTables(std::int64_t large_from = 0) : large_from_(large_from) {}
 
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
     /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
+    /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids.
+    bool large() const { return large_; }
     const CrowdTables& crowd() const { return crowd_; }
     const DistanceGrid& phi() const { return phi_; }
     const SumTables& sums() const { return sums_; }
@@ -71,7 +73,8 @@ class TrayTables {
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
     void note_occupied(const Tray& tray);
 
-    std::int64_t crowd_from_;
+    std::int64_t large_from_;
+    bool large_ = false;
     BitTables bits_;
     CrowdTables crowd_;
     DistanceGrid phi_;
