@@ -374,14 +374,18 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
         make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables());
     const SumTables tables({210, 9, 8}, 1, false);
     for (const int most : {1, 150, 5000, 65535}) {
-        const SumPlan plan = plan_sum(runs, tables, most);
+        const SumPlan plan = plan_sum(runs, order_of_loads(runs.solid), tables, most);
         std::int64_t voxels = 0;
         for (const SumBatch& batch : plan.batches) {
-            std::int64_t in_batch = 0;
+            std::int64_t in_batch = 0, least = 0;
             for (std::int32_t i = batch.begin; i < batch.end; ++i) {
                 const SumLoad& load = plan.loads[static_cast<std::size_t>(i)];
                 in_batch += load.plus - load.minus;  // along x: elements are voxels
+                least += load.least;
+                // Nothing is known of parts of a run.
+                EXPECT_EQ(load.least > 0, load.plus - load.minus == 200);
             }
+            EXPECT_EQ(batch.least, least);
             EXPECT_LE(in_batch * most, 65535);
             voxels += in_batch;
         }

@@ -16,29 +16,34 @@ Word moved_down(const Word* row, int words, int w, int by) {
     return by == 0 ? row[w] : row[w] >> by | (w + 1 < words ? row[w + 1] << (64 - by) : Word{0});
 }
 
+/// words[i] &= words[i + step], 0 behind the end; i in [0, count).
+void erode_words(Word* words, std::size_t count, std::size_t step) {
+    const std::size_t both = count - std::min(count, step);
+    for (std::size_t i = 0; i < both; ++i) {
+        words[i] &= words[i + step];
+    }
+    std::fill(words + both, words + count, Word{0});
+}
+
 /// Keeps the voxels v of which v + by e_axis is set too; 0 < by < 64.
 void erode(BitGrid& bits, int axis, int by) {
     const Extent& n = bits.extent();
-    const int words = bits.words_per_row();
-    for (int z = 0; z < n.z; ++z) {
-        for (int y = 0; y < n.y; ++y) {
-            Word* row = bits.row(y, z);
-            if (axis == 0) {
-                for (int w = 0; w < words; ++w) {
-                    row[w] &= moved_down(row, words, w, by);
-                }
-                continue;
-            }
-            const int from_y = axis == 1 ? y + by : y, from_z = axis == 2 ? z + by : z;
-            if (from_y >= n.y || from_z >= n.z) {
-                std::fill_n(row, words, Word{0});
-                continue;
-            }
-            const Word* from = bits.row(from_y, from_z);
-            for (int w = 0; w < words; ++w) {
-                row[w] &= from[w];
+    if (n.empty()) return;
+    const auto words = static_cast<std::size_t>(bits.words_per_row()), rows = static_cast<std::size_t>(n.y),
+               layers = static_cast<std::size_t>(n.z), step = static_cast<std::size_t>(by);
+    Word* all = bits.row(0, 0);
+    if (axis == 0) {
+        for (Word* row = all; row < all + words * rows * layers; row += words) {
+            for (int w = 0; w < bits.words_per_row(); ++w) {
+                row[w] &= moved_down(row, bits.words_per_row(), w, by);
             }
         }
+    } else if (axis == 1) {
+        for (std::size_t z = 0; z < layers; ++z) {
+            erode_words(all + z * words * rows, words * rows, words * step);
+        }
+    } else {
+        erode_words(all, words * rows * layers, words * rows * step);
     }
 }
 
@@ -137,6 +142,7 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
         for (int z = 0; z + last.z < n.z; ++z) {
             for (int y = 0; y + last.y < n.y; ++y) {
                 const Word* corners = fits.corners.row(y, z);
+                if (std::all_of(corners, corners + words, [](Word word) { return word == 0; })) continue;
                 const Word* at = wanted.row(y + to.y, z + to.z);
                 const Word* inside = wanted.row(y + middle.y, z + middle.z);
                 for (int w = 0; w < words; ++w) {

@@ -120,48 +120,57 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
 
 #if HWY_TARGET == HWY_SCALAR
 
-/// live[j] &= ~(OR over groups, over their offsets o, of bits (tile + o)[j] and up, shifted right
-/// by the group's shift), the bits that move in coming from (tile + o + next)[j]. j in [0, kTileRows).
-/// So for kLayers tiles one above the other, `up` words apart, whose live words lie kTileRows apart.
+/// Clears in the tile `live` what the look-ups of batches [begin, end) find to collide, until nothing is left: of each
+/// look-up at offset o, bits (tile + o)[j] and up, shifted right by its group's shift, the bits that move in coming from
+/// (tile + o + next)[j]. j in [0, kTileRows). So for kLayers tiles one above the other, `up` words apart, whose live
+/// words lie kTileRows apart.
 template <int kLayers>
-HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::ptrdiff_t up,
-                           const std::int32_t* offsets, const LookupGroup* groups, std::size_t group_count,
-                           std::uint64_t* live) {
-    for (int z = 0; z < kLayers; ++z, tile += up, live += kTileRows) {
-        std::uint64_t blocked[kTileRows] = {};
-        for (std::size_t g = 0; g < group_count; ++g) {
-            std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
-            for (std::int32_t i = groups[g].begin; i < groups[g].end; ++i) {
-                const std::uint64_t* at = tile + offsets[i];
+HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::ptrdiff_t up, const LookupPlan& plan,
+                           std::size_t begin, std::size_t end, std::uint64_t* live) {
+    for (std::size_t b = begin; b < end; ++b) {
+        std::uint64_t left = 0;
+        for (int j = 0; j < kLayers * kTileRows; ++j) {
+            left |= live[j];
+        }
+        if (left == 0) return;
+        for (int z = 0; z < kLayers; ++z) {
+            std::uint64_t* words = live + z * kTileRows;
+            for (std::int32_t g = plan.batches[b].begin; g < plan.batches[b].end; ++g) {
+                const LookupGroup& group = plan.groups[static_cast<std::size_t>(g)];
+                std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
+                for (std::int32_t i = group.begin; i < group.end; ++i) {
+                    const std::uint64_t* at = tile + z * up + plan.offsets[static_cast<std::size_t>(i)];
+                    for (int j = 0; j < kTileRows; ++j) {
+                        low[j] |= at[j];
+                        high[j] |= at[next + j];
+                    }
+                }
                 for (int j = 0; j < kTileRows; ++j) {
-                    low[j] |= at[j];
-                    high[j] |= at[next + j];
+                    words[j] &= ~(low[j] >> group.shift | (group.shift == 0 ? 0 : high[j] << (64 - group.shift)));
                 }
             }
-            const int shift = groups[g].shift;
-            for (int j = 0; j < kTileRows; ++j) {
-                blocked[j] |= low[j] >> shift | (shift == 0 ? 0 : high[j] << (64 - shift));
-            }
-        }
-        for (int j = 0; j < kTileRows; ++j) {
-            live[j] &= ~blocked[j];
         }
     }
 }
 
 /// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus] (modulo 2^16) is above the
 /// load's least, up to kSumLimit. Give what all loads come to at least for the lanes that are wanted, kSumLimit for the
-/// others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds.
+/// others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to
+/// less than its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a
+/// step less for each.
+template <bool kOfEach>
 HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
                          std::size_t batch_count, std::uint32_t limit, std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
-        std::uint16_t sum[kLanes] = {};
+        std::uint16_t sum[kLanes];
+        std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
             const std::uint16_t* plus = table + loads[i].plus;
             const std::uint16_t* minus = table + loads[i].minus;
             for (int j = 0; j < kLanes; ++j) {
                 const auto run = static_cast<std::uint16_t>(plus[j] - minus[j]);
-                sum[j] = static_cast<std::uint16_t>(sum[j] + std::max(run, loads[i].least) - loads[i].least);
+                const int above = kOfEach ? std::max(run, loads[i].least) - loads[i].least : run;
+                sum[j] = static_cast<std::uint16_t>(sum[j] + above);
             }
         }
         bool alive = false;
@@ -177,51 +186,62 @@ HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const
 
 template <int kLayers>
 HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next, std::ptrdiff_t up,
-                           const std::int32_t* HWY_RESTRICT offsets, const LookupGroup* HWY_RESTRICT groups,
-                           std::size_t group_count, std::uint64_t* HWY_RESTRICT live) {
+                           const LookupPlan& plan, std::size_t begin, std::size_t end,
+                           std::uint64_t* HWY_RESTRICT live) {
     const hn::CappedTag<std::uint64_t, kTileRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
     using V = hn::Vec<decltype(d)>;
+    const LookupPlan::Batch* HWY_RESTRICT batches = plan.batches.data();
+    const LookupGroup* HWY_RESTRICT groups = plan.groups.data();
+    const std::int32_t* HWY_RESTRICT offsets = plan.offsets.data();
     for (std::size_t j = 0; j < kTileRows; j += kStep) {
-        V blocked[kLayers];
+        V left[kLayers];
         for (int z = 0; z < kLayers; ++z) {
-            blocked[z] = hn::Zero(d);
+            left[z] = hn::LoadU(d, live + z * kTileRows + j);
         }
-        for (std::size_t g = 0; g < group_count; ++g) {
-            const LookupGroup& group = groups[g];
-            if (group.shift == 0) {
+        for (std::size_t b = begin; b < end; ++b) {
+            V any = left[0];
+            for (int z = 1; z < kLayers; ++z) {
+                any = hn::Or(any, left[z]);
+            }
+            if (hn::AllTrue(d, hn::Eq(any, hn::Zero(d)))) break;
+            for (std::int32_t g = batches[b].begin; g < batches[b].end; ++g) {
+                const LookupGroup& group = groups[g];
+                if (group.shift == 0) {
+                    for (std::int32_t i = group.begin; i < group.end; ++i) {
+                        const std::uint64_t* at = tile + j + offsets[i];
+                        for (int z = 0; z < kLayers; ++z) {
+                            left[z] = hn::AndNot(hn::LoadU(d, at + z * up), left[z]);
+                        }
+                    }
+                    continue;
+                }
+                V low[kLayers], high[kLayers];
+                for (int z = 0; z < kLayers; ++z) {
+                    low[z] = hn::Zero(d);
+                    high[z] = hn::Zero(d);
+                }
                 for (std::int32_t i = group.begin; i < group.end; ++i) {
                     const std::uint64_t* at = tile + j + offsets[i];
                     for (int z = 0; z < kLayers; ++z) {
-                        blocked[z] = hn::Or(blocked[z], hn::LoadU(d, at + z * up));
+                        low[z] = hn::Or(low[z], hn::LoadU(d, at + z * up));
+                        high[z] = hn::Or(high[z], hn::LoadU(d, at + z * up + next));
                     }
                 }
-                continue;
-            }
-            V low[kLayers], high[kLayers];
-            for (int z = 0; z < kLayers; ++z) {
-                low[z] = hn::Zero(d);
-                high[z] = hn::Zero(d);
-            }
-            for (std::int32_t i = group.begin; i < group.end; ++i) {
-                const std::uint64_t* at = tile + j + offsets[i];
+                const V down = hn::Set(d, group.shift);
+                const V rest = hn::Sub(hn::Set(d, std::uint64_t{64}), down);
                 for (int z = 0; z < kLayers; ++z) {
-                    low[z] = hn::Or(low[z], hn::LoadU(d, at + z * up));
-                    high[z] = hn::Or(high[z], hn::LoadU(d, at + z * up + next));
+                    left[z] = hn::AndNot(hn::Or(hn::Shr(low[z], down), hn::Shl(high[z], rest)), left[z]);
                 }
-            }
-            for (int z = 0; z < kLayers; ++z) {
-                blocked[z] = hn::Or3(blocked[z], hn::ShiftRightSame(low[z], group.shift),
-                                     hn::ShiftLeftSame(high[z], 64 - group.shift));
             }
         }
         for (int z = 0; z < kLayers; ++z) {
-            std::uint64_t* at = live + z * kTileRows + j;
-            hn::StoreU(hn::AndNot(blocked[z], hn::LoadU(d, at)), d, at);
+            hn::StoreU(left[z], d, live + z * kTileRows + j);
         }
     }
 }
 
+template <bool kOfEach>
 HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
                          const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
                          std::uint32_t* HWY_RESTRICT sums) {
@@ -243,7 +263,7 @@ HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad*
     for (std::size_t b = 0; b < batch_count; ++b) {
         V16 sum[kVectors];
         for (std::size_t v = 0; v < kVectors; ++v) {
-            sum[v] = hn::Zero(d16);
+            sum[v] = hn::Set(d16, kOfEach ? std::uint16_t{0} : static_cast<std::uint16_t>(-batches[b].least));
         }
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
             const std::uint16_t* plus = table + loads[i].plus;
@@ -251,7 +271,7 @@ HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad*
             const auto run_least = hn::Set(d16, loads[i].least);
             for (std::size_t v = 0; v < kVectors; ++v) {
                 const auto run = hn::Sub(hn::LoadU(d16, plus + v * kStep), hn::LoadU(d16, minus + v * kStep));
-                sum[v] = hn::Add(sum[v], hn::SaturatedSub(run, run_least));
+                sum[v] = hn::Add(sum[v], kOfEach ? hn::SaturatedSub(run, run_least) : run);
             }
         }
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));

@@ -116,9 +116,8 @@ class Pass {
     void SiftBlocks(int i, int j, int bz, std::uint64_t* room) const {
         const CrowdTables& crowd = context_.tables.crowd();
         const LookupPlan& plan = t_.plan.collision.of_blocks;
-        for (const LookupPlan::Batch& batch : plan.batches) {
-            BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan.offsets.data(), plan.groups.data() + batch.begin,
-                          static_cast<std::size_t>(batch.end - batch.begin), room);
+        for (std::size_t b = 0; b < plan.batches.size(); ++b) {
+            BlockTiles<1>(crowd.tile(i, j, bz), crowd.next(), 0, plan, b, b + 1, room);
             std::uint64_t any = 0, all = ~std::uint64_t{0};
             for (int k = 0; k < kTileRows; ++k) {
                 any |= room[k];
@@ -203,7 +202,7 @@ class Pass {
             std::uint32_t least = kDead;
             for (int j = 0; j < kBlocksY; ++j) {
                 for (int k = i * kBlocksX; k < (i + 1) * kBlocksX; ++k) {
-                    if (near[j] >> k & 1) least = std::min(least, bound[j][k]);
+                    least = std::min(least, near[j] >> k & 1 ? bound[j][k] : kDead);
                 }
             }
             if (least > limit) continue;
@@ -238,39 +237,38 @@ class Pass {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
         if (plan.batches.empty()) return 0;
-        const LookupPlan::Batch& first = plan.batches.front();
-        BrickWords before;
-        std::copy_n(live, kBrickY * kBrickZ, before);
-        BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan.offsets.data(),
-                            plan.groups.data() + first.begin, static_cast<std::size_t>(first.end - first.begin), live);
+        std::uint64_t before[kBrickY];  // of any layer that has candidates
+        std::copy_n(live, kBrickY, before);
+        BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0,
+                            std::min(CollisionPlan::kForAllLayers, plan.batches.size()), live);
         std::size_t least = t_.plan.collision.sift;
         for (int i = 0; i < kBrickZ; ++i) {
-            const int tile = kBrickY * i;
-            Block(1, CollisionPlan::kLeastSift, bx, by, kBrickZ * bz + i, live + tile);
-            if (std::equal(live + tile, live + tile + kBrickY, before + tile)) {
+            std::uint64_t* tile = live + kBrickY * i;
+            if (none_of_tile(tile)) continue;
+            Block(CollisionPlan::kForAllLayers, CollisionPlan::kLeastSift, bx, by, kBrickZ * bz + i, tile);
+            if (std::equal(tile, tile + kBrickY, before)) {
                 least = CollisionPlan::kLeastSift;  // in the open, where most of it would be in vain
             } else {
-                Block(CollisionPlan::kLeastSift, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, live + tile);
+                Block(CollisionPlan::kLeastSift, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, tile);
             }
         }
         return std::min(least, plan.batches.size());
+    }
+
+    static bool none_of_tile(const std::uint64_t* tile) {
+        std::uint64_t any = 0;
+        for (int y = 0; y < kBrickY; ++y) {
+            any |= tile[y];
+        }
+        return any == 0;
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        const std::uint64_t* tile = bits.tile(bx, kBrickY * by, z);
-        for (std::size_t b = begin; b < std::min(end, plan.batches.size()); ++b) {
-            std::uint64_t any = 0;
-            for (int y = 0; y < kBrickY; ++y) {
-                any |= words[y];
-            }
-            if (any == 0) return;
-            const LookupPlan::Batch& batch = plan.batches[b];
-            BlockTiles<1>(tile, bits.next(), bits.up(), plan.offsets.data(), plan.groups.data() + batch.begin,
-                          static_cast<std::size_t>(batch.end - batch.begin), words);
-        }
+        BlockTiles<1>(bits.tile(bx, kBrickY * by, z), bits.next(), bits.up(), plan, begin,
+                      std::min(end, plan.batches.size()), words);
     }
 
     /// What sums have to be above to be given up. Copies are likely to be followed by copies, for which the limit is a
@@ -282,20 +280,18 @@ class Pass {
 
     /// Bounds the blocks of a row that are near and have no bound yet.
     void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
+        const std::uint32_t unknown = near & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
+        if (unknown == 0) return;
         alignas(64) std::uint32_t sums[kLanes];
         const std::uint32_t least = LaneLimit(t_.plan.coarse.least);
-        std::uint32_t unknown = 0;
         for (int i = 0; i < kLanes; ++i) {
-            const bool wanted = bound[i] == 0 && (near >> i & 1);
-            sums[i] = wanted ? least : kSumLimit;
-            unknown |= static_cast<std::uint32_t>(wanted);
+            sums[i] = unknown >> i & 1 ? least : kSumLimit;
         }
-        if (unknown == 0) return;
-        SumLanes(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
+        SumLanes<true>(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
                  t_.plan.coarse.loads.data(), t_.plan.coarse.batches.data(), t_.plan.coarse.batches.size(),
                  StopAbove(most_), sums);
         for (int i = 0; i < kLanes; ++i) {
-            bound[i] = bound[i] == 0 && (near >> i & 1) ? sums[i] : bound[i];
+            bound[i] = unknown >> i & 1 ? sums[i] : bound[i];
         }
     }
 
@@ -424,7 +420,7 @@ class Pass {
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
-        SumLanes(context_.tables.sums().base(x, y, z), t_.plan.exact.loads.data(), t_.plan.exact.batches.data(),
+        SumLanes<false>(context_.tables.sums().base(x, y, z), t_.plan.exact.loads.data(), t_.plan.exact.batches.data(),
                  t_.plan.exact.batches.size(), StopAbove(limit), sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);

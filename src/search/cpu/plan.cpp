@@ -57,10 +57,11 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
     }
 }
 
-/// What `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far
+/// Indices of `items`: what `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far
 /// apart.
 template <class T, class Level>
-std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch, const Level& level) {
+std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
+                                    const Level& level) {
     const auto shelf_of = [&](const T& item) { return levels - 1 - static_cast<std::size_t>(level(item)); };
     std::vector<std::size_t> end(levels + 1, 0);
     for (const T& item : items) {
@@ -71,11 +72,10 @@ std::vector<T> by_level(const std::vector<T>& items, std::size_t levels, std::si
     for (std::size_t i = 0; i < items.size(); ++i) {
         shelved[end[shelf_of(items[i])]++] = static_cast<std::uint32_t>(i);
     }
-    std::vector<T> result;
+    std::vector<std::uint32_t> result;
     result.reserve(items.size());
     for (std::size_t shelf = 0, begin = 0; shelf < levels; begin = end[shelf++]) {
-        for_each_spread(end[shelf] - begin, stretch,
-                        [&](std::size_t i) { result.push_back(items[shelved[begin + i]]); });
+        for_each_spread(end[shelf] - begin, stretch, [&](std::size_t i) { result.push_back(shelved[begin + i]); });
     }
     return result;
 }
@@ -95,7 +95,7 @@ void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPl
     for (std::size_t shift = 0; shift < 64; ++shift) {
         begin[shift + 1] += begin[shift];
         if (begin[shift + 1] > begin[shift]) {
-            plan.groups.push_back({static_cast<int>(shift), begin[shift], begin[shift + 1]});
+            plan.groups.push_back({shift, begin[shift], begin[shift + 1]});
         }
     }
     plan.offsets.resize(plan.offsets.size() + pieces.size());
@@ -202,7 +202,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
                           depths ? &*depths : nullptr);
     };
     result.cells = cells(2 * TrayTables::kBlock, kMostCells);
-    if (result.solid.runs.size() >= kRunsWorthCells) {
+    if (tables.large() && result.solid.runs.size() >= kRunsWorthCells) {
         result.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
     }
     if (tables.walls()) result.walled = cover(*shape.solid, *shape.solid);
@@ -312,8 +312,12 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
     }
     if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
-    const std::vector<Lookup> ordered =
-        by_level(lookups, kAllRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; });
+    std::vector<Lookup> ordered;
+    ordered.reserve(lookups.size());
+    for (const std::uint32_t i :
+         by_level(lookups, kAllRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; })) {
+        ordered.push_back(lookups[i]);
+    }
     const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerLookup / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
@@ -336,24 +340,21 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     return plan;
 }
 
-SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most) {
-    struct Weighed {
-        Run run;
-        std::uint32_t least;
-    };
+std::vector<std::uint32_t> order_of_loads(const Runs& runs) {
+    return by_level(runs.runs, 33, kLoadsPerBatch,
+                    [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); });
+}
+
+SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumTables& tables,
+                 int most) {
     const Runs& runs = orientation.solid;
-    std::vector<Weighed> weighed;
-    weighed.reserve(runs.runs.size());
-    for (std::size_t i = 0; i < runs.runs.size(); ++i) {
-        weighed.push_back({runs.runs[i], orientation.least[i]});
-    }
     SumPlan plan;
-    plan.loads.reserve(runs.runs.size());
+    plan.loads.reserve(order.size());
     const int longest = static_cast<int>(kSumRange / std::max(1, most));
     std::int64_t room = 0;  // voxels the batch can still take
     std::size_t count = kLoadsPerBatch;
-    const auto halvings = [](const Weighed& of) { return std::bit_width(static_cast<unsigned>(of.run.length)); };
-    for (const auto& [run, least] : by_level(weighed, 33, kLoadsPerBatch, halvings)) {
+    for (const std::uint32_t i : order) {
+        const Run& run = runs.runs[i];
         for (int done = 0; done < run.length;) {
             const int length = std::min(run.length - done, longest);
             if (length > room || count == kLoadsPerBatch) {
@@ -367,12 +368,13 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
             VoxelIndex to = from;
             to[runs.axis] += length;
             // Of a run that is split, no part is known to hold the deep voxels.
-            const std::uint32_t known =
-                length == run.length ? least : std::min(least, static_cast<std::uint32_t>(length));
+            const std::uint32_t known = length == run.length ? orientation.least[i] : 0;
             const auto part = static_cast<std::uint16_t>(std::min<std::uint32_t>(known, kSumRange));
             plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
-            plan.batches.back().end = static_cast<std::int32_t>(plan.loads.size());
             plan.least += part;
+            SumBatch& batch = plan.batches.back();
+            batch.end = static_cast<std::int32_t>(plan.loads.size());
+            batch.least = static_cast<std::uint16_t>(batch.least + part);
             room -= length;
             ++count;
             done += length;
@@ -383,8 +385,9 @@ SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, in
 
 OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables) {
     OrientationPlan plan;
-    plan.exact = plan_sum(runs, tables.sums(), tables.phi().most());
-    plan.coarse = plan_sum(runs, tables.coarse(), tables.most_pooled());
+    const std::vector<std::uint32_t> order = order_of_loads(runs.solid);
+    plan.exact = plan_sum(runs, order, tables.sums(), tables.phi().most());
+    plan.coarse = plan_sum(runs, order, tables.coarse(), tables.most_pooled());
     plan.collision = plan_collision(runs, tables, plan.coarse.loads.size());
     return plan;
 }

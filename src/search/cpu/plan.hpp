@@ -57,13 +57,14 @@ inline constexpr std::uint32_t kSumLimit = 0xFFFE0000u;
 
 /// Look-ups into bit tables that share the shift of a bit within its word.
 struct LookupGroup {
-    int shift = 0;                    ///< 0..63
+    std::uint64_t shift = 0;          ///< 0..63
     std::int32_t begin = 0, end = 0;  ///< into the offsets
 };
 
 /// Pairs of loads from sum tables whose differences add up to less than 65536.
 struct SumBatch {
     std::int32_t begin = 0, end = 0;  ///< into the loads
+    std::uint16_t least = 0;          ///< theirs together
 };
 struct SumLoad {
     std::int32_t plus = 0, minus = 0;  ///< element offsets from the position
@@ -82,7 +83,7 @@ struct LookupPlan {
 };
 
 struct CollisionPlan {
-    static constexpr std::size_t kLeastSift = 4, kMostSift = 16;
+    static constexpr std::size_t kForAllLayers = 1, kLeastSift = 4, kMostSift = 16;
 
     LookupPlan of_positions;  ///< into the bit tables: all that there are
     LookupPlan of_blocks;     ///< into the crowd tables: the first of them
@@ -101,9 +102,14 @@ struct SumPlan {
     std::vector<SumBatch> batches;
 };
 
-/// Every solid voxel exactly once, long runs first, since they tell most for a load; runs are split
-/// so that no batch's sum can reach 65536 with values <= most.
-SumPlan plan_sum(const OrientationRuns& orientation, const SumTables& tables, int most);
+/// The runs' indices in the order in which sums take them: long ones first, since they tell most for a load, and each
+/// stretch from all over the solid.
+std::vector<std::uint32_t> order_of_loads(const Runs& runs);
+
+/// Every solid voxel exactly once, in order_of_loads(); runs are split so that no batch's sum can reach 65536 with
+/// values <= most.
+SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumTables& tables,
+                 int most);
 
 /// All that an orientation asks of the tables of a tray. It holds until they start afresh or objects of a class come
 /// in of which there were none.

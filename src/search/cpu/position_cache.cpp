@@ -39,34 +39,26 @@ void PositionState::reset(const Extent& count, const Extent& most) {
 void PositionState::candidates(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY],
                                BrickWords& words) const {
     const int columns = std::min(kBrickX, count_.x - kBrickX * bx);
-    std::uint64_t row[kBlocksY];
-    for (int j = 0; j < kBlocksY; ++j) {
-        row[j] = ~std::uint64_t{0} >> (kBrickX - columns) & widened(alive[j]);
-    }
     const int rows = std::min(kBrickY, count_.y - kBrickY * by);
     const int layers = std::min(kBrickZ, count_.z - kBrickZ * bz);
-    std::fill_n(words, kBrickY * kBrickZ, std::uint64_t{0});
-    for (int z = 0; z < layers; ++z) {
-        for (int y = 0; y < rows; ++y) {
-            words[kBrickY * z + y] = row[y / TrayTables::kBlock];
-        }
+    const std::uint64_t row = ~std::uint64_t{0} >> (kBrickX - columns);
+    std::uint64_t tile[kBrickY];
+    for (int j = 0; j < kBlocksY; ++j) {
+        std::fill_n(tile + TrayTables::kBlock * j, TrayTables::kBlock, row & widened(alive[j]));
     }
+    if (rows < kBrickY) std::fill(tile + rows, tile + kBrickY, std::uint64_t{0});
+    for (int z = 0; z < kBrickZ; ++z) {
+        std::copy_n(tile, kBrickY, words + kBrickY * z);
+    }
+    if (layers < kBrickZ) std::fill(words + kBrickY * layers, words + kBrickY * kBrickZ, std::uint64_t{0});
 }
 
 bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair]) {
     constexpr int kBlock = TrayTables::kBlock;
-    std::uint32_t left[kBlocksY] = {};  // blocks of the pair
-    std::uint32_t any = 0;
-    for (int i = 0; i < kPair; ++i) {
-        for (int j = 0; j < kBlocksY; ++j) {
-            std::uint64_t bits = 0;
-            for (int z = 0; z < kBrickZ; ++z) {
-                for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
-                    bits |= words[i][kBrickY * z + y];
-                }
-            }
-            left[j] |= every_fourth(any_of_block(bits)) << (kBlocksX * i);
-            any |= left[j];
+    std::uint64_t any = 0;
+    for (const BrickWords& brick : words) {
+        for (const std::uint64_t word : brick) {
+            any |= word;
         }
     }
     pair_is_[pair(bx, by, bz)] = any != 0 ? kOpen : kNothing;
@@ -76,8 +68,17 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
     }
     for (int j = 0; j < kBlocksY; ++j) {
         std::uint32_t* row = bound(bx, kBlocksY * by + j, bz);
-        for (int i = 0; i < kPair * kBlocksX; ++i) {
-            row[i] = left[j] >> i & 1 ? 0 : kDead;
+        for (int i = 0; i < kPair; ++i, row += kBlocksX) {
+            std::uint64_t bits = 0;
+            for (int z = 0; z < kBrickZ; ++z) {
+                for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
+                    bits |= words[i][kBrickY * z + y];
+                }
+            }
+            const std::uint32_t left = every_fourth(any_of_block(bits));
+            for (int k = 0; k < kBlocksX; ++k) {
+                row[k] = left >> k & 1 ? 0 : kDead;
+            }
         }
     }
     return true;
