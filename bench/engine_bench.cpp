@@ -78,7 +78,7 @@ void phi_and_sums(benchmark::State& state) {
     DistanceGrid before(n, Ceiling::closed);
     before.add(scene.tray.omega_place(), {}, one);
     const int block = static_cast<int>(state.range(0));  // 0: phi alone
-    SumTables sums(n, std::max(1, block), block > 1);
+    SumTables<std::uint16_t> sums(n, std::max(1, block), block > 1);
     for (auto _ : state) {
         state.PauseTiming();
         DistanceGrid phi = before;

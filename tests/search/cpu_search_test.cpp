@@ -46,6 +46,7 @@ TEST(CpuSearch, AnswersTheDefinitionForCopyAfterCopy) {
         const Scene scene = random_scene(random, middling_scene());
         CpuOptions options;
         if (seed % 2 == 1) options.large_from = 0;
+        options.bytes = seed < 2;
         VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
         EXPECT_NO_THROW(pack_copies(search, scene, random, 25));
     }
@@ -112,10 +113,13 @@ TEST(CpuSearch, AnswersAlikeOnEveryInstructionSet) {
     for (const std::string& name : instruction_sets()) {
         SCOPED_TRACE(name);
         use_instruction_set(name);
-        CpuOptions options;
-        options.large_from = 0;
-        VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
-        EXPECT_NO_THROW(all.push_back(pack_copies(search, scene, random, 20)));
+        for (const bool bytes : {true, false}) {
+            CpuOptions options;
+            options.large_from = 0;
+            options.bytes = bytes;
+            VerifyingSearch search(make_cpu_search(options, Workers(2)), std::make_unique<BruteForceSearch>(), {});
+            EXPECT_NO_THROW(all.push_back(pack_copies(search, scene, random, 20)));
+        }
     }
     use_instruction_set("");
     for (const auto& answers : all) {

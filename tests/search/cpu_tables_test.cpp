@@ -295,14 +295,15 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
     }
 }
 
-TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
+template <class T>
+void expect_sums_of_every_run() {
     RandomStream random(5);
     for (int round = 0; round < 12; ++round) {
-        const int block = round % 3 == 0 ? 1 : SumTables::kPooledBlock;
+        const int block = round % 3 == 0 ? 1 : SumLayout::kPooledBlock;
         const bool apart = round % 3 == 2;
         const Extent n = random_extent(random, {5, 4, 3}, {70, 19, 23});
         DistanceGrid phi(n, Ceiling::closed);
-        SumTables tables(n, block, apart);
+        SumTables<T> tables(n, block, apart);
         tables.update(phi, whole(n), Workers(1));
         for (int step = 0; step < 5; ++step) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
@@ -310,7 +311,7 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
             tables.update(phi, phi.add(solid, at, Workers(1)), Workers(2));
         }
         const auto pooled = [&](const VoxelIndex& v) {
-            int least = apart ? SumTables::kMostPooled : phi.most();
+            int least = apart ? SumTables<T>::kMostPooled : phi.most();
             for_each_voxel({block, block, block}, [&](int x, int y, int z) {
                 const VoxelIndex w = v + VoxelIndex{x, y, z};
                 if (!n.contains(w) || (apart && phi.at(w.x, w.y, w.z) == 0)) return;
@@ -327,11 +328,43 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
             for (VoxelIndex v = from; v[axis] < to[axis]; ++v[axis]) {
                 expected += pooled(v);
             }
-            const std::uint16_t* base = tables.base(0, 0, 0);
-            EXPECT_EQ(static_cast<std::uint16_t>(base[tables.offset(axis, to)] - base[tables.offset(axis, from)]),
-                      expected);
+            const T* base = tables.base(0, 0, 0);
+            EXPECT_EQ(static_cast<T>(base[tables.offset(axis, to)] - base[tables.offset(axis, from)]),
+                      static_cast<T>(expected));
         }
     }
+}
+
+TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
+    expect_sums_of_every_run<std::uint16_t>();
+    expect_sums_of_every_run<std::uint8_t>();
+}
+
+TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
+    TraySetup setup;
+    setup.size = {60, 60, 60};
+    setup.voxel_size = 1;
+    Tray tray(setup);
+    const auto wall = std::make_shared<BitGrid>(Extent{60, 2, 60});
+    wall->fill(true);
+    const auto stand = [&](int y) { return tray.add({wall, {0, y, 0}}); };
+    TrayTables tables(std::numeric_limits<std::int64_t>::max()), words(0, false);
+    const auto follow = [&](bool narrow) {
+        for (TrayTables* each : {&tables, &words}) {
+            each->follow(tray, 0, true, Workers(2));
+            EXPECT_NO_THROW(each->check(tray));
+        }
+        EXPECT_EQ(tables.narrow(), narrow);
+        EXPECT_FALSE(words.narrow());
+    };
+    follow(false);
+    const auto middle = stand(29);
+    follow(true);
+    stand(10);
+    follow(true);
+    EXPECT_LT(tables.bytes(), words.bytes());
+    tray.remove(middle);
+    follow(false);
 }
 
 TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
@@ -372,24 +405,28 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     solid.fill(true);
     const OrientationRuns runs =
         make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables());
-    const SumTables tables({210, 9, 8}, 1, false);
-    for (const int most : {1, 150, 5000, 65535}) {
-        const SumPlan plan = plan_sum(runs, order_of_loads(runs.solid), tables, most);
-        std::int64_t voxels = 0;
-        for (const SumBatch& batch : plan.batches) {
-            std::int64_t in_batch = 0, least = 0;
-            for (std::int32_t i = batch.begin; i < batch.end; ++i) {
-                const SumLoad& load = plan.loads[static_cast<std::size_t>(i)];
-                in_batch += load.plus - load.minus;  // along x: elements are voxels
-                least += load.least;
-                // Nothing is known of parts of a run.
-                EXPECT_EQ(load.least > 0, load.plus - load.minus == 200);
+    const SumLayout tables({210, 9, 8}, 1);
+    for (const int range : {255, 65535}) {
+        for (const int most : {1, 21, 150, 5000, 65535}) {
+            if (most > range) continue;
+            const SumPlan plan = plan_sum(runs, order_of_loads(runs.solid), tables, range, most);
+            std::int64_t voxels = 0;
+            for (const SumBatch& batch : plan.batches) {
+                std::int64_t in_batch = 0, least = 0;
+                for (std::int32_t i = batch.begin; i < batch.end; ++i) {
+                    const SumLoad& load = plan.loads[static_cast<std::size_t>(i)];
+                    const std::int64_t length = load.plus - load.minus;  // along x: elements are voxels
+                    EXPECT_LE(length * most, range);
+                    EXPECT_EQ(load.least > 0, length == 200) << "nothing is known of parts of a run";
+                    in_batch += length;
+                    least += load.least;
+                }
+                EXPECT_EQ(batch.least, least);
+                EXPECT_LE(in_batch * most, 65535);
+                voxels += in_batch;
             }
-            EXPECT_EQ(batch.least, least);
-            EXPECT_LE(in_batch * most, 65535);
-            voxels += in_batch;
+            EXPECT_EQ(voxels, solid.count());
         }
-        EXPECT_EQ(voxels, solid.count());
     }
 }
 

@@ -19,6 +19,7 @@ std::vector<EngineFactory> engines() {
     all.push_back({"cpu_with_crowd_tables", [](const Workers& workers) {
                        CpuOptions options;
                        options.large_from = 0;
+                       options.bytes = false;
                        return make_cpu_search(options, workers);
                    }});
 #endif

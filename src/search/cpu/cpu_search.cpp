@@ -32,7 +32,7 @@ std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
-        : options_(options), workers_(workers), tables_(options.large_from), positions_(options.cache_memory) {}
+        : options_(options), workers_(workers), tables_(options.large_from, options.bytes), positions_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
@@ -86,7 +86,7 @@ class CpuSearch final : public PlacementSearch {
         return bytes;
     }
     void forget() override {
-        tables_ = TrayTables(options_.large_from);
+        tables_ = TrayTables(options_.large_from, options_.bytes);
         positions_ = PositionCache(options_.cache_memory);
         dilated_ = nullptr;
         give_back_freed();
@@ -138,7 +138,9 @@ class CpuSearch final : public PlacementSearch {
     /// A task for each open orientation, none for the others.
     std::vector<std::optional<OrientationTask>> plan_searches(const Shape& shape, const std::vector<bool>& open,
                                                               PositionCache::Entry& entry, SearchContext& context) {
-        const bool as_planned = entry.planned_classes == tables_.occupied_classes();
+        const bool as_planned =
+            entry.planned_classes == tables_.occupied_classes() && entry.planned_narrow == tables_.narrow();
+        entry.planned_narrow = tables_.narrow();
         entry.planned_classes = tables_.occupied_classes();
         std::vector<std::optional<OrientationTask>> searches(open.size());
         workers_.for_each(std::ssize(searches), [&](std::int64_t i) {

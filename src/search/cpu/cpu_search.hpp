@@ -19,6 +19,8 @@ struct CpuOptions {
     /// From how many voxels on a tray is large: crowd tables are kept of it, and solids are cut into small cells too. In
     /// smaller ones either takes as much time as it spares.
     std::int64_t large_from = 4'000'000;
+    /// Sums are kept in bytes as soon as phi is small everywhere; else always in 16 bits.
+    bool bytes = true;
 };
 
 /// What best_placement() keeps follows one tray at a time: alternating between trays costs a fresh

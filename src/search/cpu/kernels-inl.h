@@ -158,18 +158,18 @@ HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::
 /// others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to
 /// less than its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a
 /// step less for each.
-template <bool kOfEach>
-HWY_INLINE void SumLanes(const std::uint16_t* table, const SumLoad* loads, const SumBatch* batches,
+template <bool kOfEach, class T>
+HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* batches,
                          std::size_t batch_count, std::uint32_t limit, std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes];
         std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
-            const std::uint16_t* plus = table + loads[i].plus;
-            const std::uint16_t* minus = table + loads[i].minus;
+            const T* plus = table + loads[i].plus;
+            const T* minus = table + loads[i].minus;
             for (int j = 0; j < kLanes; ++j) {
-                const auto run = static_cast<std::uint16_t>(plus[j] - minus[j]);
-                const int above = kOfEach ? std::max(run, loads[i].least) - loads[i].least : run;
+                const int run = static_cast<T>(plus[j] - minus[j]);
+                const int above = kOfEach ? std::max<int>(run, loads[i].least) - loads[i].least : run;
                 sum[j] = static_cast<std::uint16_t>(sum[j] + above);
             }
         }
@@ -241,11 +241,12 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
     }
 }
 
-template <bool kOfEach>
-HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
+template <bool kOfEach, class T>
+HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
                          const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
                          std::uint32_t* HWY_RESTRICT sums) {
     const hn::CappedTag<std::uint16_t, kLanes> d16;
+    const hn::Rebind<T, decltype(d16)> dt;
     constexpr std::size_t kStep = hn::MaxLanes(d16);
     constexpr std::size_t kVectors = kLanes / kStep;
     const hn::Repartition<std::uint32_t, decltype(d16)> d32;
@@ -266,12 +267,17 @@ HWY_INLINE void SumLanes(const std::uint16_t* HWY_RESTRICT table, const SumLoad*
             sum[v] = hn::Set(d16, kOfEach ? std::uint16_t{0} : static_cast<std::uint16_t>(-batches[b].least));
         }
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
-            const std::uint16_t* plus = table + loads[i].plus;
-            const std::uint16_t* minus = table + loads[i].minus;
-            const auto run_least = hn::Set(d16, loads[i].least);
+            const T* plus = table + loads[i].plus;
+            const T* minus = table + loads[i].minus;
+            const auto run_least = hn::Set(dt, static_cast<T>(loads[i].least));
             for (std::size_t v = 0; v < kVectors; ++v) {
-                const auto run = hn::Sub(hn::LoadU(d16, plus + v * kStep), hn::LoadU(d16, minus + v * kStep));
-                sum[v] = hn::Add(sum[v], kOfEach ? hn::SaturatedSub(run, run_least) : run);
+                const auto run = hn::Sub(hn::LoadU(dt, plus + v * kStep), hn::LoadU(dt, minus + v * kStep));
+                const auto above = kOfEach ? hn::SaturatedSub(run, run_least) : run;
+                if constexpr (sizeof(T) == 1) {
+                    sum[v] = hn::Add(sum[v], hn::PromoteTo(d16, above));
+                } else {
+                    sum[v] = hn::Add(sum[v], above);
+                }
             }
         }
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));

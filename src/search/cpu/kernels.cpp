@@ -78,10 +78,11 @@ void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, st
     }
 }
 
-void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-             std::size_t b_step, std::size_t count) {
-    const hn::ScalableTag<std::uint16_t> wide;
-    const hn::CappedTag<std::uint16_t, 8> narrow;
+template <class T>
+HWY_INLINE void AddRowsOf(T* out, const T* a, const T* b, std::size_t rows, std::size_t step, std::size_t b_step,
+                          std::size_t count) {
+    const hn::ScalableTag<T> wide;
+    const hn::CappedTag<T, 16 / sizeof(T)> narrow;
     const auto add = [&](auto d, std::size_t i) {
         hn::StoreU(hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i)), d, out + i);
     };
@@ -98,18 +99,55 @@ void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b,
             continue;
         }
         for (; i < count; ++i) {
-            add(hn::CappedTag<std::uint16_t, 1>(), i);
+            add(hn::CappedTag<T, 1>(), i);
         }
     }
 }
 
-void DealLeastOfFour(std::uint16_t* HWY_RESTRICT out, std::size_t stride, const std::uint16_t* HWY_RESTRICT from,
-                     std::uint16_t floor, std::uint16_t most, std::size_t count) {
+void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
+             std::size_t b_step, std::size_t count) {
+    AddRowsOf(out, a, b, rows, step, b_step, count);
+}
+
+void AddByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
+                 std::size_t b_step, std::size_t count) {
+    AddRowsOf(out, a, b, rows, step, b_step, count);
+}
+
+/// Lanes of 16 bits from and to elements of 16 bits or of the lower eight of them.
+template <class D>
+HWY_INLINE hn::Vec<D> LoadLanes(D d, const std::uint16_t* from) {
+    return hn::LoadU(d, from);
+}
+template <class D>
+HWY_INLINE void StoreLanes(D d, hn::Vec<D> v, std::uint16_t* to) {
+    hn::StoreU(v, d, to);
+}
+template <class D>
+HWY_INLINE hn::Vec<D> LoadLanes(D d, const std::uint8_t* from) {
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::uint8_t, D>(), from));
+}
+template <class D>
+HWY_INLINE void StoreLanes(D d, hn::Vec<D> v, std::uint8_t* to) {
+    const hn::Rebind<std::uint8_t, D> bytes;
+    const hn::RebindToSigned<D> as_signed;
+    hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(as_signed, hn::And(v, hn::Set(d, std::uint16_t{255})))), bytes, to);
+}
+
+void NarrowRow(std::uint8_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = static_cast<std::uint8_t>(from[i]);
+    }
+}
+
+template <class T>
+HWY_INLINE void DealLeastOf(T* HWY_RESTRICT out, std::size_t stride, const std::uint16_t* HWY_RESTRICT from,
+                            std::uint16_t floor, std::uint16_t most, std::size_t count) {
     const hn::CappedTag<std::uint16_t, 8> d;
     const auto deal = [&](auto lanes, std::size_t i) {
         const auto put = [&](std::size_t k, auto value) {
             value = hn::Min(hn::SaturatedAdd(value, hn::Set(lanes, floor)), hn::Set(lanes, most));
-            hn::StoreU(value, lanes, out + k * stride + i);
+            StoreLanes(lanes, value, out + k * stride + i);
         };
         // v of the four of i, w of those after them.
         hn::Vec<decltype(lanes)> v0, v1, v2, v3, w0, w1, w2, w3;
@@ -130,6 +168,16 @@ void DealLeastOfFour(std::uint16_t* HWY_RESTRICT out, std::size_t stride, const 
     }
 }
 
+void DealLeastOfFour(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
+                     std::uint16_t most, std::size_t count) {
+    DealLeastOf(out, stride, from, floor, most, count);
+}
+
+void DealLeastOfFourBytes(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
+                          std::uint16_t most, std::size_t count) {
+    DealLeastOf(out, stride, from, floor, most, count);
+}
+
 #if HWY_TARGET != HWY_SCALAR
 /// Lane i: the sum of lanes 0 to i, by doubling.
 template <class D>
@@ -140,51 +188,64 @@ HWY_INLINE hn::Vec<D> SumsOfEight(D d, hn::Vec<D> v) {
 }
 #endif
 
-void PrefixSums(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
+template <class T>
+HWY_INLINE void PrefixSumsOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t count) {
     std::size_t i = 0;
 #if HWY_TARGET != HWY_SCALAR
     const hn::FixedTag<std::uint16_t, 8> d;
-    auto before = hn::Set(d, out[0]);
+    auto before = hn::Set(d, std::uint16_t{out[0]});
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
-        const auto sums = SumsOfEight(d, hn::LoadU(d, from + i));
-        hn::StoreU(hn::Add(sums, before), d, out + i + 1);
+        const auto sums = SumsOfEight(d, LoadLanes(d, from + i));
+        StoreLanes(d, hn::Add(sums, before), out + i + 1);
         before = hn::Add(before, hn::Broadcast<7>(sums));
     }
 #endif
     for (; i < count; ++i) {
-        out[i + 1] = static_cast<std::uint16_t>(out[i] + from[i]);
+        out[i + 1] = static_cast<T>(out[i] + from[i]);
     }
 }
 
-void PrefixSumsDealt(std::uint16_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t stride,
-                     std::size_t count) {
+template <class T>
+HWY_INLINE void PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride,
+                                  std::size_t count) {
     std::size_t i = 0;
-    std::uint16_t sum = out[0];
+    T sum = out[0];
 #if HWY_TARGET != HWY_SCALAR
     const hn::FixedTag<std::uint16_t, 8> d;
-    auto before = hn::Set(d, sum);
+    auto before = hn::Set(d, std::uint16_t{sum});
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
-        const auto v0 = hn::LoadU(d, from + i), v1 = hn::LoadU(d, from + stride + i),
-                   v2 = hn::LoadU(d, from + 2 * stride + i), v3 = hn::LoadU(d, from + 3 * stride + i);
+        const auto v0 = LoadLanes(d, from + i), v1 = LoadLanes(d, from + stride + i),
+                   v2 = LoadLanes(d, from + 2 * stride + i), v3 = LoadLanes(d, from + 3 * stride + i);
         const auto four = hn::Add(hn::Add(v0, v1), hn::Add(v2, v3));
         const auto sums = SumsOfEight(d, four);
         auto at = hn::Add(before, hn::Sub(sums, four));
-        hn::StoreU(at, d, out + i);
+        StoreLanes(d, at, out + i);
         at = hn::Add(at, v0);
-        hn::StoreU(at, d, out + stride + i);
+        StoreLanes(d, at, out + stride + i);
         at = hn::Add(at, v1);
-        hn::StoreU(at, d, out + 2 * stride + i);
-        hn::StoreU(hn::Add(at, v2), d, out + 3 * stride + i);
+        StoreLanes(d, at, out + 2 * stride + i);
+        StoreLanes(d, hn::Add(at, v2), out + 3 * stride + i);
         before = hn::Add(before, hn::Broadcast<7>(sums));
     }
-    sum = hn::GetLane(before);
+    sum = static_cast<T>(hn::GetLane(before));
 #endif
     for (; i < count; ++i) {
         for (std::size_t at = i; at < i + 4 * stride; at += stride) {
             out[at] = sum;
-            sum = static_cast<std::uint16_t>(sum + from[at]);
+            sum = static_cast<T>(sum + from[at]);
         }
     }
+}
+
+void PrefixSums(std::uint16_t* out, const std::uint16_t* from, std::size_t count) { PrefixSumsOf(out, from, count); }
+void PrefixSumsOfBytes(std::uint8_t* out, const std::uint8_t* from, std::size_t count) {
+    PrefixSumsOf(out, from, count);
+}
+void PrefixSumsDealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
+    PrefixSumsDealtOf(out, from, stride, count);
+}
+void PrefixSumsOfBytesDealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
+    PrefixSumsDealtOf(out, from, stride, count);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -197,6 +258,11 @@ namespace spectralpack {
 HWY_EXPORT(LowerRow);
 HWY_EXPORT(LowerBytes);
 HWY_EXPORT(AddRows);
+HWY_EXPORT(AddByteRows);
+HWY_EXPORT(NarrowRow);
+HWY_EXPORT(DealLeastOfFourBytes);
+HWY_EXPORT(PrefixSumsOfBytes);
+HWY_EXPORT(PrefixSumsOfBytesDealt);
 HWY_EXPORT(MinRows);
 HWY_EXPORT(MinOfFour);
 HWY_EXPORT(DealLeastOfFour);
@@ -216,6 +282,28 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
 void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
               std::size_t b_step, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(AddRows)(out, a, b, rows, step, b_step, count);
+}
+
+void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
+              std::size_t b_step, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(AddByteRows)(out, a, b, rows, step, b_step, count);
+}
+
+void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(NarrowRow)(out, from, count);
+}
+
+void deal_least_of_four(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
+                        std::uint16_t most, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(DealLeastOfFourBytes)(out, stride, from, floor, most, count);
+}
+
+void prefix_sums(std::uint8_t* out, const std::uint8_t* from, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytes)(out, from, count);
+}
+
+void prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytesDealt)(out, from, stride, count);
 }
 
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {

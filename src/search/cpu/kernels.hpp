@@ -20,6 +20,11 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
 /// of a to the next, `b_step` of b: what is written to a row of out may be what the next row reads of a.
 void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
               std::size_t b_step, std::size_t count);
+void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
+              std::size_t b_step, std::size_t count);  ///< modulo 2^8
+
+/// out[i] = from[i] modulo 2^8.
+void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count);
 
 /// out[i] = min(a[i], b[i]); out may be a.
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
@@ -31,12 +36,16 @@ void min_of_four(std::uint16_t* out, const std::uint16_t* const (&rows)[4], std:
 /// floor, at most `most`, for i in [0, count). Reads up to from[4 count + 3].
 void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
                         std::uint16_t most, std::size_t count);
+void deal_least_of_four(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
+                        std::uint16_t most, std::size_t count);  ///< modulo 2^8
 
 /// out[i + 1] = out[i] + from[i] modulo 2^16, i from 0 up.
 void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count);
+void prefix_sums(std::uint8_t* out, const std::uint8_t* from, std::size_t count);  ///< modulo 2^8
 
 /// The same of a row dealt out to four (element 4 i + k at k stride + i), for i in [0, count), from out[0] on.
 void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count);
+void prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count);
 
 /// out[i] &= from[i].
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);

@@ -278,6 +278,15 @@ class Pass {
         return LaneLimit(t_.for_copy ? least + least / kBeyond : least);
     }
 
+    /// SumLanes() of a plan, from the element of its table that sums_from(Sums) tells.
+    template <bool kOfEach, class SumsFrom>
+    void SumUp(const SumPlan& plan, const SumsFrom& sums_from, std::uint32_t stop_above, std::uint32_t* sums) const {
+        context_.tables.visit_sums([&](const auto& tables) {
+            SumLanes<kOfEach>(sums_from(tables), plan.loads.data(), plan.batches.data(), plan.batches.size(),
+                              stop_above, sums);
+        });
+    }
+
     /// Bounds the blocks of a row that are near and have no bound yet.
     void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
         const std::uint32_t unknown = near & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
@@ -287,9 +296,10 @@ class Pass {
         for (int i = 0; i < kLanes; ++i) {
             sums[i] = unknown >> i & 1 ? least : kSumLimit;
         }
-        SumLanes<true>(context_.tables.coarse().base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz),
-                 t_.plan.coarse.loads.data(), t_.plan.coarse.batches.data(), t_.plan.coarse.batches.size(),
-                 StopAbove(most_), sums);
+        const auto from = [&](const auto& tables) {
+            return tables.coarse.base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz);
+        };
+        SumUp<true>(t_.plan.coarse, from, StopAbove(most_), sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = unknown >> i & 1 ? sums[i] : bound[i];
         }
@@ -420,8 +430,8 @@ class Pass {
         for (std::uint32_t i = 0; i < kLanes; ++i) {
             sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
         }
-        SumLanes<false>(context_.tables.sums().base(x, y, z), t_.plan.exact.loads.data(), t_.plan.exact.batches.data(),
-                 t_.plan.exact.batches.size(), StopAbove(limit), sums);
+        SumUp<false>(
+            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(x, y, z); }, StopAbove(limit), sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {

@@ -13,7 +13,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kSumRange = 65535;   // what 16 bits hold
+constexpr int kSumRange = 65535;  // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; batches after the sift grow
 constexpr std::size_t kLoadsPerLookup = 8;  // of the sum that comes next, for each look-up of the sift
@@ -345,13 +345,14 @@ std::vector<std::uint32_t> order_of_loads(const Runs& runs) {
                     [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); });
 }
 
-SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumTables& tables,
-                 int most) {
+SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumLayout& tables,
+                 int range, int most) {
     const Runs& runs = orientation.solid;
     SumPlan plan;
     plan.loads.reserve(order.size());
-    const int longest = static_cast<int>(kSumRange / std::max(1, most));
-    std::int64_t room = 0;  // voxels the batch can still take
+    const int longest = range / std::max(1, most);
+    const int together = kSumRange / std::max(1, most);  // voxels of a batch
+    int room = 0;                                        // that it can still take
     std::size_t count = kLoadsPerBatch;
     for (const std::uint32_t i : order) {
         const Run& run = runs.runs[i];
@@ -360,7 +361,7 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
             if (length > room || count == kLoadsPerBatch) {
                 const auto at = static_cast<std::int32_t>(plan.loads.size());
                 plan.batches.push_back({at, at});
-                room = longest;
+                room = together;
                 count = 0;
             }
             VoxelIndex from = run.start;
@@ -369,7 +370,7 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
             to[runs.axis] += length;
             // Of a run that is split, no part is known to hold the deep voxels.
             const std::uint32_t known = length == run.length ? orientation.least[i] : 0;
-            const auto part = static_cast<std::uint16_t>(std::min<std::uint32_t>(known, kSumRange));
+            const auto part = static_cast<std::uint16_t>(std::min(known, static_cast<std::uint32_t>(range)));
             plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
             plan.least += part;
             SumBatch& batch = plan.batches.back();
@@ -386,8 +387,12 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
 OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables) {
     OrientationPlan plan;
     const std::vector<std::uint32_t> order = order_of_loads(runs.solid);
-    plan.exact = plan_sum(runs, order, tables.sums(), tables.phi().most());
-    plan.coarse = plan_sum(runs, order, tables.coarse(), tables.most_pooled());
+    tables.visit_sums([&]<class T>(const Sums<T>& sums) {
+        constexpr int kRange = SumTables<T>::kRange, kMostPooled = SumTables<T>::kMostPooled;
+        const int most = tables.phi().most();
+        plan.exact = plan_sum(runs, order, sums.exact, kRange, most);
+        plan.coarse = plan_sum(runs, order, sums.coarse, kRange, tables.apart() ? kMostPooled : most);
+    });
     plan.collision = plan_collision(runs, tables, plan.coarse.loads.size());
     return plan;
 }

@@ -108,8 +108,8 @@ std::vector<std::uint32_t> order_of_loads(const Runs& runs);
 
 /// Every solid voxel exactly once, in order_of_loads(); runs are split so that no batch's sum can reach 65536 with
 /// values <= most.
-SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumTables& tables,
-                 int most);
+SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumLayout& tables,
+                 int range, int most);
 
 /// All that an orientation asks of the tables of a tray. It holds until they start afresh or objects of a class come
 /// in of which there were none.

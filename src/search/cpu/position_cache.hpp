@@ -101,6 +101,7 @@ class PositionCache {
         std::vector<OrientationRuns> runs;   ///< likewise; made when first needed
         std::vector<OrientationPlan> plans;  ///< likewise
         int planned_classes = 0;             ///< that had objects then
+        bool planned_narrow = false;         ///< for sums in bytes
         std::uint64_t version = 0;           ///< of the tables the bounds belong to
         std::int64_t state_bytes = 0, bytes = 0;
         std::int64_t hits = 0;

@@ -10,14 +10,13 @@ namespace {
 
 constexpr int kOverrun = 256;  // lanes past the last position are read, never used
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
-static_assert(SumTables::kPooledBlock == 4);  // as the kernels have it
+static_assert(SumLayout::kPooledBlock == 4);  // as the kernels have it
 
 }  // namespace
 
-SumTables::SumTables(const Extent& grid, int block, bool apart)
+SumLayout::SumLayout(const Extent& grid, int block)
     : grid_(grid),
       block_(block),
-      apart_(apart),
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
       table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
@@ -25,12 +24,38 @@ SumTables::SumTables(const Extent& grid, int block, bool apart)
     if (3 * table_ + stride_ + kOverrun > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
+}
+
+template <class T>
+SumTables<T>::SumTables(const Extent& grid, int block, bool apart) : SumLayout(grid, block), apart_(apart) {
     values_.assign(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun), 0);
-    if (block > 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
+    if (block > 1 || sizeof(T) == 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
+}
+
+template <class T>
+const T* SumTables<T>::pooled_row(const DistanceGrid& phi, int y, int z) const {
+    if constexpr (sizeof(T) > 1) {
+        if (block_ == 1) return phi.row(y, z);
+    }
+    return pooled_.data() + row(y, z);
+}
+
+/// Copies what lies in `box`.
+template <class T>
+void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unused]] const VoxelBox& box) {
+    if constexpr (sizeof(T) == 1) {
+        for (int z = box.lo.z; z < box.hi.z; ++z) {
+            for (int y = box.lo.y; y < box.hi.y; ++y) {
+                narrow_row(pooled_.data() + row(y, z) + box.lo.x, phi.row(y, z) + box.lo.x,
+                           static_cast<std::size_t>(box.hi.x - box.lo.x));
+            }
+        }
+    }
 }
 
 /// Prefix sums of one row from x on.
-void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) const {
+template <class T>
+void SumTables<T>::sum_along(T* out, const T* from, int x) const {
     if (block_ == 1) {
         prefix_sums(out + x, from + x, static_cast<std::size_t>(grid_.x - x));
         return;
@@ -41,7 +66,8 @@ void SumTables::sum_along(std::uint16_t* out, const std::uint16_t* from, int x) 
 }
 
 /// Pools what lies in `box`, whose rows begin and end with a block (which may end beyond the grid).
-void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
+template <class T>
+void SumTables<T>::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
     const Extent& n = grid_;
     const auto width = static_cast<std::size_t>(std::min(n.x, box.hi.x + block_ - 1) - box.lo.x);
     const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
@@ -69,7 +95,8 @@ void SumTables::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers
     });
 }
 
-void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
+template <class T>
+void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
     VoxelBox box = intersection(changed, whole(grid_));
     if (box.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
@@ -79,11 +106,13 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
         box.lo.x = box.lo.x / block_ * block_;
         box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
         pool(phi, box, workers);
+    } else {
+        narrow(phi, box);
     }
 
-    std::uint16_t* along_x = values_.data();
-    std::uint16_t* along_y = values_.data() + table_;
-    std::uint16_t* along_z = values_.data() + 2 * table_;
+    T* along_x = values_.data();
+    T* along_y = values_.data() + table_;
+    T* along_z = values_.data() + 2 * table_;
     // A stretch of a row for each phase, or where whole rows take fewer steps, all from the first on.
     const int first = box.lo.x / block_;
     const int count = (box.hi.x - 1) / block_ + 1 - first;
@@ -97,15 +126,15 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
         }
     };
     const auto step = static_cast<std::size_t>(stride_);
-    const auto from_step = static_cast<std::size_t>(block_ == 1 ? phi.stride() : stride_);
+    const auto from_step = static_cast<std::size_t>(pooled_.empty() ? phi.stride() : stride_);
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
         const auto rows = static_cast<std::size_t>(grid_.y - box.lo.y);
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
                 sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x);
             }
-            std::uint16_t* out = along_y + row(box.lo.y, z);
-            const std::uint16_t* from = pooled_row(phi, box.lo.y, z);
+            T* out = along_y + row(box.lo.y, z);
+            const T* from = pooled_row(phi, box.lo.y, z);
             for_each_stretch([&](int i, std::size_t length) {
                 add_rows(out + stride_ + i, out + i, from + i, rows, step, from_step, length);
             });
@@ -115,8 +144,8 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
         const std::int64_t up = row(0, 1);
         for (int z = box.lo.z; z < grid_.z; ++z) {
             const int y = box.lo.y + static_cast<int>(begin);
-            std::uint16_t* out = along_z + row(y, z);
-            const std::uint16_t* from = pooled_row(phi, y, z);
+            T* out = along_z + row(y, z);
+            const T* from = pooled_row(phi, y, z);
             for_each_stretch([&](int i, std::size_t length) {
                 add_rows(out + up + i, out + i, from + i, static_cast<std::size_t>(end - begin), step, from_step,
                          length);
@@ -124,5 +153,8 @@ void SumTables::update(const DistanceGrid& phi, const VoxelBox& changed, const W
         }
     });
 }
+
+template class SumTables<std::uint16_t>;
+template class SumTables<std::uint8_t>;
 
 }  // namespace spectralpack

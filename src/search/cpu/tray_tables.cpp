@@ -15,6 +15,11 @@ BitTables tables_for(const Tray& tray, int margin) {
     return {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)};
 }
 
+template <class T>
+Sums<T> make_sums(const Extent& grid, bool apart) {
+    return {{grid, 1, false}, {grid, TrayTables::kBlock, apart}};
+}
+
 void refresh_layer(BitTables& bits, CrowdTables& crowd, int layer, const std::vector<const BitGrid*>& parts,
                    const VoxelBox& changed, const Workers& workers) {
     bits.refresh(layer, parts, changed);
@@ -66,15 +71,14 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     // What there was makes room first.
     bits_ = {};
     crowd_ = {};
-    sums_ = coarse_ = {};
+    sums_ = {};
     minima_ = {};
     phi_ = {};
     bits_ = tables_for(tray, margin);
     large_ = n.count() >= large_from_;
     crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
     apart_ = apart;
-    sums_ = SumTables(n, 1, false);
-    coarse_ = SumTables(n, kBlock, apart);
+    sums_ = make_sums<std::uint16_t>(n, apart);
     minima_ = BlockMinima(n, kBlock);
     refresh_all(bits_, crowd_, tray, workers);
     rebuild_phi(tray, workers);
@@ -106,9 +110,25 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
     update_from_phi(all, workers);
 }
 
+/// Once phi is small it stays so until an object is removed.
+void TrayTables::update_sums(const VoxelBox& changed, const Workers& workers) {
+    const bool to_be_narrow = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
+    VoxelBox box = changed;
+    if (to_be_narrow != narrow()) {
+        const Extent& n = phi_.extent();
+        box = whole(n);
+        sums_ = {};  // makes room first
+        if (to_be_narrow) {
+            sums_ = make_sums<std::uint8_t>(n, apart_);
+        } else {
+            sums_ = make_sums<std::uint16_t>(n, apart_);
+        }
+    }
+    std::visit([&](auto& sums) { sums.update(phi_, box, workers); }, sums_);
+}
+
 void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
-    sums_.update(phi_, changed, workers);
-    coarse_.update(phi_, changed, workers);
+    update_sums(changed, workers);
     minima_.update(phi_, changed, workers);
 }
 
@@ -138,7 +158,8 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 }
 
 std::int64_t TrayTables::bytes() const {
-    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + sums_.bytes() + coarse_.bytes() + minima_.bytes();
+    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() +
+           std::visit([](const auto& sums) { return sums.bytes(); }, sums_);
 }
 
 void TrayTables::check(const Tray& tray) const {
@@ -157,11 +178,12 @@ void TrayTables::check(const Tray& tray) const {
         }
     }
     require(most <= phi_.most(), "greatest distance");
-    SumTables sums(n, 1, false), coarse(n, kBlock, apart_);
     const Workers one(1);
-    sums.update(phi_, whole(n), one);
-    coarse.update(phi_, whole(n), one);
-    require(sums == sums_ && coarse == coarse_, "prefix sums");
+    visit_sums([&]<class T>(const Sums<T>& kept) {
+        Sums<T> sums = make_sums<T>(n, apart_);
+        sums.update(phi_, whole(n), one);
+        require(sums == kept, "prefix sums");
+    });
     BlockMinima minima(n, kBlock);
     minima.update(phi_, whole(n), one);
     require(minima == minima_, "block minima");

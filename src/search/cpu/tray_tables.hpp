@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -17,13 +18,27 @@
 
 namespace spectralpack {
 
+/// Of phi and of phi pooled over blocks.
+template <class T>
+struct Sums {
+    SumTables<T> exact, coarse;
+
+    void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
+        exact.update(phi, changed, workers);
+        coarse.update(phi, changed, workers);
+    }
+    std::int64_t bytes() const { return exact.bytes() + coarse.bytes(); }
+    bool operator==(const Sums&) const = default;
+};
+
 class TrayTables {
   public:
     /// Blocks of positions that the coarse bound looks at.
-    static constexpr int kBlock = SumTables::kPooledBlock;
+    static constexpr int kBlock = SumLayout::kPooledBlock;
 
-    /// `large_from`: how many voxels make a tray large().
-    explicit TrayTables(std::int64_t large_from = 0) : large_from_(large_from) {}
+    /// `large_from`: how many voxels make a tray large(). `bytes`: sums may be narrow().
+    explicit TrayTables(std::int64_t large_from = 0, bool bytes = true)
+        : large_from_(large_from), may_be_narrow_(bytes) {}
 
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
     /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
@@ -34,15 +49,17 @@ class TrayTables {
     bool large() const { return large_; }
     const CrowdTables& crowd() const { return crowd_; }
     const DistanceGrid& phi() const { return phi_; }
-    const SumTables& sums() const { return sums_; }
-    const SumTables& coarse() const { return coarse_; }
+    /// Calls visit(sums) with the Sums there are: of bytes once phi is small everywhere, which is half of what the search
+    /// reads most; until then of 16 bits.
+    template <class Visit>
+    void visit_sums(const Visit& visit) const {
+        std::visit(visit, sums_);
+    }
+    bool narrow() const { return std::holds_alternative<Sums<std::uint8_t>>(sums_); }
     const BlockMinima& minima() const { return minima_; }
 
     /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
     bool apart() const { return apart_; }
-    /// No value of coarse() is above it.
-    int most_pooled() const { return apart_ ? SumTables::kMostPooled : phi_.most(); }
-
     /// True when objects of the class stand in the tray.
     bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
     int occupied_classes() const { return static_cast<int>(std::ranges::count(class_used_, true)); }
@@ -70,15 +87,17 @@ class TrayTables {
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
+    void update_sums(const VoxelBox& changed, const Workers& workers);
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
     void note_occupied(const Tray& tray);
 
     std::int64_t large_from_;
+    bool may_be_narrow_;
     bool large_ = false;
     BitTables bits_;
     CrowdTables crowd_;
     DistanceGrid phi_;
-    SumTables sums_, coarse_;
+    std::variant<Sums<std::uint16_t>, Sums<std::uint8_t>> sums_;
     BlockMinima minima_;
     bool apart_ = true;
     std::vector<bool> class_used_;
