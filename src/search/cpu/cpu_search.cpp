@@ -32,7 +32,10 @@ std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int
 class CpuSearch final : public PlacementSearch {
   public:
     CpuSearch(const CpuOptions& options, const Workers& workers)
-        : options_(options), workers_(workers), tables_(options.large_from, options.bytes), positions_(options.cache_memory) {}
+        : options_(options),
+          workers_(workers),
+          tables_(options.large_from, options.bytes),
+          positions_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {

@@ -48,9 +48,11 @@ bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int
             }
         } else {
             const std::uint64_t* high = low + rows->stride;
+            const auto down = hn::Set(d, static_cast<std::uint64_t>(look.shift));
+            const auto rest = hn::Sub(hn::Set(d, std::uint64_t{64}), down);
             for (std::size_t v = 0; v < kVectors; ++v) {
-                known[v] = hn::Or3(known[v], hn::ShiftRightSame(hn::LoadU(d, low + v * kStep), look.shift),
-                                   hn::ShiftLeftSame(hn::LoadU(d, high + v * kStep), 64 - look.shift));
+                known[v] = hn::Or3(known[v], hn::Shr(hn::LoadU(d, low + v * kStep), down),
+                                   hn::Shl(hn::LoadU(d, high + v * kStep), rest));
             }
         }
     };

@@ -121,9 +121,9 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
 #if HWY_TARGET == HWY_SCALAR
 
 /// Clears in the tile `live` what the look-ups of batches [begin, end) find to collide, until nothing is left: of each
-/// look-up at offset o, bits (tile + o)[j] and up, shifted right by its group's shift, the bits that move in coming from
-/// (tile + o + next)[j]. j in [0, kTileRows). So for kLayers tiles one above the other, `up` words apart, whose live
-/// words lie kTileRows apart.
+/// look-up at offset o, bits (tile + o)[j] and up, shifted right by its group's shift, the bits that move in coming
+/// from (tile + o + next)[j]. j in [0, kTileRows). So for kLayers tiles one above the other, `up` words apart, whose
+/// live words lie kTileRows apart.
 template <int kLayers>
 HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::ptrdiff_t up, const LookupPlan& plan,
                            std::size_t begin, std::size_t end, std::uint64_t* live) {
@@ -153,14 +153,14 @@ HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::
     }
 }
 
-/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus] (modulo 2^16) is above the
-/// load's least, up to kSumLimit. Give what all loads come to at least for the lanes that are wanted, kSumLimit for the
-/// others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to
-/// less than its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a
-/// step less for each.
+/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus], modulo what a T holds, is
+/// above the load's least, up to kSumLimit. Give what all loads come to at least for the lanes that are wanted,
+/// kSumLimit for the others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach:
+/// a load may come to less than its least and then counts as that; otherwise none does where the sum is to mean
+/// anything, which takes a step less for each.
 template <bool kOfEach, class T>
-HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* batches,
-                         std::size_t batch_count, std::uint32_t limit, std::uint32_t* sums) {
+HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* batches, std::size_t batch_count,
+                         std::uint32_t limit, std::uint32_t* sums) {
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes];
         std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));

@@ -13,7 +13,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kSumRange = 65535;  // what 16 bits hold
+constexpr int kSumRange = 65535;            // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; batches after the sift grow
 constexpr std::size_t kLoadsPerLookup = 8;  // of the sum that comes next, for each look-up of the sift

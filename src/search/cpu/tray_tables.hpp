@@ -49,8 +49,8 @@ class TrayTables {
     bool large() const { return large_; }
     const CrowdTables& crowd() const { return crowd_; }
     const DistanceGrid& phi() const { return phi_; }
-    /// Calls visit(sums) with the Sums there are: of bytes once phi is small everywhere, which is half of what the search
-    /// reads most; until then of 16 bits.
+    /// Calls visit(sums) with the Sums there are: of bytes once phi is small everywhere, which is half of what the
+    /// search reads most; until then of 16 bits.
     template <class Visit>
     void visit_sums(const Visit& visit) const {
         std::visit(visit, sums_);
