@@ -17,10 +17,9 @@ Depths::Depths(const BitGrid& solid, const Runs& runs)
             *voxel = static_cast<std::uint8_t>(std::min({i + 1, run.length - i, kDeepest}));
         }
     }
-    const std::vector<std::uint8_t> outside(static_cast<std::size_t>(step_[2]), 0);
-    if (runs.axis != 2) lower_along_z(outside);
+    if (runs.axis != 2) lower_from_neighbours(row(0, 0), step_[2], extent_.z, step_[2]);
     for (int z = 0; z < extent_.z; ++z) {
-        if (runs.axis != 1) lower_along_y(z, outside);
+        if (runs.axis != 1) lower_from_neighbours(row(0, z), step_[1], extent_.y, extent_.x);
         if (runs.axis != 0) lower_along_x(z);
     }
 }
@@ -40,29 +39,18 @@ void Depths::lower_along_x(int z) {
     }
 }
 
-void Depths::lower_along_y(int z, const std::vector<std::uint8_t>& outside) {
-    std::uint8_t* layer = depth_.data() + row(0, z);
-    const auto lower = [&](int y, int from) {
-        const bool inside = from >= 0 && from < extent_.y;
-        lower_bytes(layer + y * step_[1], inside ? layer + from * step_[1] : outside.data(), 1,
-                    static_cast<std::size_t>(extent_.x));
+/// Of `count` rows or layers of `length` voxels, `step` apart, each from the one before it and the one behind it.
+void Depths::lower_from_neighbours(std::ptrdiff_t first, std::ptrdiff_t step, int count, std::ptrdiff_t length) {
+    const std::vector<std::uint8_t> outside(static_cast<std::size_t>(length), 0);
+    const auto lower = [&](int i, int from) {
+        const bool inside = from >= 0 && from < count;
+        std::uint8_t* all = depth_.data() + first;
+        lower_bytes(all + i * step, inside ? all + from * step : outside.data(), 1, static_cast<std::size_t>(length));
     };
-    for (int y = 0; y < extent_.y; ++y)
-        lower(y, y - 1);
-    for (int y = extent_.y - 1; y >= 0; --y)
-        lower(y, y + 1);
-}
-
-void Depths::lower_along_z(const std::vector<std::uint8_t>& outside) {
-    const auto lower = [&](int z, int from) {
-        const bool inside = from >= 0 && from < extent_.z;
-        lower_bytes(depth_.data() + row(0, z), inside ? depth_.data() + row(0, from) : outside.data(), 1,
-                    static_cast<std::size_t>(step_[2]));
-    };
-    for (int z = 0; z < extent_.z; ++z)
-        lower(z, z - 1);
-    for (int z = extent_.z - 1; z >= 0; --z)
-        lower(z, z + 1);
+    for (int i = 0; i < count; ++i)
+        lower(i, i - 1);
+    for (int i = count - 1; i >= 0; --i)
+        lower(i, i + 1);
 }
 
 std::uint32_t Depths::sum(const Run& run, int axis) const {

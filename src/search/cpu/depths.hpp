@@ -25,8 +25,7 @@ class Depths {
     /// Of voxel (0, y, z), in depth_.
     std::ptrdiff_t row(int y, int z) const { return kMargin + step_[2] * z + step_[1] * y; }
     void lower_along_x(int z);
-    void lower_along_y(int z, const std::vector<std::uint8_t>& outside);
-    void lower_along_z(const std::vector<std::uint8_t>& outside);
+    void lower_from_neighbours(std::ptrdiff_t first, std::ptrdiff_t step, int count, std::ptrdiff_t length);
 
     static constexpr std::ptrdiff_t kMargin = 32;  // the farthest that is looked along x at once
 

@@ -244,7 +244,6 @@ class Pass {
         std::size_t least = t_.plan.collision.sift;
         for (int i = 0; i < kBrickZ; ++i) {
             std::uint64_t* tile = live + kBrickY * i;
-            if (none_of_tile(tile)) continue;
             Block(CollisionPlan::kForAllLayers, CollisionPlan::kLeastSift, bx, by, kBrickZ * bz + i, tile);
             if (std::equal(tile, tile + kBrickY, before)) {
                 least = CollisionPlan::kLeastSift;  // in the open, where most of it would be in vain
@@ -253,14 +252,6 @@ class Pass {
             }
         }
         return std::min(least, plan.batches.size());
-    }
-
-    static bool none_of_tile(const std::uint64_t* tile) {
-        std::uint64_t any = 0;
-        for (int y = 0; y < kBrickY; ++y) {
-            any |= tile[y];
-        }
-        return any == 0;
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.

@@ -16,7 +16,7 @@ namespace {
 constexpr int kSumRange = 65535;            // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
 constexpr std::size_t kFirstBatch = 8;      // look-ups; batches after the sift grow
-constexpr std::size_t kLoadsPerLookup = 8;  // of the sum that comes next, for each look-up of the sift
+constexpr std::size_t kLoadsPerSifted = 8;  // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
@@ -320,7 +320,7 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     }
     const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
-    plan.sift = std::clamp(loads / kLoadsPerLookup / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
+    plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
     std::size_t size = kFirstBatch;
     for (std::size_t begin = 0; begin < all.size();) {
         const std::size_t count = std::min(all.size() - begin, size);

@@ -60,6 +60,7 @@ class TrayTables {
 
     /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
     bool apart() const { return apart_; }
+
     /// True when objects of the class stand in the tray.
     bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
     int occupied_classes() const { return static_cast<int>(std::ranges::count(class_used_, true)); }
