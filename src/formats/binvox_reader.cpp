@@ -21,7 +21,7 @@ constexpr std::int64_t kMostVoxels = std::int64_t{1} << 32;
 
 class BinvoxParser {
   public:
-    explicit BinvoxParser(const MeshSource& source) : source_(source), lines_(source.bytes) {}
+    explicit BinvoxParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -151,7 +151,7 @@ class BinvoxParser {
 
     [[noreturn]] void fail(const std::string& cause) const { lines_.fail(source_.file, cause); }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     TextLines lines_;
     std::vector<std::string_view> words_;
     std::array<std::int64_t, 3> dim_{};  ///< x, y, z
@@ -162,6 +162,6 @@ class BinvoxParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_binvox(const MeshSource& source) { return {{BinvoxParser(source).parse(), true}}; }
+std::vector<ParsedMesh> parse_binvox(const MeshBytes& source) { return {{BinvoxParser(source).parse(), true}}; }
 
 }  // namespace spectralpack

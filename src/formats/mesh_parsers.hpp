@@ -19,18 +19,18 @@ struct ParsedMesh {
 };
 
 /// A mesh file in memory.
-struct MeshSource {
+struct MeshBytes {
     std::string file;  ///< for messages
     std::string stem;  ///< name for objects that have none
     std::string_view bytes;
 };
 
-std::vector<ParsedMesh> parse_stl(const MeshSource& source);
-std::vector<ParsedMesh> parse_obj(const MeshSource& source);
-std::vector<ParsedMesh> parse_ply(const MeshSource& source);
-std::vector<ParsedMesh> parse_off(const MeshSource& source);
-std::vector<ParsedMesh> parse_binvox(const MeshSource& source);
-std::vector<ParsedMesh> parse_3mf(const MeshSource& source);
+std::vector<ParsedMesh> parse_stl(const MeshBytes& source);
+std::vector<ParsedMesh> parse_obj(const MeshBytes& source);
+std::vector<ParsedMesh> parse_ply(const MeshBytes& source);
+std::vector<ParsedMesh> parse_off(const MeshBytes& source);
+std::vector<ParsedMesh> parse_binvox(const MeshBytes& source);
+std::vector<ParsedMesh> parse_3mf(const MeshBytes& source);
 
 /// A mesh's vertices and triangles are counted in 32 bits; also a triangle soup's, three to a
 /// triangle.

@@ -11,7 +11,7 @@
 namespace spectralpack {
 namespace {
 
-using Parser = std::vector<ParsedMesh> (*)(const MeshSource&);
+using Parser = std::vector<ParsedMesh> (*)(const MeshBytes&);
 
 constexpr std::pair<std::string_view, Parser> kParsers[] = {{".stl", parse_stl}, {".obj", parse_obj},
                                                             {".3mf", parse_3mf}, {".ply", parse_ply},

@@ -11,7 +11,7 @@ namespace {
 
 class ObjParser {
   public:
-    explicit ObjParser(const MeshSource& source) : source_(source), lines_(source.bytes) {}
+    explicit ObjParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
 
     LoadedMesh parse() {
         while (next_statement()) {
@@ -72,7 +72,7 @@ class ObjParser {
         faces_.add(corners_, statement_line_);
     }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     TextLines lines_;
     std::string joined_;
     std::uint32_t statement_line_ = 0;
@@ -84,6 +84,6 @@ class ObjParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_obj(const MeshSource& source) { return {{ObjParser(source).parse()}}; }
+std::vector<ParsedMesh> parse_obj(const MeshBytes& source) { return {{ObjParser(source).parse()}}; }
 
 }  // namespace spectralpack

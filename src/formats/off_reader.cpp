@@ -10,7 +10,7 @@ namespace {
 
 class OffParser {
   public:
-    explicit OffParser(const MeshSource& source) : source_(source), lines_(source.bytes) {}
+    explicit OffParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -86,7 +86,7 @@ class OffParser {
         polygons.add(corners_, static_cast<std::uint32_t>(lines_.number()));
     }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     TextLines lines_;
     std::vector<std::string_view> words_;
     std::vector<std::int64_t> corners_;
@@ -94,6 +94,6 @@ class OffParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_off(const MeshSource& source) { return {{OffParser(source).parse()}}; }
+std::vector<ParsedMesh> parse_off(const MeshBytes& source) { return {{OffParser(source).parse()}}; }
 
 }  // namespace spectralpack

@@ -63,7 +63,7 @@ enum class Encoding { ascii, little_endian, big_endian };
 /// The values of the body one by one, whatever the encoding. All types fit a double.
 class Values {
   public:
-    Values(const MeshSource& source, Encoding encoding, std::string_view body, int first_line)
+    Values(const MeshBytes& source, Encoding encoding, std::string_view body, int first_line)
         : source_(source), encoding_(encoding), body_(body), line_(first_line) {}
 
     double next(Scalar type) { return encoding_ == Encoding::ascii ? next_word() : next_bytes(type); }
@@ -134,7 +134,7 @@ class Values {
         return static_cast<double>(value);
     }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     Encoding encoding_;
     std::string_view body_;
     std::size_t at_ = 0;
@@ -143,7 +143,7 @@ class Values {
 
 class PlyParser {
   public:
-    explicit PlyParser(const MeshSource& source) : source_(source), lines_(source.bytes) {}
+    explicit PlyParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -303,7 +303,7 @@ class PlyParser {
         }
     }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     TextLines lines_;
     std::vector<std::string_view> words_;
     Encoding encoding_ = Encoding::ascii;
@@ -315,6 +315,6 @@ class PlyParser {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_ply(const MeshSource& source) { return {{PlyParser(source).parse()}}; }
+std::vector<ParsedMesh> parse_ply(const MeshBytes& source) { return {{PlyParser(source).parse()}}; }
 
 }  // namespace spectralpack

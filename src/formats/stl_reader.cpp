@@ -33,7 +33,7 @@ bool looks_like_text(std::string_view bytes) {
 }
 
 /// Facets are welded as they are read: all their corners apart would take more room than the file.
-Mesh weld_facets(const MeshSource& source, std::size_t count) {
+Mesh weld_facets(const MeshBytes& source, std::size_t count) {
     constexpr std::size_t kBatch = VertexWelder::kBatch / 3;
     Mesh mesh;
     mesh.triangles.resize(count);
@@ -63,7 +63,7 @@ Mesh weld_facets(const MeshSource& source, std::size_t count) {
     return mesh;
 }
 
-LoadedMesh parse_binary(const MeshSource& source) {
+LoadedMesh parse_binary(const MeshBytes& source) {
     const std::string_view bytes = source.bytes;
     if (bytes.size() < kHeader) {
         throw InputError(source.file, "", "the file is shorter than an STL header");
@@ -95,7 +95,7 @@ LoadedMesh parse_binary(const MeshSource& source) {
 /// 'solid' and 'endsolid'.
 class AsciiStl {
   public:
-    explicit AsciiStl(const MeshSource& source) : source_(source), lines_(source.bytes) {}
+    explicit AsciiStl(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
 
     LoadedMesh parse() {
         while (next_line()) {
@@ -165,7 +165,7 @@ class AsciiStl {
 
     [[noreturn]] void fail(const std::string& cause) const { lines_.fail(source_.file, cause); }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     TextLines lines_;
     std::vector<std::string_view> words_;
     LoadedMesh loaded_;
@@ -192,7 +192,7 @@ bool is_ascii(std::string_view bytes) {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_stl(const MeshSource& source) {
+std::vector<ParsedMesh> parse_stl(const MeshBytes& source) {
     if (is_ascii(source.bytes)) return {{AsciiStl(source).parse(), true}};
     return {{parse_binary(source), true}};
 }

@@ -68,7 +68,7 @@ ShapeKey shape_key(const ModelItem& item) {
 
 class Reader {
   public:
-    explicit Reader(const MeshSource& source)
+    explicit Reader(const MeshBytes& source)
         : source_(source),
           zip_(source.file, source.bytes),
           bytes_left_(kFreeBytes + kMostGrowth * source.bytes.size()) {}
@@ -198,7 +198,7 @@ class Reader {
         throw InputError(source_.file, key.part + " object " + quoted_excerpt(key.id), cause);
     }
 
-    const MeshSource& source_;
+    const MeshBytes& source_;
     ZipReader zip_;
     std::uint64_t bytes_left_;
     std::string root_;
@@ -210,7 +210,7 @@ class Reader {
 
 }  // namespace
 
-std::vector<ParsedMesh> parse_3mf(const MeshSource& source) {
+std::vector<ParsedMesh> parse_3mf(const MeshBytes& source) {
     std::vector<ParsedMesh> parsed;
     for (LoadedMesh& loaded : Reader(source).read()) {
         parsed.push_back({std::move(loaded)});
