@@ -190,19 +190,28 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
                            std::uint64_t* HWY_RESTRICT live) {
     const hn::CappedTag<std::uint64_t, kTileRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
+    // One layer's rows all at once, however many vectors they take, so that each line is asked for once; of several
+    // layers what the registers hold.
+    constexpr std::size_t kAtOnce = kLayers == 1 ? kTileRows / kStep : 1;
+    constexpr std::size_t kVectors = kLayers * kAtOnce;
     using V = hn::Vec<decltype(d)>;
     const LookupPlan::Batch* HWY_RESTRICT batches = plan.batches.data();
     const LookupGroup* HWY_RESTRICT groups = plan.groups.data();
     const std::int32_t* HWY_RESTRICT offsets = plan.offsets.data();
-    for (std::size_t j = 0; j < kTileRows; j += kStep) {
-        V left[kLayers];
-        for (int z = 0; z < kLayers; ++z) {
-            left[z] = hn::LoadU(d, live + z * kTileRows + j);
+    std::ptrdiff_t word[kVectors];  // of each vector, from the first one on
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        word[v] = static_cast<std::ptrdiff_t>(v / kAtOnce) * up + static_cast<std::ptrdiff_t>(v % kAtOnce * kStep);
+    }
+    for (std::size_t j = 0; j < kTileRows; j += kStep * kAtOnce) {
+        const auto row = [&](std::size_t v) { return live + v / kAtOnce * kTileRows + v % kAtOnce * kStep + j; };
+        V left[kVectors];
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            left[v] = hn::LoadU(d, row(v));
         }
         for (std::size_t b = begin; b < end; ++b) {
             V any = left[0];
-            for (int z = 1; z < kLayers; ++z) {
-                any = hn::Or(any, left[z]);
+            for (std::size_t v = 1; v < kVectors; ++v) {
+                any = hn::Or(any, left[v]);
             }
             if (hn::AllTrue(d, hn::Eq(any, hn::Zero(d)))) break;
             for (std::int32_t g = batches[b].begin; g < batches[b].end; ++g) {
@@ -210,33 +219,33 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
                 if (group.shift == 0) {
                     for (std::int32_t i = group.begin; i < group.end; ++i) {
                         const std::uint64_t* at = tile + j + offsets[i];
-                        for (int z = 0; z < kLayers; ++z) {
-                            left[z] = hn::AndNot(hn::LoadU(d, at + z * up), left[z]);
+                        for (std::size_t v = 0; v < kVectors; ++v) {
+                            left[v] = hn::AndNot(hn::LoadU(d, at + word[v]), left[v]);
                         }
                     }
                     continue;
                 }
-                V low[kLayers], high[kLayers];
-                for (int z = 0; z < kLayers; ++z) {
-                    low[z] = hn::Zero(d);
-                    high[z] = hn::Zero(d);
+                V low[kVectors], high[kVectors];
+                for (std::size_t v = 0; v < kVectors; ++v) {
+                    low[v] = hn::Zero(d);
+                    high[v] = hn::Zero(d);
                 }
                 for (std::int32_t i = group.begin; i < group.end; ++i) {
                     const std::uint64_t* at = tile + j + offsets[i];
-                    for (int z = 0; z < kLayers; ++z) {
-                        low[z] = hn::Or(low[z], hn::LoadU(d, at + z * up));
-                        high[z] = hn::Or(high[z], hn::LoadU(d, at + z * up + next));
+                    for (std::size_t v = 0; v < kVectors; ++v) {
+                        low[v] = hn::Or(low[v], hn::LoadU(d, at + word[v]));
+                        high[v] = hn::Or(high[v], hn::LoadU(d, at + word[v] + next));
                     }
                 }
                 const V down = hn::Set(d, group.shift);
                 const V rest = hn::Sub(hn::Set(d, std::uint64_t{64}), down);
-                for (int z = 0; z < kLayers; ++z) {
-                    left[z] = hn::AndNot(hn::Or(hn::Shr(low[z], down), hn::Shl(high[z], rest)), left[z]);
+                for (std::size_t v = 0; v < kVectors; ++v) {
+                    left[v] = hn::AndNot(hn::Or(hn::Shr(low[v], down), hn::Shl(high[v], rest)), left[v]);
                 }
             }
         }
-        for (int z = 0; z < kLayers; ++z) {
-            hn::StoreU(left[z], d, live + z * kTileRows + j);
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            hn::StoreU(left[v], d, row(v));
         }
     }
 }
