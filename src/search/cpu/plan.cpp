@@ -13,10 +13,11 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kSumRange = 65535;            // what 16 bits hold
-constexpr std::size_t kLoadsPerBatch = 24;  // between two looks at the limit
-constexpr std::size_t kFirstBatch = 8;      // look-ups; batches after the sift grow
-constexpr std::size_t kLoadsPerSifted = 8;  // of the sum that comes next, for each look-up of the sift
+constexpr int kSumRange = 65535;                            // what 16 bits hold
+constexpr std::size_t kLoadsPerBatch = 24;                  // between two looks at the limit
+constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, which share cache lines
+constexpr std::size_t kFirstBatch = 8;                      // look-ups; batches after the sift grow
+constexpr std::size_t kLoadsPerSifted = 8;                  // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
@@ -57,11 +58,11 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
     }
 }
 
-/// Indices of `items`: what `level` rates highest comes first (levels 0 .. count - 1); among equals, neighbours far
-/// apart.
+/// Indices of `items`: what `level` rates highest comes first (levels 0 .. count - 1); among equals, bunches of
+/// neighbours far apart.
 template <class T, class Level>
 std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
-                                    const Level& level) {
+                                    std::size_t bunch, const Level& level) {
     const auto shelf_of = [&](const T& item) { return levels - 1 - static_cast<std::size_t>(level(item)); };
     std::vector<std::size_t> end(levels + 1, 0);
     for (const T& item : items) {
@@ -75,7 +76,12 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
     std::vector<std::uint32_t> result;
     result.reserve(items.size());
     for (std::size_t shelf = 0, begin = 0; shelf < levels; begin = end[shelf++]) {
-        for_each_spread(end[shelf] - begin, stretch, [&](std::size_t i) { result.push_back(shelved[begin + i]); });
+        const auto from = shelved.begin() + static_cast<std::ptrdiff_t>(begin);
+        const std::size_t count = end[shelf] - begin;
+        for_each_spread((count + bunch - 1) / bunch, stretch, [&](std::size_t i) {
+            result.insert(result.end(), from + static_cast<std::ptrdiff_t>(i * bunch),
+                          from + static_cast<std::ptrdiff_t>(std::min(count, (i + 1) * bunch)));
+        });
     }
     return result;
 }
@@ -315,7 +321,7 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     std::vector<Lookup> ordered;
     ordered.reserve(lookups.size());
     for (const std::uint32_t i :
-         by_level(lookups, kAllRanks, kFirstBatch, [](const Lookup& lookup) { return lookup.rank; })) {
+         by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; })) {
         ordered.push_back(lookups[i]);
     }
     const std::span<const Lookup> all = ordered;
@@ -341,7 +347,7 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
 }
 
 std::vector<std::uint32_t> order_of_loads(const Runs& runs) {
-    return by_level(runs.runs, 33, kLoadsPerBatch,
+    return by_level(runs.runs, 33, 1, kLoadsPerBunch,
                     [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); });
 }
 

@@ -102,8 +102,8 @@ struct SumPlan {
     std::vector<SumBatch> batches;
 };
 
-/// The runs' indices in the order in which sums take them: long ones first, since they tell most for a load, and each
-/// stretch from all over the solid.
+/// The runs' indices in the order in which sums take them: long ones first, since they tell most for a load; among
+/// those bunches of neighbours, which share cache lines, from all over the solid.
 std::vector<std::uint32_t> order_of_loads(const Runs& runs);
 
 /// Every solid voxel exactly once, in order_of_loads(); runs are split so that no batch's sum can reach 65536 with
