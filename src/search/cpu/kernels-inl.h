@@ -153,14 +153,17 @@ HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::
     }
 }
 
-/// Raises sums[i], for i in [0, 32), by what each load's table[i + plus] - table[i + minus], modulo what a T holds, is
-/// above the load's least, up to kSumLimit. Give what all loads come to at least for the lanes that are wanted,
-/// kSumLimit for the others. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach:
-/// a load may come to less than its least and then counts as that; otherwise none does where the sum is to mean
-/// anything, which takes a step less for each.
+/// sums[i], for i of `lanes`, a set in [0, 32): `least`, what all loads come to at least, and what each load's
+/// table[i + plus] - table[i + minus], modulo what a T holds, is above the load's least, up to kSumLimit; for other i
+/// kSumLimit. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may
+/// come to less than its least and then counts as that; otherwise none does where the sum is to mean anything, which
+/// takes a step less for each.
 template <bool kOfEach, class T>
 HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* batches, std::size_t batch_count,
-                         std::uint32_t limit, std::uint32_t* sums) {
+                         std::uint32_t limit, std::uint32_t lanes, std::uint32_t least, std::uint32_t* sums) {
+    for (int i = 0; i < kLanes; ++i) {
+        sums[i] = lanes >> i & 1 ? least : kSumLimit;
+    }
     for (std::size_t b = 0; b < batch_count; ++b) {
         std::uint16_t sum[kLanes];
         std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));
@@ -250,30 +253,53 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
     }
 }
 
+/// Of each of kCount vectors of N numbers the bits of its lanes, where lane k of vector w stands for bit
+/// w / kPer * kPer * N + kPer * k + w % kPer.
+template <std::size_t kPer, std::size_t kCount, std::size_t N>
+struct LaneBits {
+    alignas(64) std::uint32_t bits[kCount][N];
+    constexpr LaneBits() : bits() {
+        for (std::size_t w = 0; w < kCount; ++w) {
+            for (std::size_t k = 0; k < N; ++k) {
+                bits[w][k] = 1u << (w / kPer * kPer * N + kPer * k + w % kPer);
+            }
+        }
+    }
+};
+
 template <bool kOfEach, class T>
 HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
                          const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
-                         std::uint32_t* HWY_RESTRICT sums) {
-    const hn::CappedTag<std::uint16_t, kLanes> d16;
-    const hn::Rebind<T, decltype(d16)> dt;
-    constexpr std::size_t kStep = hn::MaxLanes(d16);
+                         std::uint32_t lanes, std::uint32_t least, std::uint32_t* HWY_RESTRICT sums) {
+    // Sums stay below the lanes that they are of: a vector of 32 bits holds every second or fourth of a vector of T, so
+    // that nothing moves from lane to lane before the end.
+    const hn::CappedTag<T, kLanes> dt;
+    const hn::Repartition<std::uint16_t, decltype(dt)> d16;
+    const hn::Repartition<std::uint32_t, decltype(dt)> d32;
+    constexpr bool kBytes = sizeof(T) == 1;
+    constexpr std::size_t kStep = hn::MaxLanes(dt);
     constexpr std::size_t kVectors = kLanes / kStep;
-    const hn::Repartition<std::uint32_t, decltype(d16)> d32;
-    const hn::Half<decltype(d16)> half;
-    constexpr std::size_t kWide = kStep / 2;
+    constexpr std::size_t kPer = sizeof(std::uint32_t) / sizeof(T);
+    constexpr std::size_t kWide = kStep / kPer;
     using V16 = hn::Vec<decltype(d16)>;
     using V32 = hn::Vec<decltype(d32)>;
+    static constexpr LaneBits<kPer, kVectors * kPer, kWide> kBits;
 
-    V32 wide[2 * kVectors];
-    for (std::size_t v = 0; v < 2 * kVectors; ++v) {
-        wide[v] = hn::LoadU(d32, sums + v * kWide);
-    }
     const auto most = hn::Set(d32, kSumLimit);
     const auto bound = hn::Set(d32, limit);
+    const auto low = hn::Set(d32, 0xFFFFu);
+    V32 wide[kVectors * kPer];
+    for (std::size_t w = 0; w < kVectors * kPer; ++w) {
+        const auto wanted = hn::TestBit(hn::Set(d32, lanes), hn::Load(d32, kBits.bits[w]));
+        wide[w] = hn::IfThenElse(wanted, hn::Set(d32, least), most);
+    }
     for (std::size_t b = 0; b < batch_count; ++b) {
-        V16 sum[kVectors];
+        // Of bytes in pairs: first + 256 second, and second, both modulo 2^16, from which first follows.
+        V16 pairs[kVectors], second[kVectors];
+        const std::uint16_t start = kOfEach ? std::uint16_t{0} : static_cast<std::uint16_t>(-batches[b].least);
         for (std::size_t v = 0; v < kVectors; ++v) {
-            sum[v] = hn::Set(d16, kOfEach ? std::uint16_t{0} : static_cast<std::uint16_t>(-batches[b].least));
+            pairs[v] = hn::Set(d16, static_cast<std::uint16_t>(kBytes ? 257 * start : start));
+            second[v] = hn::Set(d16, start);
         }
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
             const T* plus = table + loads[i].plus;
@@ -281,26 +307,35 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRIC
             const auto run_least = hn::Set(dt, static_cast<T>(loads[i].least));
             for (std::size_t v = 0; v < kVectors; ++v) {
                 const auto run = hn::Sub(hn::LoadU(dt, plus + v * kStep), hn::LoadU(dt, minus + v * kStep));
-                const auto above = kOfEach ? hn::SaturatedSub(run, run_least) : run;
-                if constexpr (sizeof(T) == 1) {
-                    sum[v] = hn::Add(sum[v], hn::PromoteTo(d16, above));
-                } else {
-                    sum[v] = hn::Add(sum[v], above);
-                }
+                const auto above = hn::BitCast(d16, kOfEach ? hn::SaturatedSub(run, run_least) : run);
+                pairs[v] = hn::Add(pairs[v], above);
+                if constexpr (kBytes) second[v] = hn::Add(second[v], hn::ShiftRight<8>(above));
             }
         }
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
+        const auto add = [&](std::size_t w, V32 sum) {
+            wide[w] = hn::Min(most, hn::Add(wide[w], sum));
+            done = hn::And(done, hn::Gt(wide[w], bound));
+        };
         for (std::size_t v = 0; v < kVectors; ++v) {
-            wide[2 * v] = hn::Min(most, hn::Add(wide[2 * v], hn::PromoteTo(d32, hn::LowerHalf(half, sum[v]))));
-            wide[2 * v + 1] = hn::Min(most, hn::Add(wide[2 * v + 1], hn::PromoteTo(d32, hn::UpperHalf(half, sum[v]))));
-            for (std::size_t w = 2 * v; w < 2 * v + 2; ++w) {
-                done = hn::And(done, hn::Gt(wide[w], bound));
+            const V32 odd = hn::BitCast(d32, second[v]);
+            const V32 even = hn::BitCast(d32, kBytes ? hn::Sub(pairs[v], hn::ShiftLeft<8>(second[v])) : pairs[v]);
+            add(kPer * v, hn::And(even, low));
+            add(kPer * v + kPer / 2, hn::ShiftRight<16>(even));
+            if constexpr (kBytes) {
+                add(kPer * v + 1, hn::And(odd, low));
+                add(kPer * v + 3, hn::ShiftRight<16>(odd));
             }
         }
         if (hn::AllTrue(d32, done)) break;
     }
-    for (std::size_t v = 0; v < 2 * kVectors; ++v) {
-        hn::StoreU(wide[v], d32, sums + v * kWide);
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        if constexpr (kBytes) {
+            hn::StoreInterleaved4(wide[4 * v], wide[4 * v + 1], wide[4 * v + 2], wide[4 * v + 3], d32,
+                                  sums + v * kStep);
+        } else {
+            hn::StoreInterleaved2(wide[2 * v], wide[2 * v + 1], d32, sums + v * kStep);
+        }
     }
 }
 

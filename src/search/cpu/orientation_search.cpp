@@ -271,10 +271,11 @@ class Pass {
 
     /// SumLanes() of a plan, from the element of its table that sums_from(Sums) tells.
     template <bool kOfEach, class SumsFrom>
-    void SumUp(const SumPlan& plan, const SumsFrom& sums_from, std::uint32_t stop_above, std::uint32_t* sums) const {
+    void SumUp(const SumPlan& plan, const SumsFrom& sums_from, std::uint32_t stop_above, std::uint32_t lanes,
+               std::uint32_t* sums) const {
         context_.tables.visit_sums([&](const auto& tables) {
             SumLanes<kOfEach>(sums_from(tables), plan.loads.data(), plan.batches.data(), plan.batches.size(),
-                              stop_above, sums);
+                              stop_above, lanes, LaneLimit(plan.least), sums);
         });
     }
 
@@ -283,14 +284,10 @@ class Pass {
         const std::uint32_t unknown = near & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
         if (unknown == 0) return;
         alignas(64) std::uint32_t sums[kLanes];
-        const std::uint32_t least = LaneLimit(t_.plan.coarse.least);
-        for (int i = 0; i < kLanes; ++i) {
-            sums[i] = unknown >> i & 1 ? least : kSumLimit;
-        }
         const auto from = [&](const auto& tables) {
             return tables.coarse.base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz);
         };
-        SumUp<true>(t_.plan.coarse, from, StopAbove(most_), sums);
+        SumUp<true>(t_.plan.coarse, from, StopAbove(most_), unknown, sums);
         for (int i = 0; i < kLanes; ++i) {
             bound[i] = unknown >> i & 1 ? sums[i] : bound[i];
         }
@@ -417,12 +414,9 @@ class Pass {
     /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks.
     std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums,
                         std::uint32_t* bound) {
-        const std::uint32_t least_sum = LaneLimit(t_.plan.exact.least);
-        for (std::uint32_t i = 0; i < kLanes; ++i) {
-            sums[i] = lanes >> i & 1 ? least_sum : kSumLimit;
-        }
         SumUp<false>(
-            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(x, y, z); }, StopAbove(limit), sums);
+            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(x, y, z); }, StopAbove(limit), lanes,
+            sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
