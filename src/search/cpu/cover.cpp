@@ -136,28 +136,24 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
     const Form& form = fits.form;
     const Extent& n = wanted.extent();
     const int words = wanted.words_per_row();
+    const std::vector<Word>& corners = fits.corners.words();
     const VoxelIndex last{form.size(0) - 1, form.size(1) - 1, form.size(2) - 1};
     const VoxelIndex middle{form.size(0) / 2, form.size(1) / 2, form.size(2) / 2};
     for (const VoxelIndex& to : {VoxelIndex{}, last}) {
-        for (int z = 0; z + last.z < n.z; ++z) {
-            for (int y = 0; y + last.y < n.y; ++y) {
-                const Word* corners = fits.corners.row(y, z);
-                if (std::all_of(corners, corners + words, [](Word word) { return word == 0; })) continue;
-                const Word* at = wanted.row(y + to.y, z + to.z);
-                const Word* inside = wanted.row(y + middle.y, z + middle.z);
-                for (int w = 0; w < words; ++w) {
-                    Word behind = ~Word{0};
-                    const auto candidates = [&] {
-                        return corners[w] & behind & moved_down(at, words, w, to.x) &
-                               moved_down(inside, words, w, middle.x);
-                    };
-                    if (corners[w] == 0) continue;
-                    for (Word bits = candidates(); bits != 0; bits = candidates()) {
-                        const int x = std::countr_zero(bits);
-                        behind = x == 63 ? 0 : ~Word{0} << (x + 1);
-                        take({form, {64 * w + x, y, z}}, wanted, pieces);
-                    }
-                }
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (corners[i] == 0) continue;  // most are
+            const auto row = static_cast<int>(i) / words;
+            const int w = static_cast<int>(i) % words, y = row % n.y, z = row / n.y;
+            const Word* at = wanted.row(y + to.y, z + to.z);
+            const Word* inside = wanted.row(y + middle.y, z + middle.z);
+            Word behind = ~Word{0};
+            const auto candidates = [&] {
+                return corners[i] & behind & moved_down(at, words, w, to.x) & moved_down(inside, words, w, middle.x);
+            };
+            for (Word bits = candidates(); bits != 0; bits = candidates()) {
+                const int x = std::countr_zero(bits);
+                behind = x == 63 ? 0 : ~Word{0} << (x + 1);
+                take({form, {64 * w + x, y, z}}, wanted, pieces);
             }
         }
     }

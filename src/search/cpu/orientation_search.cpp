@@ -217,14 +217,17 @@ class Pass {
     /// Opens a fresh pair with what the first batches of look-ups leave of its blocks that have `room`. True if that is
     /// anything; `sifted` is how many batches each brick went through.
     bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
-        alignas(64) BrickWords live[kPair] = {};
-        for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
+        alignas(64) BrickWords live[kPair];
+        for (int i = 0; i < kPair; ++i) {
             std::uint32_t alive[kBlocksY], any = 0;
             for (int j = 0; j < kBlocksY; ++j) {
                 alive[j] = room[j] >> (kBlocksX * i) & 0xFFFFu;
                 any |= alive[j];
             }
-            if (any == 0) continue;
+            if (any == 0 || bx + i >= state_.bricks().x) {
+                std::fill_n(live[i], kBrickY * kBrickZ, std::uint64_t{0});
+                continue;
+            }
             state_.candidates(bx + i, by, bz, alive, live[i]);
             sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
         }
@@ -479,11 +482,17 @@ void search_layers(OrientationTask& task, int begin, int end) { HWY_DYNAMIC_DISP
 std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
     const DistanceGrid& phi = tables.phi();
     const Extent& n = phi.extent();
+    const std::ptrdiff_t steps[3] = {1, phi.stride(), static_cast<std::ptrdiff_t>(phi.stride()) * n.y};
+    const int along = solid.axis;
     std::int64_t sum = 0;
     for (const Run& run : solid.runs) {
         VoxelIndex v = q + run.start;
-        for (int i = 0; i < run.length; ++i, ++v[solid.axis]) {
-            if (n.contains(v)) sum += phi.at(v.x, v.y, v.z);
+        const int end = std::min(v[along] + run.length, n[along]);
+        v[along] = std::max(v[along], 0);
+        if (v[along] >= end || !n.contains(v)) continue;
+        const std::uint16_t* value = phi.row(v.y, v.z) + v.x;
+        for (int i = v[along]; i < end; ++i, value += steps[along]) {
+            sum += *value;
         }
     }
     return sum;

@@ -126,45 +126,60 @@ void clear_stretch(BitGrid::Word* row, int begin, int end) {
     row[last] &= ~to;
 }
 
-/// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
-/// direction. By counting, an axis at a time: O(items + extents).
+constexpr AxisOrder kAsTheyAre{0, 1, 2};
+
+/// Indices of `items` by z, y, x of their voxels, which are not negative, once v has become (v[axes[0]], v[axes[1]],
+/// v[axes[2]]): what asks for them then walks memory in one direction. `ordered`: they were by z, y, x before. By
+/// counting, an axis at a time: O(items + extents).
 template <class T, class Voxel>
-std::vector<std::uint32_t> by_place(const std::vector<T>& items, const Voxel& voxel) {
-    std::vector<VoxelIndex> voxels;
-    voxels.reserve(items.size());
-    VoxelIndex last{};
-    for (const T& item : items) {
-        voxels.push_back(voxel(item));
-        for (int axis = 0; axis < 3; ++axis) {
-            last[axis] = std::max(last[axis], voxels.back()[axis]);
-        }
-    }
+std::vector<std::uint32_t> by_place(const std::vector<T>& items, const AxisOrder& axes, bool ordered,
+                                    const Voxel& voxel) {
     std::vector<std::uint32_t> order(items.size()), before(items.size());
     std::iota(order.begin(), order.end(), 0);
     std::vector<std::uint32_t> begin;
-    for (int axis = 0; axis < 3; ++axis) {
-        begin.assign(static_cast<std::size_t>(last[axis]) + 2, 0);
-        for (const VoxelIndex& v : voxels) {
-            ++begin[static_cast<std::size_t>(v[axis]) + 1];
+    // Of those that have all else in common, the order that they had is right already.
+    for (std::size_t k = !ordered ? 0 : axes[0] > axes[1] ? 1 : 2; k < 3; ++k) {
+        const auto place = [&, axis = axes[k]](const T& item) { return static_cast<std::size_t>(voxel(item)[axis]); };
+        std::size_t last = 0;
+        for (const T& item : items) {
+            last = std::max(last, place(item));
+        }
+        begin.assign(last + 2, 0);
+        for (const T& item : items) {
+            ++begin[place(item) + 1];
         }
         std::partial_sum(begin.begin(), begin.end(), begin.begin());
         before.swap(order);
         for (const std::uint32_t i : before) {
-            order[begin[static_cast<std::size_t>(voxels[i][axis])]++] = i;
+            order[begin[place(items[i])]++] = i;
         }
     }
     return order;
+}
+
+const VoxelIndex& start_of(const Run& run) { return run.start; }
+const VoxelIndex& corner_of(const Piece& piece) { return piece.corner; }
+
+/// cover() by z, y, x of the corners.
+std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted) {
+    const std::vector<Piece> pieces = cover(solid, std::move(wanted));
+    std::vector<Piece> ordered;
+    ordered.reserve(pieces.size());
+    for (const std::uint32_t i : by_place(pieces, kAsTheyAre, false, corner_of)) {
+        ordered.push_back(pieces[i]);
+    }
+    return ordered;
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     OrientationRuns::Widened result;
     result.offset = wide.offset;
     if (detail == 1) {
-        result.pieces = cover(wide.voxels, wide.voxels);
+        result.pieces = ordered_cover(wide.voxels, wide.voxels);
         return result;
     }
     const CoarseVoxels core = filled_voxels(wide.voxels, wide.offset, detail);
-    result.core = cover(core.voxels, core.voxels);
+    result.core = ordered_cover(core.voxels, core.voxels);
     result.core_offset = core.offset;
     BitGrid skin = wide.voxels;
     for (const Run& run : runs_along(core.voxels, 0).runs) {
@@ -177,7 +192,7 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
                           first.x + detail * run.length);
         }
     }
-    result.pieces = cover(wide.voxels, std::move(skin));
+    result.pieces = ordered_cover(wide.voxels, std::move(skin));
     return result;
 }
 
@@ -211,7 +226,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
     if (tables.large() && result.solid.runs.size() >= kRunsWorthCells) {
         result.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
     }
-    if (tables.walls()) result.walled = cover(*shape.solid, *shape.solid);
+    if (tables.walls()) result.walled = ordered_cover(*shape.solid, *shape.solid);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
@@ -228,20 +243,17 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
 
 OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables) {
     const auto exchanged = [&](const VoxelIndex& v) { return VoxelIndex{v[axes[0]], v[axes[1]], v[axes[2]]}; };
-    const auto pieces = [&](std::vector<Piece> all) {
-        for (Piece& piece : all) {
-            int turned = 0;
+    const auto pieces = [&](const std::vector<Piece>& all) {
+        std::vector<Piece> turned;
+        turned.reserve(all.size());
+        for (const std::uint32_t i : by_place(all, axes, true, corner_of)) {
+            int form = 0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                turned |= (piece.form.axes >> axes[axis] & 1) << axis;
+                form |= (all[i].form.axes >> axes[axis] & 1) << axis;
             }
-            piece = {{turned, piece.form.level}, exchanged(piece.corner)};
+            turned.push_back({{form, all[i].form.level}, exchanged(all[i].corner)});
         }
-        std::vector<Piece> ordered;
-        ordered.reserve(all.size());
-        for (const std::uint32_t i : by_place(all, [](const Piece& piece) { return piece.corner; })) {
-            ordered.push_back(all[i]);
-        }
-        return ordered;
+        return turned;
     };
 
     OrientationRuns result;
@@ -250,7 +262,7 @@ OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, con
     result.solid.voxels = runs.solid.voxels;
     result.solid.runs.reserve(solid.size());
     result.least.reserve(solid.size());
-    for (const std::uint32_t i : by_place(solid, [&](const Run& run) { return exchanged(run.start); })) {
+    for (const std::uint32_t i : by_place(solid, axes, true, start_of)) {
         result.solid.runs.push_back({exchanged(solid[i].start), solid[i].length});
         result.least.push_back(runs.least[i]);
     }

@@ -1,5 +1,6 @@
 #include "search/cpu/sum_tables.hpp"
 
+#include <bit>
 #include <limits>
 
 #include "core/error.hpp"
@@ -17,6 +18,7 @@ static_assert(SumLayout::kPooledBlock == 4);  // as the kernels have it
 SumLayout::SumLayout(const Extent& grid, int block)
     : grid_(grid),
       block_(block),
+      shift_(std::countr_zero(static_cast<unsigned>(block))),
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
       table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {

@@ -44,12 +44,12 @@ class SumLayout {
 
   protected:
     std::int64_t row(int y, int z) const { return (static_cast<std::int64_t>(z) * (grid_.y + 1) + y) * stride_; }
-    int within(int x) const { return x % block_ * phase_ + x / block_; }
+    int within(int x) const { return (x & (block_ - 1)) * phase_ + (x >> shift_); }
 
     Extent grid_;
-    int block_ = 1;
-    int phase_ = 0;   // elements of one phase of a row
-    int stride_ = 0;  // elements of a row
+    int block_ = 1, shift_ = 0;  // block_ = 2^shift_
+    int phase_ = 0;              // elements of one phase of a row
+    int stride_ = 0;             // elements of a row
     std::int64_t table_ = 0;
 };
 
