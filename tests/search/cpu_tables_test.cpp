@@ -400,6 +400,57 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     }
 }
 
+TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
+    RandomStream random(11);
+    std::int64_t ruled_out = 0;
+    for (int round = 0; round < 40; ++round) {
+        TraySetup setup;
+        const int s = setup.detail = 1 + round % 2;
+        setup.size = {140, 36, 30};
+        setup.voxel_size = 1;
+        Tray tray(setup);
+        BitGrid occupied({s * 140, s * 36, s * 30});
+        const auto box = [&](const Extent& most) {
+            BitGrid full(random_extent(random, {1, 1, 1}, most));
+            full.fill(true);
+            return full;
+        };
+        for (int i = 0; i < 12; ++i) {
+            const BitGrid solid = box({40, 20, 20});
+            const VoxelIndex at{between(random, 0, s * 100), between(random, 0, s * 16), between(random, 0, s * 10)};
+            unite(occupied, solid, at);
+            tray.add(fine_object(std::make_shared<const BitGrid>(solid), at, s, 0));
+        }
+        BitGrid part = box({40, 24, 24});
+        unite(part, random_solid(random, part.extent()), {});
+        subtract(part, random_bits(random, part.extent(), 60), {});
+        const auto fine = std::make_shared<const BitGrid>(part);
+        const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, s).voxels);
+        const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
+        TrayTables tables;
+        tables.follow(tray, 0, false, Workers(1));
+        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables);
+        const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
+        const BitTables& bits = tables.bits();
+        const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
+        for_each_voxel({last.x + 1, last.y + 1, last.z + 1}, [&](int x, int y, int z) {
+            const std::uint64_t* word = bits.tile(x / 64, y, z);
+            const bool meets_any = std::ranges::any_of(plan.groups, [&](const LookupGroup& group) {
+                const int bit = x % 64 + static_cast<int>(group.shift);
+                return std::any_of(
+                    plan.offsets.begin() + group.begin, plan.offsets.begin() + group.end,
+                    [&](std::int32_t offset) { return word[offset + (bit / 64) * bits.next()] >> (bit % 64) & 1; });
+            });
+            if (!meets_any) return;
+            for (int i = 0; i < BitTables::kTileLayers && z + i <= last.z; ++i) {
+                ++ruled_out;
+                EXPECT_TRUE(intersects(occupied, *fine, {s * x, s * y, s * (z + i)}));
+            }
+        });
+    }
+    EXPECT_GT(ruled_out, 50'000);
+}
+
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);

@@ -51,6 +51,8 @@ class BitTables {
     int detail() const { return detail_; }
     int fine_layers() const { return fine_layers_; }
     int layers() const { return fine_layers_ + coarse_layers_; }
+    /// Voxels of a layer to one of dx, along an axis.
+    int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
     std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
 
     /// Words to the neighbouring tile along x.
@@ -103,7 +105,6 @@ class BitTables {
   private:
     using Word = std::uint64_t;
 
-    int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
     /// One table for each part of a layer, or of what is on the way to one.
     struct Tables {
         Word* first;

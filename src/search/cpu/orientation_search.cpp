@@ -134,8 +134,8 @@ class Pass {
         return static_cast<std::uint32_t>(room_[tile + word] >> (bx % kCrowdBricksX * kBlocksX));
     }
 
-    /// Rows of which cells may be asked. In a crowd they say nothing: where asking was in vain, it is not asked of as
-    /// many rows again.
+    /// What may be asked first and often says nothing, as cells do in a crowd and stacks in the open: where asking was
+    /// in vain, it is not asked as many times again.
     class Patience {
       public:
         bool asks() {
@@ -236,10 +236,10 @@ class Pass {
 
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
     /// Returns how many batches all that is left went through.
-    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
+    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        if (plan.batches.empty()) return 0;
+        if (plan.batches.empty() || !SiftStacks(bx, by, bz, live)) return 0;
         std::uint64_t before[kBrickY];  // of any layer that has candidates
         std::copy_n(live, kBrickY, before);
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0,
@@ -255,6 +255,26 @@ class Pass {
             }
         }
         return std::min(least, plan.batches.size());
+    }
+
+    /// Clears the stacks of a brick that are found to collide as one. False where nothing is left.
+    bool SiftStacks(int bx, int by, int bz, std::uint64_t* live) {
+        const BitTables& bits = context_.tables.bits();
+        const LookupPlan& plan = t_.plan.collision.of_stacks;
+        if (plan.batches.empty() || !stacks_.asks()) return true;
+        std::uint64_t stacks[kBrickY];  // with candidates in any layer
+        std::copy_n(live, kBrickY, stacks);
+        BlockTiles<1>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0, plan.batches.size(),
+                      stacks);
+        std::uint64_t any = 0;
+        for (int i = 0; i < kBrickZ; ++i) {
+            for (int y = 0; y < kBrickY; ++y) {
+                live[kBrickY * i + y] &= stacks[y];
+                any |= stacks[y];
+            }
+        }
+        stacks_.learn(any != 0);
+        return any != 0;
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
@@ -448,7 +468,7 @@ class Pass {
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
     std::int64_t most_ = -1;
-    Patience near_, close_;
+    Patience near_, close_, stacks_;
 };
 
 void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }

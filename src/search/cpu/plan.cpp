@@ -19,6 +19,8 @@ constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, wh
 constexpr std::size_t kFirstBatch = 8;                      // look-ups; batches after the sift grow
 constexpr std::size_t kLoadsPerSifted = 8;                  // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
+constexpr std::size_t kOfStacks = 16;      // look-ups
+constexpr int kLeastOfStacks = 4;          // voxels of a piece
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
 constexpr std::size_t kMostFineCells = std::size_t{1} << 20;
@@ -110,6 +112,14 @@ void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPl
     }
     plan.batches.push_back(
         {first_group, static_cast<std::int32_t>(plan.groups.size()), static_cast<std::int32_t>(pieces.size())});
+}
+
+/// All of a few look-ups in batches of kFirstBatch.
+template <class Tables>
+void append_batches(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
+    for (std::size_t begin = 0; begin < pieces.size(); begin += kFirstBatch) {
+        append_batch(pieces.subspan(begin, std::min(pieces.size() - begin, kFirstBatch)), tables, plan);
+    }
 }
 
 /// Clears bits [begin, end) of a row.
@@ -312,9 +322,68 @@ int overhang(const Shape& shape, int detail) {
     return most;
 }
 
+namespace {
+
+/// The largest form in one of that form without its lowest `layers`; none where it has no more.
+std::optional<Form> without_lowest(const Form& form, int layers) {
+    const int height = form.size(2) - layers;
+    if (height <= 0) return std::nullopt;
+    const int flat = form.axes & 3;
+    std::optional<Form> largest;
+    const auto consider = [&](const Form& smaller) {
+        if (!largest || smaller.voxels() > largest->voxels()) largest = smaller;
+    };
+    if (flat != 0) consider({flat, form.level});
+    const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
+    for (int level = form.level; level >= least; --level) {
+        if (1 << level <= height) {
+            consider({form.axes, level});
+            break;
+        }
+    }
+    return largest;
+}
+
+/// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
+/// most.
+class StackPieces {
+  public:
+    void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
+        const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
+        for (const Piece& piece : pieces) {
+            const std::optional<Form> form = without_lowest(piece.form, rise);
+            if (!form || form->voxels() < kLeastOfStacks) continue;
+            const VoxelIndex spared{(piece.form.size(0) - form->size(0)) / 2, (piece.form.size(1) - form->size(1)) / 2,
+                                    rise + (piece.form.size(2) - rise - form->size(2)) / 2};
+            all_.push_back({{*form, piece.corner + offset + spared}, layer, first_rank + rank_of(*form)});
+        }
+    }
+
+    std::vector<Lookup> first(const BitTables& bits) const {
+        std::vector<Lookup> lookups;
+        for (const std::uint32_t i :
+             by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
+            if (lookups.size() == kOfStacks) break;
+            lookups.push_back({bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), all_[i].rank});
+        }
+        return lookups;
+    }
+
+  private:
+    struct OfLayer {
+        Piece piece;
+        int layer, rank;
+    };
+    std::vector<OfLayer> all_;
+};
+
+}  // namespace
+
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
     std::vector<Lookup> lookups;
+    StackPieces of_stacks;
     const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int first_rank) {
+        of_stacks.add(pieces, offset, layer, tables.bits().detail_of(layer), first_rank);
         for (const Piece& piece : pieces) {
             lookups.push_back({tables.bits().spot(layer, piece.form, piece.corner + offset),
                                first_rank + rank_of(piece.form), tables.crowd().holds(layer, piece.form)});
@@ -346,15 +415,14 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         begin += count;
         if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
+    const std::vector<Lookup> of_all_layers = of_stacks.first(tables.bits());
+    append_batches(of_all_layers, tables.bits(), plan.of_stacks);
     std::vector<Lookup> of_blocks;
     for (const Lookup& lookup : all) {
         if (of_blocks.size() == kMostOfBlocks) break;
         if (lookup.of_blocks) of_blocks.push_back(lookup);
     }
-    const std::span<const Lookup> some = of_blocks;
-    for (std::size_t begin = 0; begin < some.size(); begin += kFirstBatch) {
-        append_batch(some.subspan(begin, std::min(some.size() - begin, kFirstBatch)), tables.crowd(), plan.of_blocks);
-    }
+    append_batches(of_blocks, tables.crowd(), plan.of_blocks);
     return plan;
 }
 
@@ -426,7 +494,8 @@ std::int64_t bytes_of(const OrientationRuns& runs) {
 
 std::int64_t bytes_of(const OrientationPlan& plan) {
     std::int64_t bytes = 0;
-    for (const LookupPlan* lookups : {&plan.collision.of_positions, &plan.collision.of_blocks}) {
+    for (const LookupPlan* lookups :
+         {&plan.collision.of_positions, &plan.collision.of_blocks, &plan.collision.of_stacks}) {
         bytes += bytes_of(lookups->offsets) + bytes_of(lookups->groups) + bytes_of(lookups->batches);
     }
     for (const SumPlan* sums : {&plan.exact, &plan.coarse}) {

@@ -87,6 +87,9 @@ struct CollisionPlan {
 
     LookupPlan of_positions;  ///< into the bit tables: all that there are
     LookupPlan of_blocks;     ///< into the crowd tables: the first of them
+    /// Into the bit tables: a few pieces of what a candidate fills from each of kTileLayers positions one above the
+    /// other. What meets them at the lowest leaves none of the stack.
+    LookupPlan of_stacks;
     /// Batches of the former that every position goes through that is not in the open; the others are for what is left.
     std::size_t sift = 0;
 };
