@@ -38,6 +38,16 @@ Word bits_at(const std::vector<Word>& row, int first) {
     return bits;
 }
 
+/// Every second bit, from the lowest on.
+Word every_second(Word bits) {
+    bits &= 0x5555555555555555u;
+    bits = (bits | bits >> 1) & 0x3333333333333333u;
+    bits = (bits | bits >> 2) & 0x0F0F0F0F0F0F0F0Fu;
+    bits = (bits | bits >> 4) & 0x00FF00FF00FF00FFu;
+    bits = (bits | bits >> 8) & 0x0000FFFF0000FFFFu;
+    return (bits | bits >> 16) & 0x00000000FFFFFFFFu;
+}
+
 /// The coarse voxels of which some or every fine voxel is set.
 CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule rule) {
     const Layout layout = layout_of(fine.extent(), at, detail);
@@ -58,6 +68,15 @@ CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule 
                 }
             }
             Word* to = result.voxels.row(y, z);
+            if (detail == 2) {
+                for (int x = 0; x < layout.extent.x; x += kWordBits / 2) {
+                    const Word bits = bits_at(row, 2 * x - layout.rest.x);
+                    const Word next = bits_at(row, 2 * x - layout.rest.x + 1);
+                    const Word pooled = every_second(rule == Rule::some ? bits | next : bits & next);
+                    to[x / kWordBits] |= pooled << (x % kWordBits);
+                }
+                continue;
+            }
             for (int x = 0; x < layout.extent.x; ++x) {
                 const Word group = bits_at(row, detail * x - layout.rest.x) & all;
                 to[x / kWordBits] |= Word{rule == Rule::some ? group != 0 : group == all} << (x % kWordBits);
