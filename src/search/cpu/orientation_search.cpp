@@ -218,28 +218,56 @@ class Pass {
     /// anything; `sifted` is how many batches each brick went through.
     bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
         alignas(64) BrickWords live[kPair];
+        bool left[kPair];
         for (int i = 0; i < kPair; ++i) {
-            std::uint32_t alive[kBlocksY], any = 0;
+            std::uint32_t alive[kBlocksY];
             for (int j = 0; j < kBlocksY; ++j) {
                 alive[j] = room[j] >> (kBlocksX * i) & 0xFFFFu;
-                any |= alive[j];
             }
-            if (any == 0 || bx + i >= state_.bricks().x) {
-                std::fill_n(live[i], kBrickY * kBrickZ, std::uint64_t{0});
-                continue;
-            }
-            state_.candidates(bx + i, by, bz, alive, live[i]);
-            sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
+            left[i] = std::ranges::any_of(alive, [](std::uint32_t row) { return row != 0; }) &&
+                      bx + i < state_.bricks().x && SiftStacks(bx + i, by, bz, alive, live[i]);
+            if (left[i]) sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
+        }
+        if (!left[0] && !left[1]) {
+            state_.close(bx, by, bz);
+            return false;
+        }
+        for (int i = 0; i < kPair; ++i) {
+            if (!left[i]) std::fill_n(live[i], kBrickY * kBrickZ, std::uint64_t{0});
         }
         return state_.open(bx, by, bz, live);
     }
 
+    /// The candidates of a brick in its `alive` blocks, but for stacks that are found to collide as one. False where
+    /// nothing is left.
+    bool SiftStacks(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* live) {
+        state_.candidates(bx, by, alive, live);
+        const BitTables& bits = context_.tables.bits();
+        const LookupPlan& plan = t_.plan.collision.of_stacks;
+        const bool asks = !plan.batches.empty() && stacks_.asks();
+        if (asks) {
+            BlockTiles<1>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0,
+                          plan.batches.size(), live);
+        }
+        const bool any = std::any_of(live, live + kBrickY, [](std::uint64_t word) { return word != 0; });
+        if (asks) stacks_.learn(any);
+        if (!any) return false;
+        for (int z = 1; z < kBrickZ; ++z) {
+            if (z < state_.layers(bz)) {
+                std::copy_n(live, kBrickY, live + kBrickY * z);
+            } else {
+                std::fill_n(live + kBrickY * z, kBrickY, std::uint64_t{0});
+            }
+        }
+        return true;
+    }
+
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
     /// Returns how many batches all that is left went through.
-    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) {
+    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        if (plan.batches.empty() || !SiftStacks(bx, by, bz, live)) return 0;
+        if (plan.batches.empty()) return 0;
         std::uint64_t before[kBrickY];  // of any layer that has candidates
         std::copy_n(live, kBrickY, before);
         BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0,
@@ -255,26 +283,6 @@ class Pass {
             }
         }
         return std::min(least, plan.batches.size());
-    }
-
-    /// Clears the stacks of a brick that are found to collide as one. False where nothing is left.
-    bool SiftStacks(int bx, int by, int bz, std::uint64_t* live) {
-        const BitTables& bits = context_.tables.bits();
-        const LookupPlan& plan = t_.plan.collision.of_stacks;
-        if (plan.batches.empty() || !stacks_.asks()) return true;
-        std::uint64_t stacks[kBrickY];  // with candidates in any layer
-        std::copy_n(live, kBrickY, stacks);
-        BlockTiles<1>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0, plan.batches.size(),
-                      stacks);
-        std::uint64_t any = 0;
-        for (int i = 0; i < kBrickZ; ++i) {
-            for (int y = 0; y < kBrickY; ++y) {
-                live[kBrickY * i + y] &= stacks[y];
-                any |= stacks[y];
-            }
-        }
-        stacks_.learn(any != 0);
-        return any != 0;
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
@@ -359,16 +367,17 @@ class Pass {
         if (any == 0) return;
         const std::size_t begin = SiftFurther(first_batch, bx, by, z, free);
         alignas(64) std::uint64_t close[kBrickY];
-        alignas(64) std::uint32_t sums[kBrickY][kBrickX];
+        alignas(64) std::uint32_t sums[kBrickY][kBrickX + kLanes];  // sums may begin anywhere in a row
         any = 0;
         for (int y = 0; y < kBrickY; ++y) {
             close[y] = 0;
-            for (int half = 0; half < kBrickX; half += kLanes) {
-                const auto lanes = static_cast<std::uint32_t>(free[y] >> half);
-                if (lanes == 0) continue;
-                const std::uint32_t within = Weigh(kBrickX * bx + half, kBrickY * by + y, z, lanes, limit,
-                                                   sums[y] + half, after[y / kBlock] + half / kBlock);
-                close[y] |= static_cast<std::uint64_t>(within) << half;
+            for (std::uint64_t left = free[y]; left != 0;) {
+                const int from = std::countr_zero(left);
+                const auto lanes = static_cast<std::uint32_t>(left >> from);
+                const std::uint32_t within = Weigh({kBrickX * bx + from, kBrickY * by + y, z}, lanes, limit,
+                                                   sums[y] + from, from, after[y / kBlock]);
+                close[y] |= static_cast<std::uint64_t>(within) << from;
+                left &= ~(static_cast<std::uint64_t>(lanes) << from);
             }
             any |= close[y];
         }
@@ -385,7 +394,7 @@ class Pass {
         const auto loads = static_cast<std::int64_t>(t_.plan.exact.loads.size());
         std::int64_t made = 0;
         for (std::size_t b = begin; b < batches.size(); ++b) {
-            const std::int64_t sums = HalfRows(free);
+            const std::int64_t sums = SumsFor(free);
             if (sums == 0) break;
             if (b >= CollisionPlan::kLeastSift && kLoadsPerLookup * made > sums * loads) return b;
             Block(b, b + 1, bx, by, z, free);
@@ -395,18 +404,18 @@ class Pass {
     }
 
     /// How many sums of kLanes it takes to weigh these positions.
-    static int HalfRows(const std::uint64_t* free) {
+    static int SumsFor(const std::uint64_t* free) {
         int count = 0;
         for (int y = 0; y < kBrickY; ++y) {
-            count += (free[y] & 0xFFFFFFFFu) != 0;
-            count += free[y] >> kLanes != 0;
+            if (free[y] == 0) continue;
+            count += (free[y] >> std::countr_zero(free[y])) >> kLanes != 0 ? 2 : 1;
         }
         return count;
     }
 
     /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that
     /// collide or are not admitted, offers the best of the others.
-    void Decide(std::size_t begin, int bx, int by, int z, const std::uint32_t (*sums)[kBrickX],
+    void Decide(std::size_t begin, int bx, int by, int z, const std::uint32_t (*sums)[kBrickX + kLanes],
                 const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
         std::copy_n(close, kBrickY, left);
@@ -433,18 +442,20 @@ class Pass {
         }
     }
 
-    /// rho of the positions among (x .. x + 31, y, z) that could be free, or where it is above the limit something
-    /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks.
-    std::uint32_t Weigh(int x, int y, int z, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums,
-                        std::uint32_t* bound) {
+    /// rho of the positions among the 32 from q along x that could be free, or where it is above the limit something
+    /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks, the first of which
+    /// are `from` positions before q.
+    std::uint32_t Weigh(const VoxelIndex& q, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums, int from,
+                        std::uint32_t* bounds) {
         SumUp<false>(
-            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(x, y, z); }, StopAbove(limit), lanes,
-            sums);
+            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(q.x, q.y, q.z); }, StopAbove(limit),
+            lanes, sums);
         const std::uint32_t most = LaneLimit(limit);
         const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
         for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
             const int i = std::countr_zero(above);
-            bound[i / kBlock] = std::min(bound[i / kBlock], sums[i]);
+            std::uint32_t& bound = bounds[(from + i) / kBlock];
+            bound = std::min(bound, sums[i]);
         }
         return within;
     }

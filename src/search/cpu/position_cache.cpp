@@ -36,21 +36,14 @@ void PositionState::reset(const Extent& count, const Extent& most) {
     }
 }
 
-void PositionState::candidates(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY],
-                               BrickWords& words) const {
+void PositionState::candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const {
     const int columns = std::min(kBrickX, count_.x - kBrickX * bx);
     const int rows = std::min(kBrickY, count_.y - kBrickY * by);
-    const int layers = std::min(kBrickZ, count_.z - kBrickZ * bz);
     const std::uint64_t row = ~std::uint64_t{0} >> (kBrickX - columns);
-    std::uint64_t tile[kBrickY];
     for (int j = 0; j < kBlocksY; ++j) {
         std::fill_n(tile + TrayTables::kBlock * j, TrayTables::kBlock, row & widened(alive[j]));
     }
     if (rows < kBrickY) std::fill(tile + rows, tile + kBrickY, std::uint64_t{0});
-    for (int z = 0; z < kBrickZ; ++z) {
-        std::copy_n(tile, kBrickY, words + kBrickY * z);
-    }
-    if (layers < kBrickZ) std::fill(words + kBrickY * layers, words + kBrickY * kBrickZ, std::uint64_t{0});
 }
 
 bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair]) {

@@ -9,6 +9,7 @@
 ///   free, for good.
 /// Forgetting any of this costs time, never the answer.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -52,11 +53,15 @@ class PositionState {
     /// costs nothing, and of most others nothing is written but that they are dead.
     bool is_fresh(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kFresh; }
     bool is_dead(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kNothing; }
-    /// All candidates of a brick in its `alive` blocks (bits along x, by row of blocks).
-    void candidates(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY], BrickWords& words) const;
+    /// The candidates of a brick's lowest layer in its `alive` blocks (bits along x, by row of blocks): a tile. Those
+    /// of the others are the same, as far as there are layers.
+    void candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const;
+    int layers(int bz) const { return std::min(kBrickZ, count_.z - kBrickZ * bz); }
     /// Of a fresh pair `words` are live, and the bounds of their blocks are 0. True if there are any. Pairs of
     /// different brick layers may be opened by different threads at once.
     bool open(int bx, int by, int bz, const BrickWords (&words)[kPair]);
+    /// Nothing of a fresh pair is live. Likewise.
+    void close(int bx, int by, int bz) { pair_is_[pair(bx, by, bz)] = kNothing; }
 
     /// All positions but those in one of these boxes are blocked, for good: what is fresh of them dies.
     void leave_only(const std::vector<VoxelBox>& positions);
