@@ -88,6 +88,59 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
     return result;
 }
 
+/// The largest form in one of that form without its lowest `layers`; none where it has no more.
+std::optional<Form> without_lowest(const Form& form, int layers) {
+    const int height = form.size(2) - layers;
+    if (height <= 0) return std::nullopt;
+    const int flat = form.axes & 3;
+    std::optional<Form> largest;
+    const auto consider = [&](const Form& smaller) {
+        if (!largest || smaller.voxels() > largest->voxels()) largest = smaller;
+    };
+    if (flat != 0) consider({flat, form.level});
+    const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
+    for (int level = form.level; level >= least; --level) {
+        if (1 << level <= height) {
+            consider({form.axes, level});
+            break;
+        }
+    }
+    return largest;
+}
+
+/// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
+/// most.
+class StackPieces {
+  public:
+    void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
+        const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
+        for (const Piece& piece : pieces) {
+            const std::optional<Form> form = without_lowest(piece.form, rise);
+            if (!form || form->voxels() < kLeastOfStacks) continue;
+            const VoxelIndex spared{(piece.form.size(0) - form->size(0)) / 2, (piece.form.size(1) - form->size(1)) / 2,
+                                    rise + (piece.form.size(2) - rise - form->size(2)) / 2};
+            all_.push_back({{*form, piece.corner + offset + spared}, layer, first_rank + rank_of(*form)});
+        }
+    }
+
+    std::vector<Lookup> first(const BitTables& bits) const {
+        std::vector<Lookup> lookups;
+        for (const std::uint32_t i :
+             by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
+            if (lookups.size() == kOfStacks) break;
+            lookups.push_back({bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), all_[i].rank});
+        }
+        return lookups;
+    }
+
+  private:
+    struct OfLayer {
+        Piece piece;
+        int layer, rank;
+    };
+    std::vector<OfLayer> all_;
+};
+
 /// Appends a batch of look-ups into tables that know where a spot is, grouped by shift.
 template <class Tables>
 void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
@@ -321,63 +374,6 @@ int overhang(const Shape& shape, int detail) {
     }
     return most;
 }
-
-namespace {
-
-/// The largest form in one of that form without its lowest `layers`; none where it has no more.
-std::optional<Form> without_lowest(const Form& form, int layers) {
-    const int height = form.size(2) - layers;
-    if (height <= 0) return std::nullopt;
-    const int flat = form.axes & 3;
-    std::optional<Form> largest;
-    const auto consider = [&](const Form& smaller) {
-        if (!largest || smaller.voxels() > largest->voxels()) largest = smaller;
-    };
-    if (flat != 0) consider({flat, form.level});
-    const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
-    for (int level = form.level; level >= least; --level) {
-        if (1 << level <= height) {
-            consider({form.axes, level});
-            break;
-        }
-    }
-    return largest;
-}
-
-/// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
-/// most.
-class StackPieces {
-  public:
-    void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
-        const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
-        for (const Piece& piece : pieces) {
-            const std::optional<Form> form = without_lowest(piece.form, rise);
-            if (!form || form->voxels() < kLeastOfStacks) continue;
-            const VoxelIndex spared{(piece.form.size(0) - form->size(0)) / 2, (piece.form.size(1) - form->size(1)) / 2,
-                                    rise + (piece.form.size(2) - rise - form->size(2)) / 2};
-            all_.push_back({{*form, piece.corner + offset + spared}, layer, first_rank + rank_of(*form)});
-        }
-    }
-
-    std::vector<Lookup> first(const BitTables& bits) const {
-        std::vector<Lookup> lookups;
-        for (const std::uint32_t i :
-             by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
-            if (lookups.size() == kOfStacks) break;
-            lookups.push_back({bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), all_[i].rank});
-        }
-        return lookups;
-    }
-
-  private:
-    struct OfLayer {
-        Piece piece;
-        int layer, rank;
-    };
-    std::vector<OfLayer> all_;
-};
-
-}  // namespace
 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
     std::vector<Lookup> lookups;

@@ -90,7 +90,8 @@ struct CollisionPlan {
     /// Into the bit tables: a few pieces of what a candidate fills from each of kTileLayers positions one above the
     /// other. What meets them at the lowest leaves none of the stack.
     LookupPlan of_stacks;
-    /// Batches of the former that every position goes through that is not in the open; the others are for what is left.
+    /// Batches of of_positions that every position goes through that is not in the open; the others are for what is
+    /// left.
     std::size_t sift = 0;
 };
 
