@@ -68,12 +68,12 @@ CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule 
                 }
             }
             Word* to = result.voxels.row(y, z);
-            if (detail == 2) {
+            if (detail == 2) {  // as nearly always: half a word at once
                 for (int x = 0; x < layout.extent.x; x += kWordBits / 2) {
                     const Word bits = bits_at(row, 2 * x - layout.rest.x);
                     const Word next = bits_at(row, 2 * x - layout.rest.x + 1);
-                    const Word pooled = every_second(rule == Rule::some ? bits | next : bits & next);
-                    to[x / kWordBits] |= pooled << (x % kWordBits);
+                    const Word coarse = every_second(rule == Rule::some ? bits | next : bits & next);
+                    to[x / kWordBits] |= coarse << (x % kWordBits);
                 }
                 continue;
             }

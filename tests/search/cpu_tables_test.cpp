@@ -77,6 +77,11 @@ BitGrid drawn(const std::vector<Piece>& pieces, const Extent& extent) {
     return bits;
 }
 
+/// A bit of a row whose next word lies `next` words on.
+bool bit_from(const std::uint64_t* word, std::ptrdiff_t next, int bit) {
+    return word[bit / 64 * next] >> (bit % 64) & 1;
+}
+
 TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
     RandomStream random(2);
     for (int i = 0; i < 24; ++i) {
@@ -150,7 +155,7 @@ TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
                 crowd.tile(block.x / CrowdTables::kTileX, block.y / CrowdTables::kTileY, block.z);
             const std::uint64_t* word = tile + place.offset + block.y % CrowdTables::kTileY;
             const int bit = block.x % CrowdTables::kTileX + place.shift;
-            const bool told = (bit < 64 ? *word >> bit : *(word + crowd.next()) >> (bit - 64)) & 1;
+            const bool told = bit_from(word, crowd.next(), bit);
             ASSERT_EQ(told, all_within_reach);
             ASSERT_TRUE(all || !told);
             ++(told ? crowded : open);
@@ -437,9 +442,8 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
             const std::uint64_t* word = bits.tile(x / 64, y, z);
             const bool meets_any = std::ranges::any_of(plan.groups, [&](const LookupGroup& group) {
                 const int bit = x % 64 + static_cast<int>(group.shift);
-                return std::any_of(
-                    plan.offsets.begin() + group.begin, plan.offsets.begin() + group.end,
-                    [&](std::int32_t offset) { return word[offset + (bit / 64) * bits.next()] >> (bit % 64) & 1; });
+                return std::any_of(plan.offsets.begin() + group.begin, plan.offsets.begin() + group.end,
+                                   [&](std::int32_t offset) { return bit_from(word + offset, bits.next(), bit); });
             });
             if (!meets_any) return;
             for (int i = 0; i < BitTables::kTileLayers && z + i <= last.z; ++i) {

@@ -60,6 +60,16 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
     }
 }
 
+template <class T>
+std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
+    std::vector<T> result;
+    result.reserve(order.size());
+    for (const std::uint32_t i : order) {
+        result.push_back(items[i]);
+    }
+    return result;
+}
+
 /// Indices of `items`: what `level` rates highest comes first (levels 0 .. count - 1); among equals, bunches of
 /// neighbours far apart.
 template <class T, class Level>
@@ -128,7 +138,7 @@ class StackPieces {
         for (const std::uint32_t i :
              by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
             if (lookups.size() == kOfStacks) break;
-            lookups.push_back({bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), all_[i].rank});
+            lookups.push_back({.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner)});
         }
         return lookups;
     }
@@ -226,12 +236,7 @@ const VoxelIndex& corner_of(const Piece& piece) { return piece.corner; }
 /// cover() by z, y, x of the corners.
 std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted) {
     const std::vector<Piece> pieces = cover(solid, std::move(wanted));
-    std::vector<Piece> ordered;
-    ordered.reserve(pieces.size());
-    for (const std::uint32_t i : by_place(pieces, kAsTheyAre, false, corner_of)) {
-        ordered.push_back(pieces[i]);
-    }
-    return ordered;
+    return in_order(pieces, by_place(pieces, kAsTheyAre, false, corner_of));
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
@@ -395,12 +400,8 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
     }
     if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
-    std::vector<Lookup> ordered;
-    ordered.reserve(lookups.size());
-    for (const std::uint32_t i :
-         by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; })) {
-        ordered.push_back(lookups[i]);
-    }
+    const std::vector<Lookup> ordered = in_order(
+        lookups, by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; }));
     const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);

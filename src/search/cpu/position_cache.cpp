@@ -54,8 +54,11 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
             any |= word;
         }
     }
-    pair_is_[pair(bx, by, bz)] = any != 0 ? kOpen : kNothing;
-    if (any == 0) return false;
+    if (any == 0) {
+        close(bx, by, bz);
+        return false;
+    }
+    pair_is_[pair(bx, by, bz)] = kOpen;
     for (int i = 0; i < std::min(kPair, bricks_.x - bx); ++i) {
         std::copy_n(words[i], kBrickY * kBrickZ, live(bx + i, by, bz));
     }

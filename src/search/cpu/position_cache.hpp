@@ -56,6 +56,7 @@ class PositionState {
     /// The candidates of a brick's lowest layer in its `alive` blocks (bits along x, by row of blocks): a tile. Those
     /// of the others are the same, as far as there are layers.
     void candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const;
+    /// Layers of positions in brick layer bz.
     int layers(int bz) const { return std::min(kBrickZ, count_.z - kBrickZ * bz); }
     /// Of a fresh pair `words` are live, and the bounds of their blocks are 0. True if there are any. Pairs of
     /// different brick layers may be opened by different threads at once.
