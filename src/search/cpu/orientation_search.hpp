@@ -1,7 +1,8 @@
 #pragma once
 /// The search over one orientation's positions, brick layer by brick layer: leave out what lies in a crowd (a few
-/// look-ups for many blocks) or in the open (a few values of phi a block), sift (a few look-ups everywhere), bound
-/// (pooled phi on blocks), settle what is left (the remaining look-ups, then the exact rho).
+/// look-ups for many blocks) or in the open (a few values of phi a block), rule out stacks (a few look-ups for four
+/// positions one above the other), sift (a few look-ups everywhere), bound (pooled phi on blocks), settle what is left
+/// (the remaining look-ups, then the exact rho). Docs: algorithm.md, 6.8.
 
 #include <cstdint>
 #include <vector>
