@@ -17,6 +17,7 @@
 
 #include "search/cpu/cells.hpp"
 #include "search/cpu/plan.hpp"
+#include "search/cpu/stretches.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace spectralpack {
@@ -24,19 +25,19 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Bit i: values[i] <= limit. i in [0, 16).
+/// Bit i: values[i] <= limit. i in [0, kStretch).
 HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit) {
 #if HWY_TARGET == HWY_SCALAR
     std::uint32_t bits = 0;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < kStretch; ++i) {
         bits |= static_cast<std::uint32_t>(values[i] <= limit) << i;
     }
     return bits;
 #else
-    const hn::CappedTag<std::uint32_t, 16> d;
+    const hn::CappedTag<std::uint32_t, kStretch> d;
     const auto bound = hn::Set(d, limit);
     std::uint32_t above = 0;
-    for (std::size_t i = 0; i < 16; i += hn::MaxLanes(d)) {
+    for (std::size_t i = 0; i < kStretch; i += hn::MaxLanes(d)) {
         std::uint8_t part[8] = {};
         hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + i), bound), part);
         above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << i;
@@ -153,14 +154,16 @@ HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::
     }
 }
 
-/// sums[i], for i of `lanes`, a set in [0, 32): `least`, what all loads come to at least, and what each load's
-/// table[i + plus] - table[i + minus], modulo what a T holds, is above the load's least, up to kSumLimit; for other i
-/// kSumLimit. Stops after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may
-/// come to less than its least and then counts as that; otherwise none does where the sum is to mean anything, which
-/// takes a step less for each.
+/// Of `lanes`, a set in [0, kLanes), i stands for `low` + i, from kStretch on for `high` + i - kStretch, and sums[i]
+/// becomes `least`, what all loads come to at least, and what each load's difference of two elements, at `plus` and
+/// `minus` from there, modulo what a T holds, is above the load's least, up to kSumLimit; for other i kSumLimit. Stops
+/// after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to less than
+/// its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a step less
+/// for each.
 template <bool kOfEach, class T>
-HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* batches, std::size_t batch_count,
-                         std::uint32_t limit, std::uint32_t lanes, std::uint32_t least, std::uint32_t* sums) {
+HWY_INLINE void SumLanes(const T* low, const T* high, const SumLoad* loads, const SumBatch* batches,
+                         std::size_t batch_count, std::uint32_t limit, std::uint32_t lanes, std::uint32_t least,
+                         std::uint32_t* sums) {
     for (int i = 0; i < kLanes; ++i) {
         sums[i] = lanes >> i & 1 ? least : kSumLimit;
     }
@@ -168,10 +171,9 @@ HWY_INLINE void SumLanes(const T* table, const SumLoad* loads, const SumBatch* b
         std::uint16_t sum[kLanes];
         std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
-            const T* plus = table + loads[i].plus;
-            const T* minus = table + loads[i].minus;
             for (int j = 0; j < kLanes; ++j) {
-                const int run = static_cast<T>(plus[j] - minus[j]);
+                const T* at = j < kStretch ? low + j : high + (j - kStretch);
+                const int run = static_cast<T>(at[loads[i].plus] - at[loads[i].minus]);
                 const int above = kOfEach ? std::max<int>(run, loads[i].least) - loads[i].least : run;
                 sum[j] = static_cast<std::uint16_t>(sum[j] + above);
             }
@@ -267,8 +269,20 @@ struct LaneBits {
     }
 };
 
+/// Vector v of two stretches' elements, one after the other.
+template <class D, class T = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> LoadStretches(D d, const T* low, const T* high, std::size_t v) {
+    constexpr std::size_t kStep = hn::MaxLanes(d);
+    if constexpr (kStep > kStretch) {
+        const hn::Half<D> half;
+        return hn::Combine(d, hn::LoadU(half, high), hn::LoadU(half, low));
+    } else {
+        return hn::LoadU(d, (v * kStep < kStretch ? low : high) + v * kStep % kStretch);
+    }
+}
+
 template <bool kOfEach, class T>
-HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRICT loads,
+HWY_INLINE void SumLanes(const T* HWY_RESTRICT low, const T* HWY_RESTRICT high, const SumLoad* HWY_RESTRICT loads,
                          const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
                          std::uint32_t lanes, std::uint32_t least, std::uint32_t* HWY_RESTRICT sums) {
     // Sums stay below the lanes that they are of: a vector of 32 bits holds every second or fourth of a vector of T, so
@@ -287,7 +301,7 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRIC
 
     const auto most = hn::Set(d32, kSumLimit);
     const auto bound = hn::Set(d32, limit);
-    const auto low = hn::Set(d32, 0xFFFFu);
+    const auto lower_half = hn::Set(d32, 0xFFFFu);
     V32 wide[kVectors * kPer];
     for (std::size_t w = 0; w < kVectors * kPer; ++w) {
         const auto wanted = hn::TestBit(hn::Set(d32, lanes), hn::Load(d32, kBits.bits[w]));
@@ -302,11 +316,11 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRIC
             second[v] = hn::Set(d16, start);
         }
         for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
-            const T* plus = table + loads[i].plus;
-            const T* minus = table + loads[i].minus;
+            const std::ptrdiff_t plus = loads[i].plus, minus = loads[i].minus;
             const auto run_least = hn::Set(dt, static_cast<T>(loads[i].least));
             for (std::size_t v = 0; v < kVectors; ++v) {
-                const auto run = hn::Sub(hn::LoadU(dt, plus + v * kStep), hn::LoadU(dt, minus + v * kStep));
+                const auto run =
+                    hn::Sub(LoadStretches(dt, low + plus, high + plus, v), LoadStretches(dt, low + minus, high + minus, v));
                 const auto above = hn::BitCast(d16, kOfEach ? hn::SaturatedSub(run, run_least) : run);
                 pairs[v] = hn::Add(pairs[v], above);
                 if constexpr (kBytes) second[v] = hn::Add(second[v], hn::ShiftRight<8>(above));
@@ -320,10 +334,10 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT table, const SumLoad* HWY_RESTRIC
         for (std::size_t v = 0; v < kVectors; ++v) {
             const V32 odd = hn::BitCast(d32, second[v]);
             const V32 even = hn::BitCast(d32, kBytes ? hn::Sub(pairs[v], hn::ShiftLeft<8>(second[v])) : pairs[v]);
-            add(kPer * v, hn::And(even, low));
+            add(kPer * v, hn::And(even, lower_half));
             add(kPer * v + kPer / 2, hn::ShiftRight<16>(even));
             if constexpr (kBytes) {
-                add(kPer * v + 1, hn::And(odd, low));
+                add(kPer * v + 1, hn::And(odd, lower_half));
                 add(kPer * v + 3, hn::ShiftRight<16>(odd));
             }
         }

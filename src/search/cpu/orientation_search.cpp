@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 
 #include "search/cpu/block_bits.hpp"
+#include "search/cpu/stretches.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "search/cpu/orientation_search.cpp"
@@ -68,6 +70,8 @@ class Pass {
         std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
+    /// Of a row of a tile; stretches may begin anywhere in it.
+    using RowSums = std::uint32_t[kBrickX + kStretch];
     /// A free position of a tile and its rho.
     struct Found {
         std::uint32_t sum;
@@ -135,21 +139,23 @@ class Pass {
     }
 
     /// What may be asked first and often says nothing, as cells do in a crowd and stacks in the open: where asking was
-    /// in vain, it is not asked as many times again.
+    /// in vain more than `patience` times, it is not asked as many times again.
     class Patience {
       public:
+        explicit Patience(int patience) : patience_(patience) {}
         bool asks() {
             if (skip_ == 0) return true;
             --skip_;
             return false;
         }
         void learn(bool in_vain) {
-            vain_ = in_vain ? std::min(vain_ + 1, kMostSkipped) : 0;
-            skip_ = vain_;
+            vain_ = in_vain ? std::min(vain_ + 1, kMostSkipped) : -patience_;
+            skip_ = std::max(0, vain_);
         }
 
       private:
-        int vain_ = 0, skip_ = 0;
+        int patience_;
+        int vain_ = -patience_, skip_ = 0;
     };
 
     /// Which of a pair's row of blocks are near enough to something that rho could stay within the limit, as far as the
@@ -161,10 +167,15 @@ class Pass {
         return near;
     }
 
+    /// Which of a pair's row of blocks have no bound yet.
+    static std::uint32_t Unknown(const std::uint32_t* bound) {
+        return AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX;
+    }
+
     /// Likewise as far as small cells tell, of blocks that have no bound yet.
     std::uint32_t Close(int bx, int block_y, int bz, std::uint32_t blocks, const std::uint32_t* bound) {
         if (t_.fine_cells.cells.empty() || blocks == 0) return blocks;
-        const std::uint32_t unknown = blocks & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
+        const std::uint32_t unknown = blocks & Unknown(bound);
         if (unknown == 0 || !close_.asks()) return blocks;
         const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown);
         // A sum takes as long however few of its lanes are wanted, so few that are left are no great gain.
@@ -196,8 +207,8 @@ class Pass {
         if (fresh && !Sift(bx, by, bz, room, sifted)) return;
         for (int j = 0; j < kBlocksY; ++j) {
             near[j] = Close(bx, by * kBlocksY + j, bz, near[j], bound[j]);
-            BoundRow(bx, by * kBlocksY + j, bz, near[j], bound[j]);
         }
+        BoundBlocks(bx, by, bz, near, bound);
         for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
             std::uint32_t least = kDead;
             for (int j = 0; j < kBlocksY; ++j) {
@@ -300,28 +311,43 @@ class Pass {
         return LaneLimit(t_.for_copy ? least + least / kBeyond : least);
     }
 
-    /// SumLanes() of a plan, from the element of its table that sums_from(Sums) tells.
-    template <bool kOfEach, class SumsFrom>
-    void SumUp(const SumPlan& plan, const SumsFrom& sums_from, std::uint32_t stop_above, std::uint32_t lanes,
-               std::uint32_t* sums) const {
+    /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). sums_from(Sums,
+    /// stretch) is the element of its table that the plan's offsets count from.
+    template <bool kOfEach, class SumsFrom, class Each>
+    void SumUp(const SumPlan& plan, std::span<const Stretch> stretches, const SumsFrom& sums_from,
+               std::uint32_t stop_above, const Each& each) const {
         context_.tables.visit_sums([&](const auto& tables) {
-            SumLanes<kOfEach>(sums_from(tables), plan.loads.data(), plan.batches.data(), plan.batches.size(),
-                              stop_above, lanes, LaneLimit(plan.least), sums);
+            alignas(64) std::uint32_t sums[kLanes];
+            for (std::size_t i = 0; i < stretches.size(); i += 2) {
+                const bool both = i + 1 < stretches.size();
+                const Stretch& low = stretches[i];
+                const Stretch& high = stretches[both ? i + 1 : i];
+                SumLanes<kOfEach>(sums_from(tables, low), sums_from(tables, high), plan.loads.data(),
+                                  plan.batches.data(), plan.batches.size(), stop_above,
+                                  low.lanes | (both ? high.lanes << kStretch : 0), LaneLimit(plan.least), sums);
+                each(low, sums);
+                if (both) each(high, sums + kStretch);
+            }
         });
     }
 
-    /// Bounds the blocks of a row that are near and have no bound yet.
-    void BoundRow(int bx, int block_y, int bz, std::uint32_t near, std::uint32_t* bound) {
-        const std::uint32_t unknown = near & (AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX);
-        if (unknown == 0) return;
-        alignas(64) std::uint32_t sums[kLanes];
-        const auto from = [&](const auto& tables) {
-            return tables.coarse.base(bx * kBlocksX, kBlock * block_y, kBrickZ * bz);
-        };
-        SumUp<true>(t_.plan.coarse, from, StopAbove(most_), unknown, sums);
-        for (int i = 0; i < kLanes; ++i) {
-            bound[i] = unknown >> i & 1 ? sums[i] : bound[i];
+    /// Bounds the blocks of a pair that are near and have no bound yet.
+    void BoundBlocks(int bx, int by, int bz, const std::uint32_t (&near)[kBlocksY],
+                     std::uint32_t* const (&bound)[kBlocksY]) const {
+        Stretches<kBlocksY * kPair * kBlocksX> unknown;
+        for (int j = 0; j < kBlocksY; ++j) {
+            if (near[j] != 0) unknown.add(j, near[j] & Unknown(bound[j]));
         }
+        const auto from = [&](const auto& tables, const Stretch& blocks) {
+            return tables.coarse.base(bx * kBlocksX + blocks.x, kBlock * (by * kBlocksY + blocks.y), kBrickZ * bz);
+        };
+        SumUp<true>(t_.plan.coarse, unknown.all(), from, StopAbove(most_),
+                    [&](const Stretch& blocks, const std::uint32_t* sums) {
+                        for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {
+                            const int i = std::countr_zero(left);
+                            bound[blocks.y][blocks.x + i] = sums[i];
+                        }
+                    });
     }
 
     /// Decides every position of the brick that could be the answer.
@@ -367,21 +393,8 @@ class Pass {
         if (any == 0) return;
         const std::size_t begin = SiftFurther(first_batch, bx, by, z, free);
         alignas(64) std::uint64_t close[kBrickY];
-        alignas(64) std::uint32_t sums[kBrickY][kBrickX + kLanes];  // sums may begin anywhere in a row
-        any = 0;
-        for (int y = 0; y < kBrickY; ++y) {
-            close[y] = 0;
-            for (std::uint64_t left = free[y]; left != 0;) {
-                const int from = std::countr_zero(left);
-                const auto lanes = static_cast<std::uint32_t>(left >> from);
-                const std::uint32_t within = Weigh({kBrickX * bx + from, kBrickY * by + y, z}, lanes, limit,
-                                                   sums[y] + from, from, after[y / kBlock]);
-                close[y] |= static_cast<std::uint64_t>(within) << from;
-                left &= ~(static_cast<std::uint64_t>(lanes) << from);
-            }
-            any |= close[y];
-        }
-        if (any != 0) Decide(begin, bx, by, z, sums, close, free, after);
+        RowSums sums[kBrickY];
+        if (Weigh(bx, by, z, free, limit, close, sums, after)) Decide(begin, bx, by, z, sums, close, free, after);
         for (int y = 0; y < kBrickY; ++y) {
             live[y] &= free[y] | ~chosen[y / kBlock];
         }
@@ -403,19 +416,18 @@ class Pass {
         return batches.size();
     }
 
-    /// How many sums of kLanes it takes to weigh these positions.
+    /// How many sums of two stretches it takes to weigh these positions.
     static int SumsFor(const std::uint64_t* free) {
-        int count = 0;
+        int stretches = 0;
         for (int y = 0; y < kBrickY; ++y) {
-            if (free[y] == 0) continue;
-            count += (free[y] >> std::countr_zero(free[y])) >> kLanes != 0 ? 2 : 1;
+            for_each_stretch(free[y], [&](int, std::uint32_t) { ++stretches; });
         }
-        return count;
+        return (stretches + 1) / 2;
     }
 
     /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that
     /// collide or are not admitted, offers the best of the others.
-    void Decide(std::size_t begin, int bx, int by, int z, const std::uint32_t (*sums)[kBrickX + kLanes],
+    void Decide(std::size_t begin, int bx, int by, int z, const RowSums* sums,
                 const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
         std::copy_n(close, kBrickY, left);
@@ -442,22 +454,35 @@ class Pass {
         }
     }
 
-    /// rho of the positions among the 32 from q along x that could be free, or where it is above the limit something
-    /// less that is so too. Returns which are not above; lowers the bounds of the others' blocks, the first of which
-    /// are `from` positions before q.
-    std::uint32_t Weigh(const VoxelIndex& q, std::uint32_t lanes, std::int64_t limit, std::uint32_t* sums, int from,
-                        std::uint32_t* bounds) {
-        SumUp<false>(
-            t_.plan.exact, [&](const auto& tables) { return tables.exact.base(q.x, q.y, q.z); }, StopAbove(limit),
-            lanes, sums);
-        const std::uint32_t most = LaneLimit(limit);
-        const std::uint32_t within = lanes & (AtMost(sums, most) | AtMost(sums + 16, most) << 16);
-        for (std::uint32_t above = lanes & ~within; above != 0; above &= above - 1) {
-            const int i = std::countr_zero(above);
-            std::uint32_t& bound = bounds[(from + i) / kBlock];
-            bound = std::min(bound, sums[i]);
+    /// Sums up rho of a tile's `free` positions: `close` become those where it is within the limit, which it is in
+    /// `sums`; bounds of the others' blocks are lowered to theirs, or to something less that is above the limit too.
+    /// True if any are close.
+    bool Weigh(int bx, int by, int z, const std::uint64_t* free, std::int64_t limit, std::uint64_t* close,
+               RowSums* sums, Bounds& bounds) const {
+        Stretches<kBrickY * kBrickX> stretches;
+        for (int y = 0; y < kBrickY; ++y) {
+            close[y] = 0;
+            stretches.add(y, free[y]);
         }
-        return within;
+        const auto from = [&](const auto& tables, const Stretch& row) {
+            return tables.exact.base(kBrickX * bx + row.x, kBrickY * by + row.y, z);
+        };
+        const std::uint32_t most = LaneLimit(limit);
+        bool any = false;
+        SumUp<false>(t_.plan.exact, stretches.all(), from, StopAbove(limit),
+                     [&](const Stretch& row, const std::uint32_t* rho) {
+                         const std::uint32_t within = row.lanes & AtMost(rho, most);
+                         for (std::uint32_t above = row.lanes & ~within; above != 0; above &= above - 1) {
+                             const int i = std::countr_zero(above);
+                             std::uint32_t& bound = bounds[row.y / kBlock][(row.x + i) / kBlock];
+                             bound = std::min(bound, rho[i]);
+                         }
+                         if (within == 0) return;
+                         close[row.y] |= static_cast<std::uint64_t>(within) << row.x;
+                         std::copy_n(rho, kStretch, sums[row.y] + row.x);
+                         any = true;
+                     });
+        return any;
     }
 
     /// False where the position would be the best so far but is not admitted.
@@ -479,7 +504,7 @@ class Pass {
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
     std::int64_t most_ = -1;
-    Patience near_, close_, stacks_;
+    Patience near_{0}, close_{0}, stacks_{4};
 };
 
 void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }

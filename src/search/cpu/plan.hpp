@@ -50,8 +50,6 @@ int overhang(const Shape& shape, int detail);
 
 /// Words of a tile: 64 positions along x (the bits) by 8 along y (the words).
 inline constexpr int kTileRows = 8;
-/// Positions summed at once along x.
-inline constexpr int kLanes = 32;
 /// Sums are kept at most here, "this or more".
 inline constexpr std::uint32_t kSumLimit = 0xFFFE0000u;
 
