@@ -17,6 +17,7 @@ constexpr int kSumRange = 65535;                            // what 16 bits hold
 constexpr std::size_t kLoadsPerBatch = 24;                  // between two looks at the limit
 constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, which share cache lines
 constexpr std::size_t kFirstBatch = 8;                      // look-ups; batches after the sift grow
+constexpr std::size_t kAllThrough = CollisionPlan::kLeastSift * kFirstBatch;  // look-ups that most tiles go through
 constexpr std::size_t kLoadsPerSifted = 8;                  // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kOfStacks = 16;      // look-ups
@@ -98,6 +99,13 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
     return result;
 }
 
+/// Look-ups that share the shift of a bit within its word come one after the other, since a group of them is shifted
+/// once; but those in voxels of dx stay first.
+void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
+    std::ranges::stable_sort(
+        lookups, {}, [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
+}
+
 /// The largest form in one of that form without its lowest `layers`; none where it has no more.
 std::optional<Form> without_lowest(const Form& form, int layers) {
     const int height = form.size(2) - layers;
@@ -138,8 +146,10 @@ class StackPieces {
         for (const std::uint32_t i :
              by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
             if (lookups.size() == kOfStacks) break;
-            lookups.push_back({.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner)});
+            lookups.push_back(
+                {.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), .rank = all_[i].rank});
         }
+        by_shift(lookups, bits);
         return lookups;
     }
 
@@ -400,8 +410,9 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
     }
     if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
-    const std::vector<Lookup> ordered = in_order(
+    std::vector<Lookup> ordered = in_order(
         lookups, by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; }));
+    by_shift(std::span(ordered).first(std::min(ordered.size(), kAllThrough)), tables.bits());
     const std::span<const Lookup> all = ordered;
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
