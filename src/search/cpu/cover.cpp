@@ -50,12 +50,31 @@ void erode(BitGrid& bits, int axis, int by) {
 /// Where the corner of a piece of the form may lie for the piece to lie in the solid.
 struct Fits {
     Form form;
-    BitGrid corners;
+    /// Word w of row (y, z), by z, y, w; those that are 0, as most are, left out.
+    struct Corners {
+        int w, y, z;
+        Word bits;
+    };
+    std::vector<Corners> corners;
 };
+
+std::vector<Fits::Corners> words_with_any(const BitGrid& bits) {
+    const Extent& n = bits.extent();
+    const int words = bits.words_per_row();
+    std::vector<Fits::Corners> result;
+    for (int z = 0; z < n.z; ++z) {
+        const Word* layer = bits.row(0, z);
+        for (int i = 0; i < n.y * words; ++i) {
+            if (layer[i] != 0) result.push_back({i % words, i / words, z, layer[i]});
+        }
+    }
+    return result;
+}
 
 /// All plates and cubes that fit somewhere, the largest first.
 std::vector<Fits> all_fits(const BitGrid& solid) {
     std::vector<Fits> result;
+    BitGrid flat;  // corners of the smallest plates across z
     for (const int axes : {3, 5, 6, 7}) {
         const auto erode_all = [&](BitGrid& corners, int by, int among) {
             for (int axis = 0; axis < 3; ++axis) {
@@ -71,24 +90,15 @@ std::vector<Fits> all_fits(const BitGrid& solid) {
         };
         Form form{axes, BitTables::kFirstPlate};
         if (!fits_in(form)) continue;
-        BitGrid corners;
-        if (axes == 7) {  // a cube holds plates
-            const auto plates = std::ranges::find_if(result, [](const Fits& f) {
-                return f.form == Form{3, BitTables::kFirstPlate};
-            });
-            if (plates == result.end()) continue;
-            corners = plates->corners;
-            for (int by = 1; by < form.size(2); by *= 2) {
-                erode(corners, 2, by);
-            }
-        } else {
-            corners = solid;
-            for (int by = 1; by < 1 << form.level; by *= 2) {
-                erode_all(corners, by, axes);
-            }
+        BitGrid corners = axes == 7 ? std::move(flat) : solid;
+        for (int by = 1; by < 1 << form.level; by *= 2) {
+            erode_all(corners, by, axes == 7 ? 4 : axes);  // a cube holds plates
         }
-        while (!corners.none()) {
-            result.push_back({form, corners});
+        if (axes == 3) flat = corners;
+        while (true) {
+            std::vector<Fits::Corners> any = words_with_any(corners);
+            if (any.empty()) break;
+            result.push_back({form, std::move(any)});
             ++form.level;
             if (form.level > BitTables::kLastPlate || !fits_in(form)) break;
             erode_all(corners, 1 << (form.level - 1), axes);
@@ -134,21 +144,16 @@ void take(const Piece& piece, BitGrid& wanted, std::vector<Piece>& pieces) {
 /// stands out above, in the upper corner.
 void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
     const Form& form = fits.form;
-    const Extent& n = wanted.extent();
     const int words = wanted.words_per_row();
-    const std::vector<Word>& corners = fits.corners.words();
     const VoxelIndex last{form.size(0) - 1, form.size(1) - 1, form.size(2) - 1};
     const VoxelIndex middle{form.size(0) / 2, form.size(1) / 2, form.size(2) / 2};
     for (const VoxelIndex& to : {VoxelIndex{}, last}) {
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            if (corners[i] == 0) continue;  // most are
-            const auto row = static_cast<int>(i) / words;
-            const int w = static_cast<int>(i) % words, y = row % n.y, z = row / n.y;
+        for (const auto& [w, y, z, corners] : fits.corners) {
             const Word* at = wanted.row(y + to.y, z + to.z);
             const Word* inside = wanted.row(y + middle.y, z + middle.z);
             Word behind = ~Word{0};
-            const auto candidates = [&] {
-                return corners[i] & behind & moved_down(at, words, w, to.x) & moved_down(inside, words, w, middle.x);
+            const auto candidates = [&, w = w, corners = corners] {
+                return corners & behind & moved_down(at, words, w, to.x) & moved_down(inside, words, w, middle.x);
             };
             for (Word bits = candidates(); bits != 0; bits = candidates()) {
                 const int x = std::countr_zero(bits);

@@ -106,25 +106,38 @@ void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
         lookups, {}, [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
 }
 
-/// The largest form in one of that form without its lowest `layers`; none where it has no more.
-std::optional<Form> without_lowest(const Form& form, int layers) {
-    const int height = form.size(2) - layers;
-    if (height <= 0) return std::nullopt;
-    const int flat = form.axes & 3;
-    std::optional<Form> largest;
-    const auto consider = [&](const Form& smaller) {
-        if (!largest || smaller.voxels() > largest->voxels()) largest = smaller;
-    };
-    if (flat != 0) consider({flat, form.level});
-    const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
-    for (int level = form.level; level >= least; --level) {
-        if (1 << level <= height) {
-            consider({form.axes, level});
-            break;
+/// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
+class Lowered {
+  public:
+    explicit Lowered(int layers) {
+        for (int axes = 1; axes < 8; ++axes) {
+            for (int level = 0; level <= BitTables::kLevels; ++level) {
+                of(axes, level) = largest({axes, level}, layers);
+            }
         }
     }
-    return largest;
-}
+    const Form& operator()(const Form& form) const { return of(form.axes, form.level); }
+
+  private:
+    static Form largest(const Form& form, int layers) {
+        Form result{1, 0};
+        const int height = form.size(2) - layers;
+        if (height <= 0) return result;
+        const auto consider = [&](const Form& smaller) {
+            if (smaller.voxels() > result.voxels()) result = smaller;
+        };
+        if (const int flat = form.axes & 3; flat != 0) consider({flat, form.level});
+        const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
+        for (int level = least; level <= form.level && 1 << level <= height; ++level) {
+            consider({form.axes, level});
+        }
+        return result;
+    }
+    const Form& of(int axes, int level) const { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
+    Form& of(int axes, int level) { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
+
+    std::array<std::array<Form, BitTables::kLevels + 1>, 8> forms_;
+};
 
 /// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
 /// most.
@@ -132,12 +145,13 @@ class StackPieces {
   public:
     void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
         const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
+        const Lowered lowered(rise);
         for (const Piece& piece : pieces) {
-            const std::optional<Form> form = without_lowest(piece.form, rise);
-            if (!form || form->voxels() < kLeastOfStacks) continue;
-            const VoxelIndex spared{(piece.form.size(0) - form->size(0)) / 2, (piece.form.size(1) - form->size(1)) / 2,
-                                    rise + (piece.form.size(2) - rise - form->size(2)) / 2};
-            all_.push_back({{*form, piece.corner + offset + spared}, layer, first_rank + rank_of(*form)});
+            const Form& form = lowered(piece.form);
+            if (form.voxels() < kLeastOfStacks) continue;
+            const VoxelIndex spared{(piece.form.size(0) - form.size(0)) / 2, (piece.form.size(1) - form.size(1)) / 2,
+                                    rise + (piece.form.size(2) - rise - form.size(2)) / 2};
+            all_.push_back({{form, piece.corner + offset + spared}, layer, first_rank + rank_of(form)});
         }
     }
 
@@ -395,9 +409,12 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
     StackPieces of_stacks;
     const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int first_rank) {
         of_stacks.add(pieces, offset, layer, tables.bits().detail_of(layer), first_rank);
+        lookups.reserve(lookups.size() + pieces.size());
         for (const Piece& piece : pieces) {
-            lookups.push_back({tables.bits().spot(layer, piece.form, piece.corner + offset),
-                               first_rank + rank_of(piece.form), tables.crowd().holds(layer, piece.form)});
+            Lookup& lookup = lookups.emplace_back();  // field by field: what is written bytewise reads slowly as a whole
+            lookup.spot = tables.bits().spot(layer, piece.form, piece.corner + offset);
+            lookup.rank = first_rank + rank_of(piece.form);
+            lookup.of_blocks = tables.crowd().holds(layer, piece.form);
         }
     };
     for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
