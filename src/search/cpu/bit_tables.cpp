@@ -1,7 +1,10 @@
 #include "search/cpu/bit_tables.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
+
+#include "search/cpu/kernels.hpp"
 
 namespace spectralpack {
 namespace {
@@ -97,28 +100,22 @@ void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelB
 void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
                        const VoxelIndex& hi) {
     const int rows = static_cast<int>(column_), layers = grid_.z + 2 * margin_;
+    const auto count = static_cast<std::size_t>(std::max(0, hi.y - lo.y));
+    // What lies beyond the table's end is empty.
+    const auto both = axis != 1 ? count : static_cast<std::size_t>(std::max(0, std::min(hi.y, rows - by) - lo.y));
+    const std::int64_t up = axis == 0   ? 0
+                            : axis == 1 ? by
+                                        : by * static_cast<std::int64_t>(columns_) * column_;
     for (int z = lo.z; z < hi.z; ++z) {
         for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
-            const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_;
+            const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_ + lo.y;
             if (axis == 0 && by > 0) {
-                for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
-                    to[y] = from[y] | moved[y] >> by | moved[y + column_] << (64 - by);
-                }
-            } else if (axis == 1) {
-                const int both = std::min(hi.y, rows - by);
-                for (std::int64_t y = at + lo.y; y < at + both; ++y) {
-                    to[y] = from[y] | moved[y + by];
-                }
-                for (std::int64_t y = at + std::max(lo.y, both); y < at + hi.y; ++y) {
-                    to[y] = from[y];
-                }
-            } else {
-                const bool both = axis == 0 || z + by < layers;
-                const std::int64_t up = axis == 0 ? 0 : by * static_cast<std::int64_t>(columns_) * column_;
-                for (std::int64_t y = at + lo.y; y < at + hi.y; ++y) {
-                    to[y] = both ? from[y] | moved[y + up] : from[y];
-                }
+                or_moved_down(to + at, from + at, moved + at, moved + at + column_, by, count);
+                continue;
             }
+            const std::size_t reached = axis == 2 && z + by >= layers ? 0 : both;
+            or_rows(to + at, from + at, moved + at + (reached > 0 ? up : 0), reached);
+            std::copy(from + at + reached, from + at + count, to + at + reached);
         }
     }
 }

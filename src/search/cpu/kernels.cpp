@@ -46,6 +46,19 @@ void AndRows(std::uint64_t* HWY_RESTRICT out, const std::uint64_t* HWY_RESTRICT 
     }
 }
 
+void OrRows(std::uint64_t* HWY_RESTRICT out, const std::uint64_t* a, const std::uint64_t* b, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = a[i] | b[i];
+    }
+}
+
+void OrMovedDown(std::uint64_t* HWY_RESTRICT out, const std::uint64_t* a, const std::uint64_t* low,
+                 const std::uint64_t* high, int by, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = a[i] | low[i] >> by | high[i] << (64 - by);
+    }
+}
+
 std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
     std::uint16_t most = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -269,6 +282,8 @@ HWY_EXPORT(DealLeastOfFour);
 HWY_EXPORT(PrefixSums);
 HWY_EXPORT(PrefixSumsDealt);
 HWY_EXPORT(AndRows);
+HWY_EXPORT(OrRows);
+HWY_EXPORT(OrMovedDown);
 HWY_EXPORT(MaxOfRow);
 
 bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
@@ -329,6 +344,15 @@ void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_
 
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(AndRows)(out, from, count);
+}
+
+void or_rows(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* b, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(OrRows)(out, a, b, count);
+}
+
+void or_moved_down(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* low, const std::uint64_t* high,
+                   int by, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(OrMovedDown)(out, a, low, high, by, count);
 }
 
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count) {

@@ -50,6 +50,13 @@ void prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t 
 /// out[i] &= from[i].
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);
 
+/// out[i] = a[i] | b[i]; out is neither.
+void or_rows(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* b, std::size_t count);
+
+/// out[i] = a[i] | what lies `by` bits above the lowest of the pair low[i], high[i]; 0 < by < 64. out is none of them.
+void or_moved_down(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* low, const std::uint64_t* high,
+                   int by, std::size_t count);
+
 /// Greatest of row[0..count), 0 for none.
 std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count);
 
