@@ -14,6 +14,7 @@
 #include "search/cpu/incumbent.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/runs.hpp"
+#include "search/cpu/stretches.hpp"
 #include "search/cpu/tray_tables.hpp"
 
 namespace spectralpack::test {
@@ -453,6 +454,38 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         });
     }
     EXPECT_GT(ruled_out, 50'000);
+}
+
+TEST(Stretches, HoldEachBitOnceAndBeginWithOne) {
+    RandomStream random(7);
+    std::size_t fullest = 0;
+    for (int i = 0; i < 500; ++i) {
+        std::uint64_t rows[2] = {};
+        Stretches<128> stretches;
+        const int often = between(random, 1, 12);
+        for (int y = 0; y < 2; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                rows[y] |= static_cast<std::uint64_t>(between(random, 0, often) == 0) << x;
+            }
+            stretches.add(y, rows[y]);
+        }
+        std::uint64_t held[2] = {};
+        for (const Stretch& stretch : stretches.all()) {
+            EXPECT_EQ(stretch.lanes & 1, 1u);
+            EXPECT_LT(stretch.lanes, 1u << kStretch);
+            const std::uint64_t bits = static_cast<std::uint64_t>(stretch.lanes) << stretch.x;
+            EXPECT_EQ(held[stretch.y] & bits, 0u);
+            held[stretch.y] |= bits;
+        }
+        EXPECT_EQ(held[0], rows[0]);
+        EXPECT_EQ(held[1], rows[1]);
+        fullest = std::max(fullest, stretches.all().size());
+    }
+    Stretches<128> full;
+    full.add(0, ~std::uint64_t{0});
+    full.add(1, ~std::uint64_t{0});
+    EXPECT_EQ(full.all().size(), 8u);
+    EXPECT_GT(fullest, 4u);
 }
 
 TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
