@@ -103,9 +103,7 @@ void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, 
     const auto count = static_cast<std::size_t>(std::max(0, hi.y - lo.y));
     // What lies beyond the table's end is empty.
     const auto both = axis != 1 ? count : static_cast<std::size_t>(std::max(0, std::min(hi.y, rows - by) - lo.y));
-    const std::int64_t up = axis == 0   ? 0
-                            : axis == 1 ? by
-                                        : by * static_cast<std::int64_t>(columns_) * column_;
+    const std::int64_t up = axis == 0 ? 0 : axis == 1 ? by : by * static_cast<std::int64_t>(columns_) * column_;
     for (int z = lo.z; z < hi.z; ++z) {
         for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
             const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_ + lo.y;

@@ -270,7 +270,7 @@ struct LaneBits {
 };
 
 /// Vector v of two stretches' elements, one after the other.
-template <class D, class T = hn::TFromD<D>>
+template <class D, class T = hn::TFromD<D> >
 HWY_INLINE hn::Vec<D> LoadStretches(D d, const T* low, const T* high, std::size_t v) {
     constexpr std::size_t kStep = hn::MaxLanes(d);
     if constexpr (kStep > kStretch) {
@@ -319,8 +319,8 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT low, const T* HWY_RESTRICT high, 
             const std::ptrdiff_t plus = loads[i].plus, minus = loads[i].minus;
             const auto run_least = hn::Set(dt, static_cast<T>(loads[i].least));
             for (std::size_t v = 0; v < kVectors; ++v) {
-                const auto run =
-                    hn::Sub(LoadStretches(dt, low + plus, high + plus, v), LoadStretches(dt, low + minus, high + minus, v));
+                const auto run = hn::Sub(LoadStretches(dt, low + plus, high + plus, v),
+                                         LoadStretches(dt, low + minus, high + minus, v));
                 const auto above = hn::BitCast(d16, kOfEach ? hn::SaturatedSub(run, run_least) : run);
                 pairs[v] = hn::Add(pairs[v], above);
                 if constexpr (kBytes) second[v] = hn::Add(second[v], hn::ShiftRight<8>(above));

@@ -427,8 +427,8 @@ class Pass {
 
     /// The remaining look-ups for the `close` positions, whose rho is within the limit: clears in `free` those that
     /// collide or are not admitted, offers the best of the others.
-    void Decide(std::size_t begin, int bx, int by, int z, const RowSums* sums,
-                const std::uint64_t* close, std::uint64_t* free, Bounds& after) {
+    void Decide(std::size_t begin, int bx, int by, int z, const RowSums* sums, const std::uint64_t* close,
+                std::uint64_t* free, Bounds& after) {
         alignas(64) std::uint64_t left[kBrickY];
         std::copy_n(close, kBrickY, left);
         Block(begin, t_.plan.collision.of_positions.batches.size(), bx, by, z, left);

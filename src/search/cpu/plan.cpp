@@ -13,12 +13,12 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kSumRange = 65535;                            // what 16 bits hold
-constexpr std::size_t kLoadsPerBatch = 24;                  // between two looks at the limit
-constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, which share cache lines
-constexpr std::size_t kFirstBatch = 8;                      // look-ups; batches after the sift grow
+constexpr int kSumRange = 65535;                                              // what 16 bits hold
+constexpr std::size_t kLoadsPerBatch = 24;                                    // between two looks at the limit
+constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;                    // of neighbours, which share cache lines
+constexpr std::size_t kFirstBatch = 8;                                        // look-ups; batches after the sift grow
 constexpr std::size_t kAllThrough = CollisionPlan::kLeastSift * kFirstBatch;  // look-ups that most tiles go through
-constexpr std::size_t kLoadsPerSifted = 8;                  // of the sum that comes next, for each look-up of the sift
+constexpr std::size_t kLoadsPerSifted = 8;  // of the sum that comes next, for each look-up of the sift
 constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kOfStacks = 16;      // look-ups
 constexpr int kLeastOfStacks = 4;          // voxels of a piece
@@ -102,8 +102,8 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
 /// Look-ups that share the shift of a bit within its word come one after the other, since a group of them is shifted
 /// once; but those in voxels of dx stay first.
 void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
-    std::ranges::stable_sort(
-        lookups, {}, [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
+    std::ranges::stable_sort(lookups, {},
+                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
 }
 
 /// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
@@ -133,7 +133,9 @@ class Lowered {
         }
         return result;
     }
-    const Form& of(int axes, int level) const { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
+    const Form& of(int axes, int level) const {
+        return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)];
+    }
     Form& of(int axes, int level) { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
 
     std::array<std::array<Form, BitTables::kLevels + 1>, 8> forms_;
@@ -411,7 +413,8 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         of_stacks.add(pieces, offset, layer, tables.bits().detail_of(layer), first_rank);
         lookups.reserve(lookups.size() + pieces.size());
         for (const Piece& piece : pieces) {
-            Lookup& lookup = lookups.emplace_back();  // field by field: what is written bytewise reads slowly as a whole
+            Lookup& lookup =
+                lookups.emplace_back();  // field by field: what is written bytewise reads slowly as a whole
             lookup.spot = tables.bits().spot(layer, piece.form, piece.corner + offset);
             lookup.rank = first_rank + rank_of(piece.form);
             lookup.of_blocks = tables.crowd().holds(layer, piece.form);
