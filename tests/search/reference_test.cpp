@@ -40,9 +40,9 @@ TEST(NextSmooth, IsTheLeastSmoothLengthThatIsLongEnough) {
     }));
 }
 
-TEST(TransformExtent, IsSmoothAndLeastWithRowsOfEvenLength) {
-    EXPECT_EQ(transform_extent({240, 123, 100}, {}), (Extent{240, 125, 100}));
-    EXPECT_EQ(transform_extent({240, 123, 100}, {1, 1, 1}), (Extent{250, 125, 105}));
+TEST(TransformExtent, IsSmoothWithEvenRowsAndMultiplesOfFourAcross) {
+    EXPECT_EQ(transform_extent({240, 123, 100}, {}), (Extent{240, 128, 100}));
+    EXPECT_EQ(transform_extent({240, 123, 100}, {1, 1, 1}), (Extent{250, 128, 108}));
     EXPECT_EQ(transform_extent({1, 1, 1}, {}), (Extent{2, 1, 1}));
 }
 

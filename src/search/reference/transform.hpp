@@ -13,6 +13,9 @@ namespace spectralpack {
 /// and correlation_error_bound() holds for them.
 int next_smooth(int least);
 
+/// Likewise for an axis other than x: from 16 on a multiple of 4, since 128 takes two thirds of the time of 125.
+int next_fast(int least);
+
 /// Extent of a transform of `tray` with at least `more` empty cells beyond it along each axis; even along x, because
 /// transforms of real values take half as long again where rows are odd.
 Extent transform_extent(const Extent& tray, const VoxelIndex& more);
