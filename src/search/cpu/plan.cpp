@@ -413,8 +413,8 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         of_stacks.add(pieces, offset, layer, tables.bits().detail_of(layer), first_rank);
         lookups.reserve(lookups.size() + pieces.size());
         for (const Piece& piece : pieces) {
-            Lookup& lookup =
-                lookups.emplace_back();  // field by field: what is written bytewise reads slowly as a whole
+            // Field by field: a whole one that was just put together out of smaller parts is slow to copy.
+            Lookup& lookup = lookups.emplace_back();
             lookup.spot = tables.bits().spot(layer, piece.form, piece.corner + offset);
             lookup.rank = first_rank + rank_of(piece.form);
             lookup.of_blocks = tables.crowd().holds(layer, piece.form);

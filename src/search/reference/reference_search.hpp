@@ -23,7 +23,7 @@ struct ReferenceOptions {
 
 /// Per orientation one forward and two inverse transforms; one more forward for each distinct A+g,
 /// g > 0, that some object asks for. A transform has the tray's extent plus the overhang of A+g, so
-/// that nothing wraps onto the tray, rounded up to a 7-smooth length per axis. Exact: zeta and rho
+/// that nothing wraps onto the tray, rounded up to transform_extent(). Exact: zeta and rho
 /// are rounded to integers. Throws ResourceError for trays so large that double precision cannot
 /// tell them apart (correlation_error_bound() reaches 0.5), and where there is no memory. Results
 /// do not depend on the number of workers or lanes. What is kept of a tray is for the last one
