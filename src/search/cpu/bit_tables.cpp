@@ -112,7 +112,7 @@ void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, 
                 continue;
             }
             const std::size_t reached = axis == 2 && z + by >= layers ? 0 : both;
-            or_rows(to + at, from + at, moved + at + (reached > 0 ? up : 0), reached);
+            if (reached > 0) or_rows(to + at, from + at, moved + at + up, reached);
             std::copy(from + at + reached, from + at + count, to + at + reached);
         }
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "search/cpu/kernels.hpp"
+
 namespace spectralpack {
 
 VoxelBox DilatedRows::read_for(const VoxelBox& changed, const Extent& extent) {
@@ -25,14 +27,13 @@ void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const Vox
             words[w * stride + y] = word(w) << kShift | word(w - 1) >> (64 - kShift);
         }
     }
+    const auto rows = static_cast<std::size_t>(std::max(0, changed.hi.y - changed.lo.y));
     for (int level = 1; level < kLevels; ++level) {
         const int by = 1 << (level - 1);
         for (int w = first; w <= last; ++w) {
-            const Word* half = words + (level - 1) * table + w * stride;
-            Word* whole = words + level * table + w * stride;
-            for (int y = changed.lo.y; y < changed.hi.y; ++y) {
-                whole[y] = half[y] | half[y] >> by | half[y + stride] << (64 - by);
-            }
+            const Word* half = words + (level - 1) * table + w * stride + changed.lo.y;
+            Word* whole = words + level * table + w * stride + changed.lo.y;
+            or_moved_down(whole, half, half, half + stride, by, rows);
         }
     }
 }

@@ -19,13 +19,14 @@ namespace spectralpack {
 namespace HWY_NAMESPACE {
 
 constexpr int kBlock = TrayTables::kBlock;
-// Bricks are looked at in pairs, whose blocks fill the lanes of one sum.
-static_assert(kPair * kBlocksX == kLanes);
+// Bricks are looked at in pairs, whose blocks are what cells are asked for at once; a brick's are a stretch.
+static_assert(kPair * kBlocksX == kLanes && kBlocksX == kStretch);
 static_assert(kBrickZ <= BitTables::kTileLayers);
 // A tile of the crowd tables is that many bricks.
 constexpr int kCrowdBricksX = CrowdTables::kTileX / kBlocksX, kCrowdBricksY = CrowdTables::kTileY / kBlocksY;
 static_assert(kBrickZ == CrowdTables::kBlock && kBlock == CrowdTables::kBlock && kCrowdBricksX % kPair == 0);
 constexpr int kMostSkipped = 24;             // rows between two questions in vain
+constexpr int kPatienceWithStacks = 4;       // questions in vain that are asked all the same
 constexpr std::int64_t kLoadsPerLookup = 8;  // of what is left, until it is weighed
 constexpr int kBeyond = 5;                   // sums for copies go a fifth beyond the limit
 
@@ -142,7 +143,7 @@ class Pass {
     /// in vain more than `patience` times, it is not asked as many times again.
     class Patience {
       public:
-        explicit Patience(int patience) : patience_(patience) {}
+        explicit Patience(int patience = 0) : patience_(patience) {}
         bool asks() {
             if (skip_ == 0) return true;
             --skip_;
@@ -167,10 +168,12 @@ class Pass {
         return near;
     }
 
-    /// Which of a pair's row of blocks have no bound yet.
-    static std::uint32_t Unknown(const std::uint32_t* bound) {
-        return AtMost(bound, 0) | AtMost(bound + kBlocksX, 0) << kBlocksX;
+    /// Which of a pair's row of blocks have a bound that is not above the limit.
+    static std::uint32_t PairAtMost(const std::uint32_t* bound, std::uint32_t limit) {
+        return AtMost(bound, limit) | AtMost(bound + kBlocksX, limit) << kBlocksX;
     }
+    /// Which have none yet.
+    static std::uint32_t Unknown(const std::uint32_t* bound) { return PairAtMost(bound, 0); }
 
     /// Likewise as far as small cells tell, of blocks that have no bound yet.
     std::uint32_t Close(int bx, int block_y, int bz, std::uint32_t blocks, const std::uint32_t* bound) {
@@ -198,7 +201,7 @@ class Pass {
         for (int j = 0; j < kBlocksY; ++j) {
             bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
             room[j] = fresh ? Room(bx, by, j) : 0;
-            near[j] = fresh ? room[j] : AtMost(bound[j], limit) | AtMost(bound[j] + kBlocksX, limit) << kBlocksX;
+            near[j] = fresh ? room[j] : PairAtMost(bound[j], limit);
             if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j]);
             any |= near[j];
         }
@@ -504,7 +507,7 @@ class Pass {
     std::uint64_t limits_generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
     std::int64_t most_ = -1;
-    Patience near_{0}, close_{0}, stacks_{4};
+    Patience near_, close_, stacks_{kPatienceWithStacks};
 };
 
 void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }

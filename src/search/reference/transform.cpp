@@ -65,11 +65,10 @@ int next_smooth(int least) {
     }
 }
 
-/// Of few cells a multiple of 4 would make much more.
-int next_fast(int least) { return least < 16 ? next_smooth(least) : 4 * next_smooth((least + 3) / 4); }
-
 Extent transform_extent(const Extent& tray, const VoxelIndex& more) {
-    return {2 * next_smooth((tray.x + more.x + 1) / 2), next_fast(tray.y + more.y), next_fast(tray.z + more.z)};
+    // Of few cells a multiple of 4 would make much more.
+    const auto across = [](int least) { return least < 16 ? next_smooth(least) : 4 * next_smooth((least + 3) / 4); };
+    return {2 * next_smooth((tray.x + more.x + 1) / 2), across(tray.y + more.y), across(tray.z + more.z)};
 }
 
 template <class Real>

@@ -13,11 +13,9 @@ namespace spectralpack {
 /// and correlation_error_bound() holds for them.
 int next_smooth(int least);
 
-/// Likewise for an axis other than x: from 16 on a multiple of 4, since 128 takes two thirds of the time of 125.
-int next_fast(int least);
-
-/// Extent of a transform of `tray` with at least `more` empty cells beyond it along each axis; even along x, because
-/// transforms of real values take half as long again where rows are odd.
+/// Extent of a transform of `tray` with at least `more` empty cells beyond it along each axis: smooth lengths; even
+/// along x, because transforms of real values take half as long again where rows are odd; from 16 on multiples of 4
+/// along y and z, where 128 takes two thirds of the time of 125.
 Extent transform_extent(const Extent& tray, const VoxelIndex& more);
 
 /// Room for one transform of a grid: either its values (x fastest, each row padded to 2 (nx/2 + 1)
