@@ -15,7 +15,8 @@ inline constexpr int kStretch = 16;
 /// What is summed up at once: two stretches.
 inline constexpr int kLanes = 2 * kStretch;
 
-/// `lanes`, a set in [0, kStretch), of the neighbours from x on in row y.
+/// `lanes`, a set in [0, kStretch), of the neighbours from x on in row y, both counted from the corner of the tile or
+/// pair of bricks that is looked at.
 struct Stretch {
     int x, y;
     std::uint32_t lanes;
