@@ -31,7 +31,7 @@ constexpr bool kHasReference = false;
 #endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
-/// dilated in 28 ways for each part of each gap class, each class as a whole and the walls, and twice more for each
+/// dilated in all forms for each part of each gap class, each class as a whole and the walls, and twice more for each
 /// part on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows
 /// dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
@@ -39,8 +39,9 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
         return checked_product(
             {need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin, need.tray.z + 1 + 2 * margin});
     };
-    const int layers = need.gap_classes * (part_count(need.detail) + (need.detail > 1 ? 1 : 0)) + 1;
-    const int bits = BitTables::kTables * layers + 2 * part_count(need.detail);
+    const int fine = need.gap_classes * part_count(need.detail) * BitTables::forms_for(need.detail).count();
+    const int coarse = ((need.detail > 1 ? need.gap_classes : 0) + 1) * BitTables::kForms.count();
+    const int bits = fine + coarse + 2 * part_count(need.detail);
     const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
     const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
     return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;

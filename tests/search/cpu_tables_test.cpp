@@ -51,12 +51,10 @@ TEST(Runs, CoverEachVoxelOnceAndAreMaximal) {
     }
 }
 
-/// A run, a plate or a cube that the tables know.
-Form random_form(RandomStream& random) {
-    const int axes = between(random, 1, 7);
+Form random_form(RandomStream& random, const Forms& forms) {
+    const int axes = between(random, 1, forms.cubes ? 7 : 6);
     const bool run = axes == 1 || axes == 2 || axes == 4;
-    return {axes, run ? between(random, 0, BitTables::kLevels)
-                      : between(random, BitTables::kFirstPlate, BitTables::kLastPlate)};
+    return {axes, run ? between(random, 0, forms.run_levels) : between(random, Forms::kFirstPlate, forms.last_plate)};
 }
 
 template <class Visit>
@@ -98,7 +96,7 @@ TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
         }
         tables.refresh(1, parts, whole(n));
         for (int question = 0; question < 1000; ++question) {
-            const Form form = random_form(random);
+            const Form form = random_form(random, BitTables::forms_for(s));
             VoxelIndex at;
             for (int a = 0; a < 3; ++a) {
                 at[a] = between(random, -s * margin, s * (n[a] + margin) - 1);
@@ -129,7 +127,7 @@ TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
         CrowdTables crowd(bits);
         crowd.refresh(bits, 0, whole(n), one);
         for (int question = 0; question < 1000; ++question) {
-            const Form form = random_form(random);
+            const Form form = random_form(random, BitTables::kForms);
             if (!crowd.holds(0, form)) continue;
             // A piece at displacement d, of a block of positions that begins at 4 B.
             VoxelIndex block, d;
@@ -211,7 +209,18 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
         if (one_in(random, 2)) {
             subtract(wanted, random_solid(random, random_extent(random, {1, 1, 1}, {60, 30, 30})), {3, 2, 1});
         }
-        const std::vector<Piece> pieces = cover(solid, wanted);
+        const Forms& forms = BitTables::forms_for(between(random, 1, 2));
+        const std::vector<Piece> pieces = cover(solid, wanted, forms);
+        std::vector<Form> known;
+        forms.for_each([&](const Form& form) {
+            EXPECT_EQ(forms.index(form), std::ssize(known));
+            known.push_back(form);
+        });
+        EXPECT_EQ(forms.count(), std::ssize(known));
+        for (const Piece& piece : pieces) {
+            const Form form{piece.form.level == 0 ? 1 : piece.form.axes, piece.form.level};
+            EXPECT_TRUE(std::ranges::find(known, form) != known.end());
+        }
         const BitGrid covered = drawn(pieces, solid.extent());
         BitGrid beyond = covered;
         subtract(beyond, solid, {});
@@ -226,7 +235,7 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
 TEST(Cover, TakesACubeAtOnce) {
     BitGrid solid({16, 16, 16});
     solid.fill(true);
-    EXPECT_EQ(cover(solid, solid).size(), 1u);
+    EXPECT_EQ(cover(solid, solid, BitTables::kForms).size(), 1u);
 }
 
 /// What cells say, whatever their order.

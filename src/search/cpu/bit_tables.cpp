@@ -27,11 +27,10 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
       detail_(detail),
       fine_layers_(fine_layers),
       coarse_layers_(coarse_layers),
-      groups_(fine_layers * part_count(detail) + coarse_layers),
       columns_((grid.x + 2 * margin + 63) / 64 + 1),
       column_(grid.y + 2 * margin),
       table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
-    const std::int64_t words = checked_product({table_, groups_, kTables}) + (kTileLayers - 1) * up() + column_ + 64;
+    const std::int64_t words = checked_product({table_, tables()}) + (kTileLayers - 1) * up() + column_ + 64;
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
@@ -39,17 +38,17 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
     spare_.assign(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_), 0);
 }
 
-int BitTables::table_index(const Form& form) {
+int Forms::index(const Form& form) const {
     if (form.level == 0) return 0;
     switch (form.axes) {
         case 1:
         case 2:
         case 4:
-            return 1 + form.axes / 2 * kLevels + form.level - 1;
+            return 1 + form.axes / 2 * run_levels + form.level - 1;
         case 3:
-            return 1 + 3 * kLevels + form.level - kFirstPlate;
+            return 1 + 3 * run_levels + form.level - kFirstPlate;
         default:
-            return 1 + 3 * kLevels + (form.axes - 4) * kPlates + form.level - kFirstPlate;
+            return 1 + 3 * run_levels + (form.axes - 4) * plates() + form.level - kFirstPlate;
     }
 }
 
@@ -138,7 +137,7 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
     const int half = 1 << (form.level - 1);
     Form from = form;
     std::vector<Step> steps;
-    if (form.level > kFirstPlate || std::has_single_bit(static_cast<unsigned>(form.axes))) {
+    if (form.level > Forms::kFirstPlate || std::has_single_bit(static_cast<unsigned>(form.axes))) {
         --from.level;
         for (int axis = 0; axis < 3; ++axis) {
             if (form.axes >> axis & 1) steps.push_back({axis, half});
@@ -179,7 +178,7 @@ void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, con
     for (int part = 0; part < part_count(detail_of(layer)); ++part) {
         refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
     }
-    for_each_form([&](const Form& form) {
+    forms_for(detail_of(layer)).for_each([&](const Form& form) {
         if (form.level > 0) refresh_form(layer, form, box);
     });
 }

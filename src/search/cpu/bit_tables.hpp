@@ -11,6 +11,7 @@
 /// words are a tile of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight
 /// words elsewhere, shifted.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,12 +30,42 @@ struct Form {
     bool operator==(const Form&) const = default;
 };
 
+/// The forms that something is looked up in: runs of 2^level voxels, level <= run_levels; square plates with sides of
+/// 2^level, kFirstPlate <= level <= last_plate; cubes, where there are any, likewise.
+struct Forms {
+    static constexpr int kFirstPlate = 2;
+
+    int run_levels = 0, last_plate = 0;
+    bool cubes = false;
+
+    constexpr int plates() const { return last_plate - kFirstPlate + 1; }
+    constexpr int count() const { return 1 + 3 * run_levels + (cubes ? 4 : 3) * plates(); }
+    /// 0 .. count() - 1; of one of them.
+    int index(const Form& form) const;
+    /// Calls visit(form) for all of them, each after those that its table is made from.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        visit(Form{1, 0});
+        for (const int axes : {1, 2, 4}) {
+            for (int level = 1; level <= run_levels; ++level) {
+                visit(Form{axes, level});
+            }
+        }
+        for (const int axes : {3, 5, 6, 7}) {
+            if (axes == 7 && !cubes) continue;
+            for (int level = kFirstPlate; level <= last_plate; ++level) {
+                visit(Form{axes, level});
+            }
+        }
+    }
+};
+
 class BitTables {
   public:
-    static constexpr int kLevels = 5;                      ///< of runs: at most 2^kLevels voxels
-    static constexpr int kFirstPlate = 2, kLastPlate = 4;  ///< levels of plates and cubes
-    static constexpr int kPlates = kLastPlate - kFirstPlate + 1;
-    static constexpr int kTables = 1 + 3 * kLevels + 4 * kPlates;
+    /// Of layers in voxels of dx, and of layers in finer ones: what is asked of those is mostly thin skins, in which
+    /// large forms are rare, and they have s^3 times as many tables.
+    static constexpr Forms kForms{.run_levels = 4, .last_plate = 4, .cubes = true};
+    static constexpr Forms kFineForms{.run_levels = 3, .last_plate = 3, .cubes = false};
 
     BitTables() = default;
     /// Throws ResourceError when an offset would not fit 31 bits. All empty.
@@ -53,6 +84,8 @@ class BitTables {
     int layers() const { return fine_layers_ + coarse_layers_; }
     /// Voxels of a layer to one of dx, along an axis.
     int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
+    /// That a layer has tables of, if its voxels are `detail` to one of dx.
+    static constexpr const Forms& forms_for(int detail) { return detail > 1 ? kFineForms : kForms; }
     std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
 
     /// Words to the neighbouring tile along x.
@@ -76,13 +109,18 @@ class BitTables {
         int table = 0;
         VoxelIndex at;
     };
-    /// Where a piece of that form (runs of up to 2^kLevels, plates and cubes of kFirstPlate .. kLastPlate) with its
-    /// corner at displacement d lies from a tile; d in the layer's own voxels, not before the margin on any axis.
+    /// Where a piece of that form, one of forms_for(detail_of(layer)), with its corner at displacement d lies from a
+    /// tile; d in the layer's own voxels, not before the margin on any axis.
     Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
     Place place(const Spot& spot) const;
     Spot spot(int layer, const Form& form, const VoxelIndex& d) const;
 
-    int tables() const { return groups_ * kTables; }
+    int tables() const { return first_table(layers()); }
+    /// Of a layer: those of all its parts one after the other, before those of the next layer.
+    int first_table(int layer) const {
+        const int fine = std::min(layer, fine_layers_) * part_count(detail_) * forms_for(detail_).count();
+        return fine + std::max(0, layer - fine_layers_) * kForms.count();
+    }
     /// Of each table, margin included.
     Extent voxels() const { return {grid_.x + 2 * margin_, grid_.y + 2 * margin_, grid_.z + 2 * margin_}; }
     /// Word w of the rows of a layer of voxels, which lie one after the other.
@@ -95,7 +133,7 @@ class BitTables {
     void for_each_table(int layer, const VoxelBox& changed, const Visit& visit) const {
         const VoxelBox box = in_tables(changed);
         if (box.empty()) return;
-        for_each_form([&](const Form& form) {
+        forms_for(detail_of(layer)).for_each([&](const Form& form) {
             for (int part = 0; part < part_count(detail_of(layer)); ++part) {
                 visit(table_number(layer, part, form), form, reach(layer, form, box));
             }
@@ -112,29 +150,12 @@ class BitTables {
         Word* of(int part) const { return first + part * stride; }
     };
 
-    static int table_index(const Form& form);
     int table_number(int layer, int part, const Form& form) const {
-        const int group = layer < fine_layers_ ? layer * part_count(detail_) + part
-                                               : fine_layers_ * (part_count(detail_) - 1) + layer;
-        return group * kTables + table_index(form);
+        const Forms& forms = forms_for(detail_of(layer));
+        return first_table(layer) + part * forms.count() + forms.index(form);
     }
     Tables tables(int layer, const Form& form) {
-        return {words_.data() + table_number(layer, 0, form) * table_, kTables * table_};
-    }
-    /// Every form that has a table, after those that its table is made from.
-    template <class Visit>
-    static void for_each_form(const Visit& visit) {
-        visit(Form{1, 0});
-        for (const int axes : {1, 2, 4}) {
-            for (int level = 1; level <= kLevels; ++level) {
-                visit(Form{axes, level});
-            }
-        }
-        for (const int axes : {3, 5, 6, 7}) {
-            for (int level = kFirstPlate; level <= kLastPlate; ++level) {
-                visit(Form{axes, level});
-            }
-        }
+        return {words_.data() + table_number(layer, 0, form) * table_, forms_for(detail_of(layer)).count() * table_};
     }
     /// Voxels of the grid, from the margin's corner; no box where there are none.
     VoxelBox in_tables(const VoxelBox& voxels) const;
@@ -148,7 +169,6 @@ class BitTables {
 
     Extent grid_;
     int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
-    int groups_ = 0;           // of kTables each: one for each part of a layer
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;

@@ -71,11 +71,12 @@ std::vector<Fits::Corners> words_with_any(const BitGrid& bits) {
     return result;
 }
 
-/// All plates and cubes that fit somewhere, the largest first.
-std::vector<Fits> all_fits(const BitGrid& solid) {
+/// All plates and cubes of `forms` that fit somewhere, the largest first.
+std::vector<Fits> all_fits(const BitGrid& solid, const Forms& forms) {
     std::vector<Fits> result;
     BitGrid flat;  // corners of the smallest plates across z
     for (const int axes : {3, 5, 6, 7}) {
+        if (axes == 7 && !forms.cubes) continue;
         const auto erode_all = [&](BitGrid& corners, int by, int among) {
             for (int axis = 0; axis < 3; ++axis) {
                 if (among >> axis & 1) erode(corners, axis, by);
@@ -88,19 +89,19 @@ std::vector<Fits> all_fits(const BitGrid& solid) {
             }
             return fits;
         };
-        Form form{axes, BitTables::kFirstPlate};
+        Form form{axes, Forms::kFirstPlate};
         if (!fits_in(form)) continue;
         BitGrid corners = axes == 7 ? std::move(flat) : solid;
         for (int by = 1; by < 1 << form.level; by *= 2) {
             erode_all(corners, by, axes == 7 ? 4 : axes);  // a cube holds plates
         }
-        if (axes == 3) flat = corners;
+        if (axes == 3 && forms.cubes) flat = corners;
         while (true) {
             std::vector<Fits::Corners> any = words_with_any(corners);
             if (any.empty()) break;
             result.push_back({form, std::move(any)});
             ++form.level;
-            if (form.level > BitTables::kLastPlate || !fits_in(form)) break;
+            if (form.level > forms.last_plate || !fits_in(form)) break;
             erode_all(corners, 1 << (form.level - 1), axes);
         }
     }
@@ -166,15 +167,15 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
 
 }  // namespace
 
-std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted) {
+std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted, const Forms& forms) {
     std::vector<Piece> pieces;
-    for (const Fits& fits : all_fits(solid)) {
+    for (const Fits& fits : all_fits(solid, forms)) {
         take_all(fits, wanted, pieces);
     }
     const Runs rest = fewest_runs(wanted);
     for (const Run& run : rest.runs) {
         Form form{1 << rest.axis, 0};
-        while (form.level < BitTables::kLevels && (2 << form.level) <= run.length)
+        while (form.level < forms.run_levels && (2 << form.level) <= run.length)
             ++form.level;
         const int size = 1 << form.level;
         for (int done = 0; done < run.length; done += size) {

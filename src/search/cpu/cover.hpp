@@ -14,8 +14,8 @@ struct Piece {
     VoxelIndex corner;  ///< the least voxel of it
 };
 
-/// Pieces that lie in `solid` and together hold all of `wanted`, a subset of it on the same grid; few rather than
-/// fewest. O(words) for each form that fits somewhere.
-std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted);
+/// Pieces of `forms` that lie in `solid` and together hold all of `wanted`, a subset of it on the same grid; few rather
+/// than fewest. O(words) for each form that fits somewhere.
+std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted, const Forms& forms);
 
 }  // namespace spectralpack

@@ -30,7 +30,7 @@ std::uint32_t all_of_reach(Word word, Word after) {
 CrowdTables::CrowdTables(const BitTables& bits)
     : voxels_(bits.voxels()),
       first_layer_(bits.detail() > 1 ? bits.fine_layers() : 0),
-      first_table_(first_layer_ * part_count(bits.detail()) * BitTables::kTables),
+      first_table_(bits.first_table(first_layer_)),
       columns_(ceil_div(voxels_.x, kBlock * kTileX) + 1),
       column_(ceil_div(voxels_.y, kBlock)),
       table_(checked_product({columns_, column_, ceil_div(voxels_.z, kBlock)})),

@@ -34,7 +34,8 @@ struct Lookup {
 };
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
-constexpr int kRanks = BitTables::kLevels + 2;
+constexpr int kMostLevel = std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate);
+constexpr int kRanks = kMostLevel + 3;
 int rank_of(const Form& form) { return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1; }
 /// With s > 1 pieces in voxels of dx decide more, and there are s^3 times fewer tables to look them up in: all of them
 /// come first.
@@ -111,7 +112,7 @@ class Lowered {
   public:
     explicit Lowered(int layers) {
         for (int axes = 1; axes < 8; ++axes) {
-            for (int level = 0; level <= BitTables::kLevels; ++level) {
+            for (int level = 0; level <= kMostLevel; ++level) {
                 of(axes, level) = largest({axes, level}, layers);
             }
         }
@@ -127,7 +128,7 @@ class Lowered {
             if (smaller.voxels() > result.voxels()) result = smaller;
         };
         if (const int flat = form.axes & 3; flat != 0) consider({flat, form.level});
-        const int least = form.axes == 4 ? 1 : BitTables::kFirstPlate;
+        const int least = form.axes == 4 ? 1 : Forms::kFirstPlate;
         for (int level = least; level <= form.level && 1 << level <= height; ++level) {
             consider({form.axes, level});
         }
@@ -138,7 +139,7 @@ class Lowered {
     }
     Form& of(int axes, int level) { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
 
-    std::array<std::array<Form, BitTables::kLevels + 1>, 8> forms_;
+    std::array<std::array<Form, kMostLevel + 1>, 8> forms_;
 };
 
 /// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
@@ -259,9 +260,9 @@ std::vector<std::uint32_t> by_place(const std::vector<T>& items, const AxisOrder
 const VoxelIndex& start_of(const Run& run) { return run.start; }
 const VoxelIndex& corner_of(const Piece& piece) { return piece.corner; }
 
-/// cover() by z, y, x of the corners.
-std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted) {
-    const std::vector<Piece> pieces = cover(solid, std::move(wanted));
+/// cover() by z, y, x of the corners, of voxels that are `detail` to one of dx.
+std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted, int detail = 1) {
+    const std::vector<Piece> pieces = cover(solid, std::move(wanted), BitTables::forms_for(detail));
     return in_order(pieces, by_place(pieces, kAsTheyAre, false, corner_of));
 }
 
@@ -286,7 +287,7 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
                           first.x + detail * run.length);
         }
     }
-    result.pieces = ordered_cover(wide.voxels, std::move(skin));
+    result.pieces = ordered_cover(wide.voxels, std::move(skin), detail);
     return result;
 }
 
