@@ -107,6 +107,10 @@ void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
                              [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
 }
 
+// What is left of a plate or a cube that has lost layers may be a run as long as its side.
+static_assert(BitTables::kForms.run_levels >= BitTables::kForms.last_plate &&
+              BitTables::kFineForms.run_levels >= BitTables::kFineForms.last_plate);
+
 /// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
 class Lowered {
   public:
