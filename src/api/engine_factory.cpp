@@ -39,9 +39,8 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
         return checked_product(
             {need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin, need.tray.z + 1 + 2 * margin});
     };
-    const int fine = need.gap_classes * part_count(need.detail) * BitTables::forms_for(need.detail).count();
-    const int coarse = ((need.detail > 1 ? need.gap_classes : 0) + 1) * BitTables::kForms.count();
-    const int bits = fine + coarse + 2 * part_count(need.detail);
+    const int coarse_layers = (need.detail > 1 ? need.gap_classes : 0) + 1;
+    const int bits = BitTables::table_count(need.detail, need.gap_classes, coarse_layers) + 2 * part_count(need.detail);
     const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
     const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
     return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;

@@ -51,6 +51,7 @@ TEST(Runs, CoverEachVoxelOnceAndAreMaximal) {
     }
 }
 
+/// One of them.
 Form random_form(RandomStream& random, const Forms& forms) {
     const int axes = between(random, 1, forms.cubes ? 7 : 6);
     const bool run = axes == 1 || axes == 2 || axes == 4;
@@ -200,6 +201,22 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     }
 }
 
+std::vector<Form> in_order(const Forms& forms) {
+    std::vector<Form> all;
+    forms.for_each([&](const Form& form) { all.push_back(form); });
+    return all;
+}
+
+TEST(Forms, AreNumberedInTheirOrder) {
+    for (const Forms& forms : {BitTables::kForms, BitTables::kFineForms}) {
+        const std::vector<Form> all = in_order(forms);
+        EXPECT_EQ(forms.count(), std::ssize(all));
+        for (int i = 0; i < forms.count(); ++i) {
+            EXPECT_EQ(forms.index(all[static_cast<std::size_t>(i)]), i);
+        }
+    }
+}
+
 TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
     RandomStream random(13);
     int large = 0;
@@ -211,12 +228,7 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
         }
         const Forms& forms = BitTables::forms_for(between(random, 1, 2));
         const std::vector<Piece> pieces = cover(solid, wanted, forms);
-        std::vector<Form> known;
-        forms.for_each([&](const Form& form) {
-            EXPECT_EQ(forms.index(form), std::ssize(known));
-            known.push_back(form);
-        });
-        EXPECT_EQ(forms.count(), std::ssize(known));
+        const std::vector<Form> known = in_order(forms);
         for (const Piece& piece : pieces) {
             const Form form{piece.form.level == 0 ? 1 : piece.form.axes, piece.form.level};
             EXPECT_TRUE(std::ranges::find(known, form) != known.end());

@@ -178,7 +178,7 @@ void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, con
     for (int part = 0; part < part_count(detail_of(layer)); ++part) {
         refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
     }
-    forms_for(detail_of(layer)).for_each([&](const Form& form) {
+    forms_of(layer).for_each([&](const Form& form) {
         if (form.level > 0) refresh_form(layer, form, box);
     });
 }

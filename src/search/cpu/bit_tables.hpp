@@ -66,6 +66,8 @@ class BitTables {
     /// large forms are rare, and they have s^3 times as many tables.
     static constexpr Forms kForms{.run_levels = 4, .last_plate = 4, .cubes = true};
     static constexpr Forms kFineForms{.run_levels = 3, .last_plate = 3, .cubes = false};
+    // Of a plate or a cube that loses layers (plan.cpp) a run as long as its side may be left.
+    static_assert(kForms.run_levels >= kForms.last_plate && kFineForms.run_levels >= kFineForms.last_plate);
 
     BitTables() = default;
     /// Throws ResourceError when an offset would not fit 31 bits. All empty.
@@ -86,6 +88,11 @@ class BitTables {
     int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
     /// That a layer has tables of, if its voxels are `detail` to one of dx.
     static constexpr const Forms& forms_for(int detail) { return detail > 1 ? kFineForms : kForms; }
+    const Forms& forms_of(int layer) const { return forms_for(detail_of(layer)); }
+    /// Of so many layers in voxels of dx / detail and in voxels of dx.
+    static int table_count(int detail, int fine_layers, int coarse_layers) {
+        return fine_layers * part_count(detail) * forms_for(detail).count() + coarse_layers * kForms.count();
+    }
     std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
 
     /// Words to the neighbouring tile along x.
@@ -109,7 +116,7 @@ class BitTables {
         int table = 0;
         VoxelIndex at;
     };
-    /// Where a piece of that form, one of forms_for(detail_of(layer)), with its corner at displacement d lies from a
+    /// Where a piece of that form, one of forms_of(layer), with its corner at displacement d lies from a
     /// tile; d in the layer's own voxels, not before the margin on any axis.
     Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
     Place place(const Spot& spot) const;
@@ -118,8 +125,7 @@ class BitTables {
     int tables() const { return first_table(layers()); }
     /// Of a layer: those of all its parts one after the other, before those of the next layer.
     int first_table(int layer) const {
-        const int fine = std::min(layer, fine_layers_) * part_count(detail_) * forms_for(detail_).count();
-        return fine + std::max(0, layer - fine_layers_) * kForms.count();
+        return table_count(detail_, std::min(layer, fine_layers_), std::max(0, layer - fine_layers_));
     }
     /// Of each table, margin included.
     Extent voxels() const { return {grid_.x + 2 * margin_, grid_.y + 2 * margin_, grid_.z + 2 * margin_}; }
@@ -133,7 +139,7 @@ class BitTables {
     void for_each_table(int layer, const VoxelBox& changed, const Visit& visit) const {
         const VoxelBox box = in_tables(changed);
         if (box.empty()) return;
-        forms_for(detail_of(layer)).for_each([&](const Form& form) {
+        forms_of(layer).for_each([&](const Form& form) {
             for (int part = 0; part < part_count(detail_of(layer)); ++part) {
                 visit(table_number(layer, part, form), form, reach(layer, form, box));
             }
@@ -151,11 +157,11 @@ class BitTables {
     };
 
     int table_number(int layer, int part, const Form& form) const {
-        const Forms& forms = forms_for(detail_of(layer));
+        const Forms& forms = forms_of(layer);
         return first_table(layer) + part * forms.count() + forms.index(form);
     }
     Tables tables(int layer, const Form& form) {
-        return {words_.data() + table_number(layer, 0, form) * table_, forms_for(detail_of(layer)).count() * table_};
+        return {words_.data() + table_number(layer, 0, form) * table_, forms_of(layer).count() * table_};
     }
     /// Voxels of the grid, from the margin's corner; no box where there are none.
     VoxelBox in_tables(const VoxelBox& voxels) const;

@@ -34,8 +34,7 @@ struct Lookup {
 };
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
-constexpr int kMostLevel = std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate);
-constexpr int kRanks = kMostLevel + 3;
+constexpr int kRanks = 1 + std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate + 2);
 int rank_of(const Form& form) { return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1; }
 /// With s > 1 pieces in voxels of dx decide more, and there are s^3 times fewer tables to look them up in: all of them
 /// come first.
@@ -107,16 +106,12 @@ void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
                              [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
 }
 
-// What is left of a plate or a cube that has lost layers may be a run as long as its side.
-static_assert(BitTables::kForms.run_levels >= BitTables::kForms.last_plate &&
-              BitTables::kFineForms.run_levels >= BitTables::kFineForms.last_plate);
-
 /// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
 class Lowered {
   public:
     explicit Lowered(int layers) {
         for (int axes = 1; axes < 8; ++axes) {
-            for (int level = 0; level <= kMostLevel; ++level) {
+            for (int level = 0; level <= BitTables::kForms.run_levels; ++level) {
                 of(axes, level) = largest({axes, level}, layers);
             }
         }
@@ -143,7 +138,7 @@ class Lowered {
     }
     Form& of(int axes, int level) { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
 
-    std::array<std::array<Form, kMostLevel + 1>, 8> forms_;
+    std::array<std::array<Form, BitTables::kForms.run_levels + 1>, 8> forms_;
 };
 
 /// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
