@@ -14,6 +14,7 @@
 
 #include "geometry/slide.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -49,9 +50,9 @@ class Slide {
           free_(free),
           faces_known_(moving.faces_outwards() && still.faces_outwards()) {}
 
-    void run() {
+    void run(const SlidePart& part) {
         if (moving_.nodes().empty() || still_.nodes().empty()) return;
-        push(0, 0);
+        push(pair_of(part.moving, part.still));
         while (!stack_.empty() && best() > 0) {
             const Pair pair = stack_.back();
             stack_.pop_back();
@@ -59,11 +60,26 @@ class Slide {
         }
     }
 
+    /// slide_parts(): the tree of node pairs from the root down, level by level.
+    std::vector<SlidePart> parts(std::size_t count) {
+        std::vector<Pair> leaves;
+        if (!moving_.nodes().empty() && !still_.nodes().empty()) push(pair_of(0, 0));
+        std::size_t split = 0;
+        for (; split < stack_.size() && leaves.size() + stack_.size() - split < count; ++split) {
+            const Pair pair = stack_[split];
+            if (are_leaves(pair)) {
+                leaves.push_back(pair);
+            } else {
+                visit(pair);
+            }
+        }
+        leaves.insert(leaves.end(), stack_.begin() + static_cast<std::ptrdiff_t>(split), stack_.end());
+        std::ranges::stable_sort(leaves, {}, &Pair::earliest);
+        return leaves;
+    }
+
   private:
-    struct Pair {
-        std::uint32_t a, b;
-        double earliest;  ///< no contact before
-    };
+    using Pair = SlidePart;
 
     /// The way that is free as far as is known, here or to those who ask about others at the same time.
     double best() const { return std::min(at_most_, free_.load(std::memory_order_relaxed)); }
@@ -94,24 +110,27 @@ class Slide {
         return {a, b, earliest(sweep(moving_.nodes()[a].box(), offset_), sweep(still_.nodes()[b].box(), {}))};
     }
 
-    void push(std::uint32_t a, std::uint32_t b) {
-        const Pair pair = pair_of(a, b);
+    void push(const Pair& pair) {
         if (pair.earliest < best()) stack_.push_back(pair);
     }
 
+    bool are_leaves(const Pair& pair) const {
+        return moving_.nodes()[pair.moving].leaf() && still_.nodes()[pair.still].leaf();
+    }
+
     void visit(const Pair& pair) {
-        const Bvh::Node& a = moving_.nodes()[pair.a];
-        const Bvh::Node& b = still_.nodes()[pair.b];
-        if (a.leaf() && b.leaf()) {
+        const Bvh::Node& a = moving_.nodes()[pair.moving];
+        const Bvh::Node& b = still_.nodes()[pair.still];
+        if (are_leaves(pair)) {
             meet(a, b);
             return;
         }
         const bool split_a = b.leaf() || (!a.leaf() && extent(a.box()) > extent(b.box()));
-        Pair one = split_a ? pair_of(pair.a + 1, pair.b) : pair_of(pair.a, pair.b + 1);
-        Pair two = split_a ? pair_of(a.first, pair.b) : pair_of(pair.a, b.first);
+        Pair one = split_a ? pair_of(pair.moving + 1, pair.still) : pair_of(pair.moving, pair.still + 1);
+        Pair two = split_a ? pair_of(a.first, pair.still) : pair_of(pair.moving, b.first);
         if (one.earliest < two.earliest) std::swap(one, two);  // the earlier contact on top
-        if (one.earliest < best()) stack_.push_back(one);
-        if (two.earliest < best()) stack_.push_back(two);
+        push(one);
+        push(two);
     }
 
     static double extent(const Box& box) {
@@ -271,18 +290,33 @@ class Slide {
     std::vector<Pair> stack_;
 };
 
+/// Calls of<axis>().
+template <class Of>
+auto along(int axis, const Of& of) {
+    switch (axis) {
+        case 0:
+            return of.template operator()<0>();
+        case 1:
+            return of.template operator()<1>();
+        default:
+            return of.template operator()<2>();
+    }
+}
+
 }  // namespace
 
 void slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most,
-           std::atomic<double>& free) {
-    switch (direction.axis) {
-        case 0:
-            return Slide<0>(moving, offset, still, direction.sign, gap, at_most, free).run();
-        case 1:
-            return Slide<1>(moving, offset, still, direction.sign, gap, at_most, free).run();
-        default:
-            return Slide<2>(moving, offset, still, direction.sign, gap, at_most, free).run();
-    }
+           std::atomic<double>& free, const SlidePart& part) {
+    along(direction.axis,
+          [&]<int kAxis>() { Slide<kAxis>(moving, offset, still, direction.sign, gap, at_most, free).run(part); });
+}
+
+std::vector<SlidePart> slide_parts(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
+                                   double gap, double at_most, std::size_t count) {
+    std::atomic<double> free = at_most;
+    return along(direction.axis, [&]<int kAxis>() {
+        return Slide<kAxis>(moving, offset, still, direction.sign, gap, at_most, free).parts(count);
+    });
 }
 
 }  // namespace spectralpack

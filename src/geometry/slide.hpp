@@ -4,6 +4,9 @@
 /// however thin it is.
 
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "geometry/bvh.hpp"
 
@@ -20,6 +23,12 @@ inline constexpr double kSlideSlack = 1e-6;       ///< a contact leaves between 
 inline constexpr double kSlideTolerance = 5e-10;  ///< sliding along may undercut the gap by
 inline constexpr double kTouchTolerance = 1e-5;   ///< at gap 0 surfaces may overlap sideways by
 inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave an overlap of up to
+
+/// A part of the question below: what is under two nodes of the meshes' trees. By default all.
+struct SlidePart {
+    std::uint32_t moving = 0, still = 0;
+    double earliest = -Box::kInfinity;  ///< no contact before that way
+};
 
 /// Lowers `free` to the largest distance in [0, at_most] (but for the slack) by which `moving`, which
 /// stands `offset` away from `still`'s frame, may be moved along `direction`:
@@ -42,6 +51,11 @@ inline constexpr double kRecovery = 1e-3;         ///< at gap 0 a mesh may leave
 /// spared what lies beyond `free`; what it comes to in the end depends neither on their order nor
 /// on their timing. Preconditions: gap >= 0 and at_most >= 0, finite.
 void slide(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction, double gap, double at_most,
-           std::atomic<double>& free);
+           std::atomic<double>& free, const SlidePart& part = {});
+
+/// Parts that together come to the same, those first that may meet first: `count` of them or more, unless fewer pairs
+/// of leaves may meet at all. O(count) node pairs.
+std::vector<SlidePart> slide_parts(const Bvh& moving, const Vec3& offset, const Bvh& still, AxisDirection direction,
+                                   double gap, double at_most, std::size_t count);
 
 }  // namespace spectralpack

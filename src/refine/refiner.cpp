@@ -17,6 +17,7 @@ namespace {
 constexpr double kProof = 1e-9;      ///< mm: the gap is proved to this in the end
 constexpr double kLeastMove = 1e-9;  ///< mm: shorter ways are not worth going
 constexpr int kRecoveries = 3;       ///< attempts to leave those that are too near
+constexpr std::size_t kParts = 16;   ///< of a neighbour, that threads may share
 
 Box grown(const Box& box, double by) {
     const Vec3 all{by, by, by};
@@ -111,15 +112,26 @@ class Walk {
         Box swept = box;
         (direction.sign > 0 ? swept.max : swept.min)[axis] += direction.sign * way;
         std::atomic<const Neighbour*>& stopper = stoppers_[static_cast<std::size_t>(axis)];
-        const std::vector<Reached> others = reached(swept, direction, stopper);
+        struct Part {
+            const Neighbour* other;
+            Vec3 offset;
+            SlidePart part;
+        };
+        std::vector<Part> parts;
+        for (const auto& [from, other] : reached(swept, direction, stopper)) {
+            const Vec3 offset = at_.offset - other->copy->offset;
+            for (const SlidePart& part :
+                 slide_parts(*at_.surface, offset, *other->copy->surface, direction, other->kept, way, kParts)) {
+                parts.push_back({other, offset, part});
+            }
+        }
         std::atomic<double> free = way;
-        workers_.for_each_in_order(std::ssize(others), [&](std::int64_t i) {
+        workers_.for_each_in_order(std::ssize(parts), [&](std::int64_t i) {
+            const auto& [other, offset, part] = parts[static_cast<std::size_t>(i)];
             const double before = free;
             if (!(before > kLeastMove)) return;
-            const Neighbour& other = *others[static_cast<std::size_t>(i)].other;
-            slide(*at_.surface, at_.offset - other.copy->offset, *other.copy->surface, direction, other.kept, way,
-                  free);
-            if (free < before) stopper = &other;
+            slide(*at_.surface, offset, *other->copy->surface, direction, other->kept, way, free, part);
+            if (free < before) stopper = other;
         });
         way = free;
         if (!(way > kLeastMove)) return 0;

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <vector>
 
 #include "geometry/mesh_distance.hpp"
 #include "geometry/slide.hpp"
@@ -117,6 +119,23 @@ TEST(Slide, OfMeshesIsTheLeastOverAllPairs) {
                 slide(a, offset, Bvh(halves[half]), direction, gap, 60, free);
             }
             EXPECT_EQ(free, least) << "seed " << seed;
+        }
+        // Parts of it, in either order; and of those none meets before it is said to.
+        for (const std::size_t count : {1, 5, 1000}) {
+            std::vector<SlidePart> parts = slide_parts(a, offset, b, direction, gap, 60, count);
+            EXPECT_TRUE(parts.size() >= count || count == 1000 || way == 60) << "seed " << seed;
+            EXPECT_TRUE(std::ranges::is_sorted(parts, {}, &SlidePart::earliest));
+            for (int order = 0; order < 2; ++order) {
+                std::atomic<double> free = 60;
+                for (const SlidePart& part : parts) {
+                    slide(a, offset, b, direction, gap, 60, free, part);
+                    std::atomic<double> of_part = 60;
+                    slide(a, offset, b, direction, gap, 60, of_part, part);
+                    EXPECT_GE(of_part, std::min(60.0, part.earliest)) << "seed " << seed;
+                }
+                EXPECT_EQ(free, least) << "seed " << seed << " of " << parts.size() << " parts";
+                std::ranges::reverse(parts);
+            }
         }
         if (gap > 0 && way < 60) {
             const double d = least_distance(a, offset + along(direction, way), b, {}).distance;
