@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "disassembly/flood_fill.hpp"
@@ -165,14 +166,24 @@ std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hin
             near.push_back({apart, {member, other}});
         }
     }
-    // The nearest first: it is the likeliest to be in the way.
+    // The nearest first: it is the likeliest to be in the way, and asked before threads share the others.
     std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.apart < b.apart; });
-    for (const auto& [apart, pair] : near) {
-        const StandingPart &moving = parts_[pair.member], &still = parts_[pair.other];
+    std::atomic<std::size_t> met = near.size();
+    const auto sweep = [&](std::size_t k) {
+        if (k > met) return;
+        const StandingPart &moving = parts_[near[k].pair.member], &still = parts_[near[k].pair.other];
         const Vec3 offset = moving.offset + move.from - still.offset;
-        if (!slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way)) return pair;
-        passed.push_back(pair);
+        if (!slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way)) lower(met, k);
+    };
+    if (!near.empty()) sweep(0);
+    if (met > 0) {
+        setup_.workers.for_each_in_order(std::ssize(near) - 1,
+                                         [&](std::int64_t k) { sweep(static_cast<std::size_t>(k) + 1); });
     }
+    for (std::size_t k = 0; k < met; ++k) {
+        passed.push_back(near[k].pair);
+    }
+    if (met < near.size()) return near[met].pair;
     return std::nullopt;
 }
 
@@ -286,15 +297,16 @@ Company::Flooded Company::way_out(Flood& flood) const {
     int snaps = 0;
     for (const Start& start : starts) {
         if (!region.free(start.position - origin_)) continue;  // in a pocket found closed
+        if (start.away > 0 && ++snaps > kSnaps) break;
+        if (!region.contains(start.position - origin_)) continue;
+        // Sweeps take longer than walks, which never come to the same place twice: so only from where there is a way.
         Path path;
         if (start.away > 0) {
-            if (++snaps > kSnaps) break;
             const Vec3 there{start.position.x * dx, start.position.y * dx, start.position.z * dx};
             std::optional<Path> there_by = snap(i, there - at);
             if (!there_by) continue;
             path = std::move(*there_by);
         }
-        if (!region.contains(start.position - origin_)) continue;
         const std::vector<VoxelIndex> way = FloodFill(region, setup_.stop).way_out(start.position - origin_);
         if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
