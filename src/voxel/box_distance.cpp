@@ -79,31 +79,6 @@ std::optional<double> squared_inner_distance(const GridTriangle& v) {
     return 0.0;
 }
 
-/// Nearest point of the triangle to the origin (Ericson, Real-Time Collision Detection,
-/// section 5.1.5).
-Vec3 nearest_to_origin(const GridTriangle& v) {
-    const Vec3 ab = v[1] - v[0], ac = v[2] - v[0];
-    const double d1 = -dot(ab, v[0]), d2 = -dot(ac, v[0]);
-    if (d1 <= 0 && d2 <= 0) return v[0];
-    const double d3 = -dot(ab, v[1]), d4 = -dot(ac, v[1]);
-    if (d3 >= 0 && d4 <= d3) return v[1];
-    const double d5 = -dot(ab, v[2]), d6 = -dot(ac, v[2]);
-    if (d6 >= 0 && d5 <= d6) return v[2];
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return v[0] + d1 / (d1 - d3) * ab;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return v[0] + d2 / (d2 - d6) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 >= d3 && d5 >= d6) {
-        return v[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (v[2] - v[1]);
-    }
-    // Clamped, because of a needle little is left of these areas but rounding.
-    const double sum = va + vb + vc;
-    if (!(sum > 0)) return v[0];
-    const double of_b = std::clamp(vb / sum, 0.0, 1.0), of_c = std::clamp(vc / sum, 0.0, 1 - of_b);
-    return v[0] + of_b * ab + of_c * ac;
-}
-
 }  // namespace
 
 double squared_box_distance(const GridTriangle& triangle) {
@@ -116,16 +91,49 @@ double squared_box_distance(const GridTriangle& triangle) {
     return std::min(least, squared_inner_distance(triangle).value_or(least));
 }
 
-bool nearer_than(const GridTriangle& triangle, double distance) {
-    // Any point of the triangle shows that it is near, and any direction in which the two are far
-    // enough apart that it is not. The point nearest to the cube's centre is nearly always enough
-    // of both.
-    const Vec3 nearest = nearest_to_origin(triangle);
-    if (squared(outside_part(nearest)) < distance * distance) return true;
-    const double ahead = std::min({dot(nearest, triangle[0]), dot(nearest, triangle[1]), dot(nearest, triangle[2])});
+NearCubes::NearCubes(const GridTriangle& triangle, double distance)
+    : triangle_(triangle),
+      distance_(distance),
+      ab_(triangle[1] - triangle[0]),
+      ac_(triangle[2] - triangle[0]),
+      ab_ab_(dot(ab_, ab_)),
+      ab_ac_(dot(ab_, ac_)),
+      ac_ac_(dot(ac_, ac_)) {}
+
+/// From there to the triangle's nearest point (Ericson, Real-Time Collision Detection, section 5.1.5).
+Vec3 NearCubes::nearest_from(const Vec3& point) const {
+    const Vec3 p = point - triangle_[0];
+    const double d1 = dot(ab_, p), d2 = dot(ac_, p);
+    if (d1 <= 0 && d2 <= 0) return Vec3{} - p;
+    const double d3 = d1 - ab_ab_, d4 = d2 - ab_ac_;
+    if (d3 >= 0 && d4 <= d3) return ab_ - p;
+    const double d5 = d1 - ab_ac_, d6 = d2 - ac_ac_;
+    if (d6 >= 0 && d5 <= d6) return ac_ - p;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return d1 / (d1 - d3) * ab_ - p;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return d2 / (d2 - d6) * ac_ - p;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) {
+        return ab_ + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (ac_ - ab_) - p;
+    }
+    // Clamped, because of a needle little is left of these areas but rounding.
+    const double sum = va + vb + vc;
+    if (!(sum > 0)) return Vec3{} - p;
+    const double of_b = std::clamp(vb / sum, 0.0, 1.0), of_c = std::clamp(vc / sum, 0.0, 1 - of_b);
+    return of_b * ab_ + of_c * ac_ - p;
+}
+
+bool NearCubes::contain(const Vec3& centre) const {
+    // Any point of the triangle shows that it is near, and any direction in which the two are far enough apart that it
+    // is not. The point nearest to the cube's centre is nearly always enough of both.
+    const Vec3 nearest = nearest_from(centre);
+    if (squared(outside_part(nearest)) < distance_ * distance_) return true;
+    const GridTriangle from{triangle_[0] - centre, triangle_[1] - centre, triangle_[2] - centre};
+    const double ahead = std::min({dot(nearest, from[0]), dot(nearest, from[1]), dot(nearest, from[2])});
     const double cube = kHalf * (std::abs(nearest.x) + std::abs(nearest.y) + std::abs(nearest.z));
-    if (ahead - cube >= distance * length(nearest)) return false;
-    return squared_box_distance(triangle) < distance * distance;
+    if (ahead - cube >= distance_ * length(nearest)) return false;
+    return squared_box_distance(from) < distance_ * distance_;
 }
 
 }  // namespace spectralpack

@@ -13,6 +13,7 @@ void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triang
     const VoxelRange whole{first, {first.x + n.x - 1, first.y + n.y - 1, first.z + n.z - 1}};
     const VoxelRange range = voxels_in_box(triangle, shape, whole);
     if (range.empty()) return;
+    const NearCubes near(triangle, reach);
     TriangleRows(triangle, shape, range).for_each([&](int low, int high, int y, int z) {
         BitGrid::Word* const row = grid.row(y - first.y, z - first.z);
         for_run_words(row, low - first.x, high - first.x, [&](BitGrid::Word& word, BitGrid::Word bits) {
@@ -20,9 +21,7 @@ void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triang
             BitGrid::Word open = bits & ~get_shared(word), found = 0;
             for (; open != 0; open &= open - 1) {
                 const Vec3 centre{base + std::countr_zero(open) + 0.5, y + 0.5, z + 0.5};
-                if (nearer_than({triangle[0] - centre, triangle[1] - centre, triangle[2] - centre}, reach)) {
-                    found |= open & -open;
-                }
+                if (near.contain(centre)) found |= open & -open;
             }
             if (found != 0) set_shared(word, found);
         });

@@ -95,7 +95,10 @@ TEST(BoxDistance, IsThatToTheCubesFacets) {
         ASSERT_NEAR(std::sqrt(squared_box_distance(t)), expected, 1e-8) << seed;
         for (const double distance : {0.01, 0.3, 1.0, expected * (1 - 1e-6), expected * (1 + 1e-6)}) {
             if (std::abs(distance - expected) < 1e-8) continue;
-            ASSERT_EQ(nearer_than(t, distance), expected < distance) << seed;
+            ASSERT_EQ(NearCubes(t, distance).contain({}), expected < distance) << seed;
+            const Vec3 far{300.5, -41, 7.25};
+            const PlainTriangle moved{t[0] + far, t[1] + far, t[2] + far};
+            ASSERT_EQ(NearCubes(moved, distance).contain(far), expected < distance) << seed;
         }
     }
 }
