@@ -68,6 +68,14 @@ void Workers::for_each_in_order(std::int64_t count, const std::function<void(std
     });
 }
 
+std::int64_t Workers::first(std::int64_t count, const std::function<bool(std::int64_t)>& test) const {
+    std::atomic<std::int64_t> least = std::max<std::int64_t>(0, count);
+    for_each_in_order(count, [&](std::int64_t i) {
+        if (i < least && test(i)) lower(least, i);
+    });
+    return least;
+}
+
 void Workers::for_ranges(std::int64_t count, std::int64_t grain,
                          const std::function<void(std::int64_t, std::int64_t)>& task) const {
     if (count <= 0) return;

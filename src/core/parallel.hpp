@@ -23,6 +23,10 @@ class Workers {
     /// The same, each i begun before those after it: where what is known by then spares the rest work.
     void for_each_in_order(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
 
+    /// The first i in [0, count) of which test(i) is true; count where there is none. All before it are tested; of
+    /// those after it some, where threads are ahead, with no effect on the answer.
+    std::int64_t first(std::int64_t count, const std::function<bool(std::int64_t)>& test) const;
+
     /// Splits [0, count) into ranges of at least `grain` and calls task(begin, end) for each.
     void for_ranges(std::int64_t count, std::int64_t grain,
                     const std::function<void(std::int64_t, std::int64_t)>& task) const;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
+#include <span>
 
 #include "disassembly/flood_fill.hpp"
 #include "disassembly/moves.hpp"
@@ -168,17 +168,17 @@ std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hin
     }
     // The nearest first: it is the likeliest to be in the way, and asked before threads share the others.
     std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.apart < b.apart; });
-    std::atomic<std::size_t> met = near.size();
-    const auto sweep = [&](std::size_t k) {
-        if (k > met) return;
-        const StandingPart &moving = parts_[near[k].pair.member], &still = parts_[near[k].pair.other];
+    const auto meets = [&](const Pair& pair) {
+        const StandingPart &moving = parts_[pair.member], &still = parts_[pair.other];
         const Vec3 offset = moving.offset + move.from - still.offset;
-        if (!slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way)) lower(met, k);
+        return !slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way);
     };
-    if (!near.empty()) sweep(0);
-    if (met > 0) {
-        setup_.workers.for_each_in_order(std::ssize(near) - 1,
-                                         [&](std::int64_t k) { sweep(static_cast<std::size_t>(k) + 1); });
+    std::size_t met = 0;
+    if (!near.empty() && !meets(near.front().pair)) {
+        const std::span<const Near> others = std::span(near).subspan(1);
+        met = 1 + static_cast<std::size_t>(setup_.workers.first(std::ssize(others), [&](std::int64_t k) {
+                  return meets(others[static_cast<std::size_t>(k)].pair);
+              }));
     }
     for (std::size_t k = 0; k < met; ++k) {
         passed.push_back(near[k].pair);

@@ -1,7 +1,6 @@
 #include "disassembly/disassembler.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -169,16 +168,15 @@ class Disassembler::Yard {
             if (company_.movable(i) && !pockets_[i]) tries.push_back({k, i});
         }
         const StopToken& stop = owner_.setup_.stop;
-        std::atomic<std::size_t> leaver = tries.size();
-        owner_.setup_.workers.for_each_in_order(std::ssize(tries), [&](std::int64_t k) {
-            const auto at = static_cast<std::size_t>(k);
-            if (at > leaver || stop.stopped()) return;
-            Try& one = tries[at];
-            Company::Flood flood = company_.flood(one.i);
-            one.flooded = company_.way_out(flood);
-            one.made = true;
-            if (one.flooded.path) lower(leaver, at);
-        });
+        const auto leaver =
+            static_cast<std::size_t>(owner_.setup_.workers.first(std::ssize(tries), [&](std::int64_t k) {
+                if (stop.stopped()) return false;
+                Try& one = tries[static_cast<std::size_t>(k)];
+                Company::Flood flood = company_.flood(one.i);
+                one.flooded = company_.way_out(flood);
+                one.made = true;
+                return one.flooded.path.has_value();
+            }));
         if (stop.stopped()) return false;
         const bool found = leaver < tries.size();
         const std::size_t turns = found ? tries[leaver].turn + 1 : turns_.size();

@@ -52,7 +52,7 @@ class Slide {
 
     void run(const SlidePart& part) {
         if (moving_.nodes().empty() || still_.nodes().empty()) return;
-        push(pair_of(part.moving, part.still));
+        stack_.push_back(part);
         while (!stack_.empty() && best() > 0) {
             const Pair pair = stack_.back();
             stack_.pop_back();
@@ -62,20 +62,20 @@ class Slide {
 
     /// slide_parts(): the tree of node pairs from the root down, level by level.
     std::vector<SlidePart> parts(std::size_t count) {
-        std::vector<Pair> leaves;
+        std::vector<Pair> result;
         if (!moving_.nodes().empty() && !still_.nodes().empty()) push(pair_of(0, 0));
         std::size_t split = 0;
-        for (; split < stack_.size() && leaves.size() + stack_.size() - split < count; ++split) {
+        for (; split < stack_.size() && result.size() + stack_.size() - split < count; ++split) {
             const Pair pair = stack_[split];
             if (are_leaves(pair)) {
-                leaves.push_back(pair);
+                result.push_back(pair);
             } else {
                 visit(pair);
             }
         }
-        leaves.insert(leaves.end(), stack_.begin() + static_cast<std::ptrdiff_t>(split), stack_.end());
-        std::ranges::stable_sort(leaves, {}, &Pair::earliest);
-        return leaves;
+        result.insert(result.end(), stack_.begin() + static_cast<std::ptrdiff_t>(split), stack_.end());
+        std::ranges::stable_sort(result, {}, &Pair::earliest);
+        return result;
     }
 
   private:

@@ -42,6 +42,25 @@ TEST_P(ParallelLoops, InOrderBeginWhatComesBeforeFirst) {
     EXPECT_EQ(begun, 1000);
 }
 
+TEST_P(ParallelLoops, FirstIsTheLeastAndAllBeforeItAreTested) {
+    const Workers workers(GetParam());
+    for (const std::int64_t answer : {0, 1, 7, 499, 999, 1000}) {
+        std::vector<std::atomic<int>> tested(1000);
+        const std::int64_t first = workers.first(1000, [&](std::int64_t i) {
+            ++tested[static_cast<std::size_t>(i)];
+            return i >= answer && (i - answer) % 3 == 0;
+        });
+        EXPECT_EQ(first, answer);
+        for (std::int64_t i = 0; i < 1000; ++i) {
+            EXPECT_LE(tested[static_cast<std::size_t>(i)], 1);
+            if (i <= answer) {
+                EXPECT_EQ(tested[static_cast<std::size_t>(i)], 1) << i;
+            }
+        }
+    }
+    EXPECT_EQ(workers.first(0, [](std::int64_t) { return true; }), 0);
+}
+
 TEST_P(ParallelLoops, MayBeNested) {
     const Workers workers(GetParam());
     std::atomic<int> sum = 0;
