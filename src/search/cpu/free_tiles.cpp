@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int words, int word, int y, int z,
                const std::uint64_t* wanted, std::uint64_t* blocked) {
     constexpr int kRows = FreeTileReader::kRows;
-    constexpr std::size_t kSpreadPerCheck = 4, kLooksPerCheck = 16;
+    constexpr std::ptrdiff_t kLooksPerCheck = 16;
     const hn::CappedTag<std::uint64_t, kRows> d;
     constexpr std::size_t kStep = hn::MaxLanes(d);
     constexpr std::size_t kVectors = kRows / kStep;
@@ -30,30 +30,33 @@ bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int
         known[v] = hn::LoadU(d, blocked + v * kStep);
     }
     const auto columns = static_cast<unsigned>(words + 1);
-    const auto layer_at = [&](int look_z) -> const TileLayer* {
-        const auto at = static_cast<unsigned>(z + look_z);  // below 0 is beyond all, too
-        return at < layers.size() ? &layers[at] : nullptr;
-    };
-    const auto take = [&](const TileLook& look, const TileLayer& layer) {
-        const int at_y = y + look.y, at_word = word + look.word;
-        if (static_cast<unsigned>(at_word + 1) >= columns) return;
-        const DilatedRows* rows = layer.all;
-        if (at_y >= rows->end || at_y + kRows <= rows->begin) return;
-        const bool beside = at_y >= layer.end || at_y + kRows <= layer.begin;
-        if (!beside && at_word >= layer.from && at_word < layer.to) rows = layer.without;
-        const std::uint64_t* low = rows->words + look.level * rows->table + at_word * rows->stride + at_y;
-        if (look.shift == 0) {
-            for (std::size_t v = 0; v < kVectors; ++v) {
-                known[v] = hn::Or(known[v], hn::LoadU(d, low + v * kStep));
+    const auto take = [&](const DilatedRows& rows, int at_word, int at_y, const TileLook* look, const TileLook* end) {
+        const std::uint64_t* levels[DilatedRows::kLevels];
+        for (int level = 0; level < DilatedRows::kLevels; ++level) {
+            levels[level] = rows.words + level * rows.table + at_word * rows.stride + at_y;
+        }
+        const std::ptrdiff_t next = rows.stride;
+        hn::Vec<decltype(d)> so_far[kVectors];  // in registers
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            so_far[v] = known[v];
+        }
+        for (; look != end; ++look) {
+            const std::uint64_t* low = levels[look->level] + look->y;
+            if (look->shift == 0) {
+                for (std::size_t v = 0; v < kVectors; ++v) {
+                    so_far[v] = hn::Or(so_far[v], hn::LoadU(d, low + v * kStep));
+                }
+                continue;
             }
-        } else {
-            const std::uint64_t* high = low + rows->stride;
-            const auto down = hn::Set(d, static_cast<std::uint64_t>(look.shift));
+            const auto down = hn::Set(d, std::uint64_t{look->shift});
             const auto rest = hn::Sub(hn::Set(d, std::uint64_t{64}), down);
             for (std::size_t v = 0; v < kVectors; ++v) {
-                known[v] = hn::Or3(known[v], hn::Shr(hn::LoadU(d, low + v * kStep), down),
-                                   hn::Shl(hn::LoadU(d, high + v * kStep), rest));
+                so_far[v] = hn::Or3(so_far[v], hn::Shr(hn::LoadU(d, low + v * kStep), down),
+                                    hn::Shl(hn::LoadU(d, low + next + v * kStep), rest));
             }
+        }
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            known[v] = so_far[v];
         }
     };
     const auto all_collide = [&] {
@@ -64,25 +67,41 @@ bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int
         }
         return all;
     };
-    const auto block = [&] {
-        for (std::size_t i = 0; i < looks.spread.size(); ++i) {
-            const TileLook& look = looks.spread[i];
-            if (const TileLayer* layer = layer_at(look.z)) take(look, *layer);
-            if (i % kSpreadPerCheck == 0 && all_collide()) return true;
-        }
-        std::size_t i = 0;
-        for (const TileLooks::Layer& of : looks.layers) {
-            const TileLayer* layer = layer_at(of.z);
-            if (!layer) {
-                i = of.end;
-                continue;
-            }
-            for (; i < of.end; ++i) {
-                take(looks.others[i], *layer);
-                if (i % kLooksPerCheck == 0 && all_collide()) return true;
-            }
+    // Takes looks until all that is wanted collides: true then.
+    const auto take_some = [&](const DilatedRows& rows, int at_word, int at_y, const TileLook* look,
+                               const TileLook* end) {
+        while (look < end) {
+            const TileLook* const next = end - look > kLooksPerCheck ? look + kLooksPerCheck : end;
+            take(rows, at_word, at_y, look, next);
+            if (all_collide()) return true;
+            look = next;
         }
         return false;
+    };
+    const auto take_group = [&](const TileLookGroup& group) {
+        const auto at_layer = static_cast<unsigned>(z + group.z);  // below 0 is beyond all, too
+        const int at_word = word + group.word, at_y = y + group.y;
+        if (at_layer >= layers.size() || static_cast<unsigned>(at_word + 1) >= columns) return false;
+        const TileLayer& layer = layers[at_layer];
+        const DilatedRows& rows = *layer.all;
+        const TileLook* const begin = looks.looks.data() + group.begin;
+        const TileLook* const end = looks.looks.data() + group.end;
+        // The first look from `from` on that reads row `row` or a later one.
+        const auto from_row = [&](const TileLook* from, int row) {
+            if (from == end || at_y + from->y >= row) return from;
+            if (at_y + end[-1].y < row) return end;
+            return std::lower_bound(from, end, row, [&](const TileLook& look, int r) { return at_y + look.y < r; });
+        };
+        const TileLook* const first = from_row(begin, rows.begin - (kRows - 1));
+        const TileLook* const last = from_row(first, rows.end);
+        if (layer.from > at_word || at_word >= layer.to) return take_some(rows, at_word, at_y, first, last);
+        const TileLook* const out = std::min(last, from_row(first, layer.begin - (kRows - 1)));
+        const TileLook* const in = std::min(last, from_row(out, layer.end));
+        return take_some(rows, at_word, at_y, first, out) || take_some(*layer.without, at_word, at_y, out, in) ||
+               take_some(rows, at_word, at_y, in, last);
+    };
+    const auto block = [&] {
+        return std::ranges::any_of(looks.spread, take_group) || std::ranges::any_of(looks.others, take_group);
     };
     const bool early = block();
     for (std::size_t v = 0; v < kVectors; ++v) {
@@ -138,39 +157,57 @@ FreeTiles::FreeTiles(const Tray& tray, std::shared_ptr<DilatedLayers> layers, co
 TileLooks FreeTiles::looks_for(const BitGrid& voxels) const {
     constexpr int kLevels = DilatedRows::kLevels;
     constexpr int kLongest = 2 << (kLevels - 1);
-    std::vector<std::array<TileLook, 2>> all;  // of a run, at its ends; by z and y
+    struct Look {
+        int word, y, z;
+        std::uint8_t level, shift;
+
+        bool operator==(const Look&) const = default;
+    };
+    std::vector<std::array<Look, 2> > all;  // of a run, at its ends; by z and y
     for (const Run& run : runs_along(voxels, 0).runs) {
         for (int done = 0; done < run.length; done += kLongest) {
             const int length = std::min(kLongest, run.length - done);
             const int level = std::min(static_cast<int>(std::bit_width(static_cast<unsigned>(length))), kLevels) - 1;
             const int begin = origin_.x + run.start.x + done + DilatedRows::kShift;
             const auto look = [&](int bit) {
-                return TileLook{origin_.y + run.start.y, origin_.z + run.start.z, level, bit >> 6, bit & 63};
+                return Look{bit >> 6, origin_.y + run.start.y, origin_.z + run.start.z,
+                            static_cast<std::uint8_t>(level), static_cast<std::uint8_t>(bit & 63)};
             };
             all.push_back({look(begin), look(begin + length - (1 << level))});
         }
     }
-    const auto append = [](std::vector<TileLook>& looks, const std::array<TileLook, 2>& ends) {
-        const auto& [begin, end] = ends;
-        looks.push_back(begin);
-        if (end.word != begin.word || end.shift != begin.shift) looks.push_back(end);
+    const auto for_ends = [](const std::array<Look, 2>& ends, const auto& visit) {
+        visit(ends[0]);
+        if (ends[1] != ends[0]) visit(ends[1]);
     };
-    TileLooks looks;
+    TileLooks result;
+    const auto append = [&](std::vector<TileLookGroup>& groups, const Look& look, bool join) {
+        const std::size_t at = result.looks.size();
+        if (!join || groups.empty() || groups.back().word != look.word || groups.back().z != look.z ||
+            look.y - groups.back().y > std::numeric_limits<std::uint16_t>::max()) {
+            groups.push_back({look.word, look.y, look.z, at, at});
+        }
+        result.looks.push_back({static_cast<std::uint16_t>(look.y - groups.back().y), look.level, look.shift});
+        groups.back().end = at + 1;
+    };
     std::vector<bool> taken(all.size(), false);
     const std::size_t stride = spreading_stride(all.size());
     for (std::size_t i = 0, at = 0; i < std::min(all.size(), kSpread); ++i, at = (at + stride) % all.size()) {
-        append(looks.spread, all[at]);
+        for_ends(all[at], [&](const Look& look) { append(result.spread, look, false); });
         taken[at] = true;
     }
-    looks.others.reserve(2 * all.size());
+    std::vector<Look> others;
+    others.reserve(2 * all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (taken[i]) continue;
-        const int z = all[i][0].z;
-        if (looks.layers.empty() || looks.layers.back().z != z) looks.layers.push_back({z, 0});
-        append(looks.others, all[i]);
-        looks.layers.back().end = looks.others.size();
+        for_ends(all[i], [&](const Look& look) { others.push_back(look); });
     }
-    return looks;
+    std::ranges::stable_sort(others, {}, [](const Look& look) { return std::pair(look.z, look.word); });
+    result.looks.reserve(result.looks.size() + others.size());
+    for (const Look& look : others) {
+        append(result.others, look, true);
+    }
+    return result;
 }
 
 /// Those of layers begin .. end - 1 that lie in the tray.

@@ -14,20 +14,21 @@ namespace spectralpack {
 
 /// 64 positions side by side, in the tables of a row: what a run of the shape meets, or a part of it.
 struct TileLook {
-    int y = 0, z = 0;  ///< of the row, from the position's
-    int level = 0;     ///< of the table
-    int word = 0;      ///< from the tile's
-    int shift = 0;     ///< of the first bit in it
+    std::uint16_t y = 0;                ///< of the row, from the group's
+    std::uint8_t level = 0, shift = 0;  ///< of the table; of the first bit in its word
 };
 
-/// Of a shape: some looks that are spread over it, which decide most tiles, and the others in the order of memory.
+/// Looks into the same word of rows of a layer, by y.
+struct TileLookGroup {
+    int word = 0, y = 0, z = 0;      ///< from the tile's word, the position's row and layer
+    std::size_t begin = 0, end = 0;  ///< into the looks
+};
+
+/// Of a shape: some looks that are spread over it, each a group, which decide most tiles, and the others in the order
+/// of memory.
 struct TileLooks {
-    struct Layer {
-        int z = 0;            ///< of the looks up to `end`, from the position's
-        std::size_t end = 0;  ///< into `others`
-    };
-    std::vector<TileLook> spread, others;
-    std::vector<Layer> layers;  ///< of the others
+    std::vector<TileLook> looks;
+    std::vector<TileLookGroup> spread, others;
 };
 
 /// A look at a layer: the tray's rows, but for what an object which is out has something in.
