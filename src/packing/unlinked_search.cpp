@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "disassembly/reachable_region.hpp"
+#include "packing/link_cells.hpp"
 #include "packing/row_sample.hpp"
 
 namespace spectralpack {
@@ -27,24 +28,30 @@ Tray tray_around(TrayObject object) {
     return tray;
 }
 
-/// Such a tray.
+/// Such trays, of its voxels and of them in cells.
 struct Alone {
-    Tray tray;
+    Tray voxels, cells;
     int counted = -1;  ///< the round in which bytes() were
 
-    explicit Alone(TrayObject object) : tray(tray_around(std::move(object))) {}
+    explicit Alone(const TrayObject& object) : voxels(tray_around(object)), cells(tray_around(in_cells(object))) {}
+
+    static TrayObject in_cells(TrayObject object) {
+        object.solid = std::make_shared<const BitGrid>(object_in_cells(*object.solid));
+        return object;
+    }
 
     /// Of what readers share, about: of 64 voxels they keep two words in each of five tables.
-    std::int64_t bytes() const { return 2 * tray.extent().count(); }
+    std::int64_t bytes() const { return 2 * (voxels.extent().count() + cells.extent().count()); }
 };
 
-/// Where one orientation's voxels can be moved to past one object.
+/// Where one orientation's voxels can be moved to past one object, or the cells of them.
 struct Ways {
     std::unique_ptr<FreeTileReader> tiles;
     ReachableRegion region;
 
-    Ways(std::unique_ptr<FreeTileReader> reader, const Extent& solid, const Extent& around, const StopToken& stop)
-        : tiles(std::move(reader)), region(*tiles, solid, whole(around), stop) {}
+    Ways(std::unique_ptr<FreeTileReader> reader, const Extent& solid, const Extent& around, const StopToken& stop,
+         ReachableRegion::StraightOut straight_out)
+        : tiles(std::move(reader)), region(*tiles, solid, whole(around), stop, std::move(straight_out)) {}
 };
 
 }  // namespace
@@ -53,12 +60,16 @@ BitGrid link_sample(const BitGrid& solid) { return row_sample(solid, kRowsAlong)
 
 /// What is known of a shape; copies of a part are asked about one after the other.
 struct UnlinkedSearch::Known {
+    /// Past one object; null: not asked about so far.
+    struct Past {
+        std::unique_ptr<Ways> of_cells, of_voxels;
+    };
     /// An orientation.
     struct Moving {
         std::mutex mutex;
-        std::shared_ptr<const BitGrid> sample;  // of its voxels; null: not asked about so far
-        std::unique_ptr<const Outlines> outlines;
-        std::map<ObjectId, std::unique_ptr<Ways>> past;
+        std::shared_ptr<const BitGrid> sample, in_cells;  // of its voxels; null: not asked about so far
+        std::shared_ptr<const Outlines> outlines;
+        std::map<ObjectId, Past> past;
         int round = 0;  // in which they were made
     };
 
@@ -88,7 +99,8 @@ class UnlinkedSearch::Asking {
             const OrientedShape& oriented = shape_.orientations[static_cast<std::size_t>(index)];
             const BitGrid& solid = *(tray_.detail() == 1 ? oriented.solid : oriented.fine);
             moving.sample = std::make_shared<const BitGrid>(link_sample(solid));
-            moving.outlines = std::make_unique<const Outlines>(solid);
+            moving.in_cells = std::make_shared<const BitGrid>(sample_in_cells(*moving.sample));
+            moving.outlines = std::make_shared<const Outlines>(solid);
         }
         const int s = tray_.detail();
         const Extent& solid = moving.sample->extent();
@@ -97,8 +109,9 @@ class UnlinkedSearch::Asking {
         for (const Standing& object : standing_) {
             if (intersection(box, object.box).empty()) continue;
             const VoxelIndex beside = at - object.box.lo;
-            if (moving.outlines->leave(outlines(object.id), beside)) continue;
-            if (!way_past(object.id, moving, beside)) return false;
+            const std::shared_ptr<const Outlines> outlines = outlines_of(object.id);
+            if (moving.outlines->leave(*outlines, beside)) continue;
+            if (!way_past(object.id, outlines, moving, beside)) return false;
         }
         return true;
     }
@@ -110,25 +123,32 @@ class UnlinkedSearch::Asking {
         VoxelBox box;  // in the voxels that collisions are decided on
     };
 
-    const Outlines& outlines(ObjectId id) {
+    std::shared_ptr<const Outlines> outlines_of(ObjectId id) {
         const std::lock_guard lock(making_);
-        const auto known = owner_.outlines_.find(id);
-        if (known != owner_.outlines_.end()) return known->second;
-        const Outlines& made = owner_.outlines_.emplace(id, *on_finest(tray_.object(id)).solid).first->second;
-        owner_.outlines_bytes_ += made.bytes();
-        return made;
+        std::shared_ptr<const Outlines>& outlines = owner_.outlines_[id];
+        if (!outlines) {
+            outlines = std::make_shared<const Outlines>(*on_finest(tray_.object(id)).solid);
+            owner_.outlines_bytes_ += outlines->bytes();
+        }
+        return outlines;
     }
 
-    bool way_past(ObjectId id, Moving& moving, const VoxelIndex& from) {
+    bool way_past(ObjectId id, const std::shared_ptr<const Outlines>& outlines, Moving& moving,
+                  const VoxelIndex& from) {
         if (moving.round != known_.round) {
             moving.round = known_.round;
             moving.past.clear();
         }
-        std::unique_ptr<Ways>& ways = moving.past[id];
-        const std::int64_t before = ways ? ways->region.bytes() : 0;
-        if (!ways) ways = make_ways(id, moving);
-        const bool way = ways->region.contains(from);
-        known_.bytes += ways->region.bytes() - before;
+        Known::Past& past = moving.past[id];
+        // Where there is no way from cell to cell, there is none, and that takes a sixteenth of the look-ups.
+        const bool way = leads_out(past.of_cells, cell_of(from),
+                                   [&] { return make_ways(id, &Alone::cells, moving.in_cells, {}); }) &&
+                         leads_out(past.of_voxels, from, [&] {
+                             return make_ways(id, &Alone::voxels, moving.sample,
+                                              [moved = moving.outlines, outlines](const VoxelIndex& at) {
+                                                  return moved->leave(*outlines, at);
+                                              });
+                         });
         if (known_.bytes > owner_.kept_.walks) {
             known_.bytes = 0;
             ++known_.round;
@@ -136,16 +156,29 @@ class UnlinkedSearch::Asking {
         return way;
     }
 
-    std::unique_ptr<Ways> make_ways(ObjectId id, const Moving& moving) {
+    /// Whether `ways`, which are made when they are first asked, lead out from there.
+    template <class Make>
+    bool leads_out(std::unique_ptr<Ways>& ways, const VoxelIndex& from, const Make& make) {
+        const std::int64_t before = ways ? ways->region.bytes() : 0;
+        if (!ways) ways = make();
+        const bool way = ways->region.contains(from);
+        known_.bytes += ways->region.bytes() - before;
+        return way;
+    }
+
+    std::unique_ptr<Ways> make_ways(ObjectId id, const Tray Alone::*around,
+                                    const std::shared_ptr<const BitGrid>& sample,
+                                    ReachableRegion::StraightOut straight_out) {
         const std::lock_guard lock(making_);
         auto alone = known_.alone.find(id);
         if (alone == known_.alone.end()) {
             alone = known_.alone.emplace(id, on_finest(tray_.object(id))).first;
         }
-        if (std::exchange(alone->second.counted, moving.round) != moving.round) known_.bytes += alone->second.bytes();
-        const Tray& around = alone->second.tray;
-        return std::make_unique<Ways>(owner_.engine_.free_tiles(around, moving.sample, {.for_readers = true}),
-                                      moving.sample->extent(), around.extent(), stop_);
+        const int round = known_.round;
+        if (std::exchange(alone->second.counted, round) != round) known_.bytes += alone->second.bytes();
+        const Tray& tray = alone->second.*around;
+        return std::make_unique<Ways>(owner_.engine_.free_tiles(tray, sample, {.for_readers = true}), sample->extent(),
+                                      tray.extent(), stop_, std::move(straight_out));
     }
 
     UnlinkedSearch& owner_;

@@ -52,9 +52,9 @@ class UnlinkedSearch final : public ForwardingSearch {
     struct Known;
     class Asking;
 
-    std::uint64_t followed_ = 0;             // the tray whose objects these are
-    Kept kept_{};                            // in that
-    std::map<ObjectId, Outlines> outlines_;  // of those that have been asked for
+    std::uint64_t followed_ = 0;                                    // the tray whose objects these are
+    Kept kept_{};                                                   // in that
+    std::map<ObjectId, std::shared_ptr<const Outlines>> outlines_;  // of those that have been asked for
     std::int64_t outlines_bytes_ = 0;
     std::unique_ptr<Known> known_;  // of that tray's objects and the shape asked about last
 };
