@@ -16,9 +16,9 @@ template <class T>
 class Ahead {
   public:
     /// Where there is one thread only, nobody makes it.
-    Ahead(const Workers& workers, std::function<T()> make) : state_(std::make_shared<State>()) {
+    Ahead(const Workers& workers, std::function<T()> make) : workers_(workers), state_(std::make_shared<State>()) {
         state_->make = std::move(make);
-        workers.spare([state = state_] { state->run(); });
+        workers_.spare([state = state_] { state->run(); });
     }
 
     /// Waits where the value is being made; where nobody has begun, nobody will.
@@ -29,14 +29,16 @@ class Ahead {
     Ahead(const Ahead&) = delete;
     Ahead& operator=(const Ahead&) = delete;
 
-    /// What has been made, once; waits while it is being made, and rethrows what making it threw. Nothing where nobody
-    /// has begun, and nobody will.
+    /// What has been made, once; while it is being made it does what else waits for a spare thread, and rethrows what
+    /// making it threw. Nothing where nobody has begun, and nobody will.
     std::optional<T> take() {
         if (!state_->begun.exchange(true)) {
             state_->done = true;
             return std::nullopt;
         }
-        state_->done.wait(false);
+        while (!state_->done) {
+            if (!workers_.run_spare()) state_->done.wait(false);
+        }
         if (state_->error) std::rethrow_exception(state_->error);
         return std::exchange(state_->value, std::nullopt);
     }
@@ -60,6 +62,7 @@ class Ahead {
         std::atomic<bool> begun = false, done = false;
     };
 
+    Workers workers_;
     std::shared_ptr<State> state_;  // with who makes it
 };
 

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -36,12 +38,27 @@ struct Workers::Pool {
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
+    /// Runs the first task that waits. False where none does.
+    bool run_next() {
+        std::function<void()> task;
+        {
+            const std::lock_guard lock(mutex);
+            if (waiting.empty()) return false;
+            task = std::move(waiting.front());
+            waiting.pop_front();
+        }
+        task();
+        return true;
+    }
+
     // More threads than the machine has are asked for here: once another library has started TBB with as many as it
     // has, TBB would warn on standard error and give no more.
     std::optional<tbb::global_control> allowed;
     tbb::task_arena arena;
-    tbb::task_arena spare;  // one place of it is for who asks
-    tbb::task_group spare_tasks;
+    tbb::task_arena spare;        // one place of it is for who asks
+    tbb::task_group spare_tasks;  // each runs the first that waits, if somebody else has not yet
+    std::mutex mutex;             // guards what waits
+    std::deque<std::function<void()> > waiting;
 };
 
 Workers::Workers(int threads) : pool_(std::make_shared<Pool>(threads)) {}
@@ -92,7 +109,13 @@ void Workers::for_ranges(std::int64_t count, std::int64_t grain,
 
 void Workers::spare(std::function<void()> task) const {
     if (threads() == 1) return;
-    pool_->spare.execute([&] { pool_->spare_tasks.run(std::move(task)); });
+    {
+        const std::lock_guard lock(pool_->mutex);
+        pool_->waiting.push_back(std::move(task));
+    }
+    pool_->spare.execute([&] { pool_->spare_tasks.run([pool = pool_.get()] { pool->run_next(); }); });
 }
+
+bool Workers::run_spare() const { return pool_->run_next(); }
 
 }  // namespace spectralpack

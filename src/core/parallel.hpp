@@ -35,6 +35,10 @@ class Workers {
     /// these workers goes is dropped. Where there is one thread only, nobody does.
     void spare(std::function<void()> task) const;
 
+    /// Runs one of the tasks that wait for a spare thread here and now, the first of them: for who would have to wait
+    /// for such a thread. False where none waits.
+    bool run_spare() const;
+
   private:
     struct Pool;
     std::shared_ptr<Pool> pool_;

@@ -96,6 +96,19 @@ TEST(Workers, DropWhatNoneHasBegunWhenTheyGo) {
     EXPECT_EQ(held.use_count(), 1);
 }
 
+TEST(Ahead, IsMadeWhileWhoWaitsForItDoesOtherSpareWork) {
+    const Workers two(2);
+    std::atomic<bool> begun = false, done = false;
+    Ahead<bool> value(two, [&] {
+        begun = true;
+        return test::eventually([&] { return done.load(); });
+    });
+    ASSERT_TRUE(test::eventually([&] { return begun.load(); }));
+    two.spare([&] { done = true; });  // the one spare thread is making the value
+    EXPECT_EQ(value.take(), true);
+    EXPECT_FALSE(two.run_spare());
+}
+
 TEST(Ahead, IsMadeByASpareThreadOrNotAtAll) {
     std::atomic<int> made = 0;
     const auto make = [&made] { return ++made; };
