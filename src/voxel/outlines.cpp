@@ -46,7 +46,7 @@ Outlines::Outlines(const BitGrid& voxels) : Outlines(voxels.extent()) {
     }
     // Along y in each layer, along z over each row of it, both ways: the first to be seen in a line is its end.
     const auto width = static_cast<std::size_t>(n.x);
-    std::vector<BitGrid::Word> seen;
+    std::vector<BitGrid::Word> seen, all;
     for (int axis = 1; axis < 3; ++axis) {
         Ends& ends = along_[static_cast<std::size_t>(axis)];
         for (int j = 0; j < n[up(axis)]; ++j) {
@@ -57,8 +57,9 @@ Outlines::Outlines(const BitGrid& voxels) : Outlines(voxels.extent()) {
             seen.assign(words, 0);
             for (int i = 0; i < n[axis]; ++i)
                 see(i, ends.first);
+            all = seen;
             seen.assign(words, 0);
-            for (int i = n[axis] - 1; i >= 0; --i)
+            for (int i = n[axis] - 1; seen != all; --i)
                 see(i, ends.last);
         }
     }

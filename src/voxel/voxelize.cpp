@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
 constexpr double kMaxAlong = 1 << 30;
-constexpr std::int64_t kGrain = 1 << 13;  ///< triangles a task takes at least
+constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 Extent grid_extent(const Vec3& size, double voxel_size) {
     const Extent extent{voxels_along(size.x, voxel_size), voxels_along(size.y, voxel_size),

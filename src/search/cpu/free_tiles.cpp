@@ -196,16 +196,19 @@ TileLooks FreeTiles::looks_for(const BitGrid& voxels) const {
         for_ends(all[at], [&](const Look& look) { append(result.spread, look, false); });
         taken[at] = true;
     }
-    std::vector<Look> others;
-    others.reserve(2 * all.size());
+    // Layer by layer, of each the looks into its first word before those into the next.
+    result.looks.reserve(2 * all.size());
+    std::vector<Look> layer;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (taken[i]) continue;
-        for_ends(all[i], [&](const Look& look) { others.push_back(look); });
-    }
-    std::ranges::stable_sort(others, {}, [](const Look& look) { return std::pair(look.z, look.word); });
-    result.looks.reserve(result.looks.size() + others.size());
-    for (const Look& look : others) {
-        append(result.others, look, true);
+        if (!taken[i]) for_ends(all[i], [&](const Look& look) { layer.push_back(look); });
+        if (layer.empty() || (i + 1 < all.size() && all[i + 1][0].z == all[i][0].z)) continue;
+        const auto [first, last] = std::ranges::minmax(layer, {}, &Look::word);
+        for (int word = first.word; word <= last.word; ++word) {
+            for (const Look& look : layer) {
+                if (look.word == word) append(result.others, look, true);
+            }
+        }
+        layer.clear();
     }
     return result;
 }
