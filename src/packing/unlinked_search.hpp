@@ -31,7 +31,8 @@ class UnlinkedSearch final : public ForwardingSearch {
 
     /// Asks the engine, which asks back of each candidate that would be the best so far. Most can be drawn straight
     /// away from every copy whose box they reach into, as outlines tell; for the others walks outwards answer, each
-    /// past one object, and are remembered as long as copies of the same shape are asked about.
+    /// past one object, in cells of positions first, and are remembered as long as copies of the same shape are asked
+    /// about.
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     std::int64_t memory() const override { return engine_.memory() + outlines_bytes_; }
