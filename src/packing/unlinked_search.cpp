@@ -28,20 +28,15 @@ Tray tray_around(TrayObject object) {
     return tray;
 }
 
-/// Such trays, of its voxels and of them in cells.
+/// Such a tray.
 struct Alone {
-    Tray voxels, cells;
+    Tray tray;
     int counted = -1;  ///< the round in which bytes() were
 
-    explicit Alone(const TrayObject& object) : voxels(tray_around(object)), cells(tray_around(in_cells(object))) {}
-
-    static TrayObject in_cells(TrayObject object) {
-        object.solid = std::make_shared<const BitGrid>(object_in_cells(*object.solid));
-        return object;
-    }
+    explicit Alone(TrayObject object) : tray(tray_around(std::move(object))) {}
 
     /// Of what readers share, about: of 64 voxels they keep two words in each of five tables.
-    std::int64_t bytes() const { return 2 * (voxels.extent().count() + cells.extent().count()); }
+    std::int64_t bytes() const { return 2 * tray.extent().count(); }
 };
 
 /// Where one orientation's voxels can be moved to past one object, or the cells of them.
@@ -76,10 +71,10 @@ struct UnlinkedSearch::Known {
     explicit Known(const Shape& of) : shape(of.id), moving(of.orientations.size()) {}
 
     std::uint64_t shape;
-    std::map<ObjectId, Alone> alone;      // as long as readers of them
-    std::vector<Moving> moving;           // by orientation
-    std::atomic<std::int64_t> bytes = 0;  // of ways and of what readers share
-    std::atomic<int> round = 0;           // when there are too many of them, all ways of earlier rounds are forgotten
+    std::map<ObjectId, Alone> cells, voxels;  // of objects; as long as readers of them
+    std::vector<Moving> moving;               // by orientation
+    std::atomic<std::int64_t> bytes = 0;      // of ways and of what readers share
+    std::atomic<int> round = 0;  // when there are too many of them, all ways of earlier rounds are forgotten
 };
 
 /// One search: asked by several threads.
@@ -141,14 +136,13 @@ class UnlinkedSearch::Asking {
         }
         Known::Past& past = moving.past[id];
         // Where there is no way from cell to cell, there is none, and that takes a sixteenth of the look-ups.
-        const bool way = leads_out(past.of_cells, cell_of(from),
-                                   [&] { return make_ways(id, &Alone::cells, moving.in_cells, {}); }) &&
-                         leads_out(past.of_voxels, from, [&] {
-                             return make_ways(id, &Alone::voxels, moving.sample,
-                                              [moved = moving.outlines, outlines](const VoxelIndex& at) {
-                                                  return moved->leave(*outlines, at);
-                                              });
-                         });
+        const bool way =
+            leads_out(past.of_cells, cell_of(from), [&] { return make_ways(id, moving, true, {}); }) &&
+            leads_out(past.of_voxels, from, [&] {
+                return make_ways(id, moving, false, [moved = moving.outlines, outlines](const VoxelIndex& at) {
+                    return moved->leave(*outlines, at);
+                });
+            });
         if (known_.bytes > owner_.kept_.walks) {
             known_.bytes = 0;
             ++known_.round;
@@ -166,19 +160,22 @@ class UnlinkedSearch::Asking {
         return way;
     }
 
-    std::unique_ptr<Ways> make_ways(ObjectId id, const Tray Alone::*around,
-                                    const std::shared_ptr<const BitGrid>& sample,
+    std::unique_ptr<Ways> make_ways(ObjectId id, const Moving& moving, bool in_cells,
                                     ReachableRegion::StraightOut straight_out) {
         const std::lock_guard lock(making_);
-        auto alone = known_.alone.find(id);
-        if (alone == known_.alone.end()) {
-            alone = known_.alone.emplace(id, on_finest(tray_.object(id))).first;
+        std::map<ObjectId, Alone>& all = in_cells ? known_.cells : known_.voxels;
+        auto alone = all.find(id);
+        if (alone == all.end()) {
+            TrayObject object = on_finest(tray_.object(id));
+            if (in_cells) object.solid = std::make_shared<const BitGrid>(object_in_cells(*object.solid));
+            alone = all.emplace(id, std::move(object)).first;
         }
         const int round = known_.round;
         if (std::exchange(alone->second.counted, round) != round) known_.bytes += alone->second.bytes();
-        const Tray& tray = alone->second.*around;
-        return std::make_unique<Ways>(owner_.engine_.free_tiles(tray, sample, {.for_readers = true}), sample->extent(),
-                                      tray.extent(), stop_, std::move(straight_out));
+        const Tray& around = alone->second.tray;
+        const std::shared_ptr<const BitGrid>& sample = in_cells ? moving.in_cells : moving.sample;
+        return std::make_unique<Ways>(owner_.engine_.free_tiles(around, sample, {.for_readers = true}),
+                                      sample->extent(), around.extent(), stop_, std::move(straight_out));
     }
 
     UnlinkedSearch& owner_;
