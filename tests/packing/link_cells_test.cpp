@@ -55,12 +55,7 @@ TEST(LinkCells, KeepHoldingWhatAThickCageHolds) {
     BitGrid ball({4, 4, 4});
     ball.fill(true);
     const auto reaches_outside = [](const BitGrid& object, const BitGrid& solid, const VoxelIndex& from) {
-        FreePositions free{{-solid.extent().x, -solid.extent().y, -solid.extent().z},
-                           BitGrid({object.extent().x + solid.extent().x + 1, object.extent().y + solid.extent().y + 1,
-                                    object.extent().z + solid.extent().z + 1})};
-        for_each_voxel(free.free.extent(), [&](int x, int y, int z) {
-            free.free.set(x, y, z, !intersects(object, solid, free.origin + VoxelIndex{x, y, z}));
-        });
+        const FreePositions free = free_beside(object, solid);
         const VoxelIndex at = from - free.origin;
         return plain_region(free).get(at.x, at.y, at.z);
     };

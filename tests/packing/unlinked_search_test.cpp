@@ -12,16 +12,6 @@
 namespace spectralpack::test {
 namespace {
 
-/// Where `solid` does not meet `still`, with a rim outside of it.
-FreePositions free_beside(const BitGrid& still, const BitGrid& solid) {
-    const Extent &n = still.extent(), &a = solid.extent();
-    FreePositions result{{-a.x, -a.y, -a.z}, BitGrid({n.x + a.x + 1, n.y + a.y + 1, n.z + a.z + 1})};
-    for_each_voxel(result.free.extent(), [&](int x, int y, int z) {
-        result.free.set(x, y, z, !intersects(still, solid, result.origin + VoxelIndex{x, y, z}));
-    });
-    return result;
-}
-
 /// The best of the candidates from which there is a way past each object, no others being admitted.
 SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
     const int s = tray.detail();

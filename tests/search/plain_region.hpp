@@ -4,8 +4,19 @@
 #include <deque>
 
 #include "search/placement_search.hpp"
+#include "search/random_scene.hpp"
 
 namespace spectralpack::test {
+
+/// Where `solid` does not meet `still`, with a rim outside of it.
+inline FreePositions free_beside(const BitGrid& still, const BitGrid& solid) {
+    const Extent &n = still.extent(), &a = solid.extent();
+    FreePositions result{{-a.x, -a.y, -a.z}, BitGrid({n.x + a.x + 1, n.y + a.y + 1, n.z + a.z + 1})};
+    for_each_voxel(result.free.extent(), [&](int x, int y, int z) {
+        result.free.set(x, y, z, !intersects(still, solid, result.origin + VoxelIndex{x, y, z}));
+    });
+    return result;
+}
 
 /// Of the same grid as `free`, whose rim lies wholly outside the tray.
 inline BitGrid plain_region(const FreePositions& free) {
