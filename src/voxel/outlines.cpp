@@ -59,7 +59,7 @@ Outlines::Outlines(const BitGrid& voxels) : Outlines(voxels.extent()) {
                 see(i, ends.first);
             all = seen;
             seen.assign(words, 0);
-            for (int i = n[axis] - 1; seen != all; --i)
+            for (int i = n[axis] - 1; seen != all; --i)  // until each line that has an end has its last
                 see(i, ends.last);
         }
     }

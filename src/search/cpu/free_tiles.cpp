@@ -100,10 +100,7 @@ bool BlockTile(const TileLooks& looks, const std::vector<TileLayer>& layers, int
         return take_some(rows, at_word, at_y, first, out) || take_some(*layer.without, at_word, at_y, out, in) ||
                take_some(rows, at_word, at_y, in, last);
     };
-    const auto block = [&] {
-        return std::ranges::any_of(looks.spread, take_group) || std::ranges::any_of(looks.others, take_group);
-    };
-    const bool early = block();
+    const bool early = std::ranges::any_of(looks.spread, take_group) || std::ranges::any_of(looks.others, take_group);
     for (std::size_t v = 0; v < kVectors; ++v) {
         hn::StoreU(known[v], d, blocked + v * kStep);
     }

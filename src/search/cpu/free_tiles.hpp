@@ -2,6 +2,7 @@
 /// Free positions of a shape among the objects of Omega_move, tiles of bits at a time (for flood
 /// fill and re-insertion, paper sections 4.1 and 4.3).
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
