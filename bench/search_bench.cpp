@@ -182,9 +182,9 @@ Packed pack(const Question& question, const Arguments& arguments, PlacementSearc
     Tray tray(setup);
     ShapeStore shapes(
         [&](int part, const Workers& makers) {
-            return std::make_shared<const Shape>(
-                make_shape(static_cast<std::uint64_t>(part) + 1, question.meshes[static_cast<std::size_t>(part)],
-                           rotations, setup.voxel_size, setup.detail, arguments.gap, setup.gap_classes, makers));
+            return std::make_shared<const Shape>(make_shape(
+                static_cast<std::uint64_t>(part) + 1, question.meshes[static_cast<std::size_t>(part)], rotations,
+                setup.voxel_size, setup.detail, arguments.gap, setup.gap_classes, makers, setup.size));
         },
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
     shapes.start_tray(question.items);

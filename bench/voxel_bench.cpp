@@ -121,8 +121,9 @@ void widen_mixtures(benchmark::State& state) {
     }
     for (auto _ : state) {
         for (std::size_t i = 0; i < solids.size(); ++i) {
-            benchmark::DoNotOptimize(
-                widen(solids[i], mixtures()[i], 2, 0.1 * static_cast<double>(state.range(0)), workers));
+            const Box box = bounding_box(mixtures()[i]);
+            benchmark::DoNotOptimize(widen(solids[i], mixtures()[i], box.min - inset(box.size(), 2), 2,
+                                           0.1 * static_cast<double>(state.range(0)), workers));
         }
     }
 }

@@ -166,9 +166,9 @@ class Run {
                 const auto i = static_cast<std::size_t>(part);
                 std::shared_ptr<const Shape> shape = kept_[i];
                 if (!shape) {
-                    shape = std::make_shared<const Shape>(make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i],
-                                                                     options.voxel, options.detail,
-                                                                     loaded_.parts[i].gap, plan_.gap_classes, workers));
+                    shape = std::make_shared<const Shape>(
+                        make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
+                                   loaded_.parts[i].gap, plan_.gap_classes, workers, plan_.room));
                     if (keep_shapes_) kept_[i] = shape;
                 }
                 return shape;

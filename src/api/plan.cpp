@@ -406,10 +406,11 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
+    plan.room = room(options);
     for (int axis = 0; axis < 2; ++axis) {
-        plan.grid[axis] = voxels_in(room(options)[axis], options.voxel);
+        plan.grid[axis] = voxels_in(plan.room[axis], options.voxel);
     }
-    plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(room(options).z, options.voxel);
+    plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(plan.room.z, options.voxel);
     plan.memory_limit = options.memory > 0
                             ? options.memory
                             : static_cast<std::int64_t>(kShareOfFree * static_cast<double>(available_memory()));

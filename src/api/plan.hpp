@@ -20,6 +20,7 @@ struct Plan {
     std::vector<std::vector<Vec3>> turned_sizes;  ///< by part: its mesh's in some of its orientations, spread over them
     std::vector<std::string> too_large;           ///< by part: why it fits in no orientation; empty where it fits
     EngineKind engine = EngineKind::cpu;          ///< resolved
+    Vec3 room;                                    ///< for the copies' boxes, mm
     Extent grid;                                  ///< with open height, as high as it starts
     bool physical = false;                        ///< copies leave by the container's open top alone
     int most_layers = 0;                          ///< open height: as high as memory lets it grow

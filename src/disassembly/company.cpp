@@ -255,7 +255,7 @@ Company::Flood Company::flood(std::size_t i) const {
     const Box rest = voxel_hull_.without({i});
     if (rest.empty()) return flood;
     flood.others = {voxel(rest.min) - origin_, voxel(rest.max) - origin_};
-    flood.at = boxes_[i].min - setup_.corner;
+    flood.at = boxes_[i].min - inset(boxes_[i].size(), tray_.voxel_size()) - setup_.corner;
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = flood.at[axis] / tray_.voxel_size();
         flood.nearest[axis] = static_cast<int>(std::lround(voxels));

@@ -39,11 +39,11 @@ std::vector<double> Caps::sections(int part, int orientation, const Vec3& offset
     return section_areas(transformed(parts_.turned_mesh(part, orientation), {Mat3{}, offset}), setup_.voxel_size);
 }
 
-const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& min) {
+const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& corner) {
     const auto [entry, fresh] = profiles_.try_emplace({part, orientation});
     if (fresh) {
         // A plane that meets a flat side may fall to either side of it, as rounding will have it in other layers.
-        const double z = setup_.wall_gap - min.z;
+        const double z = setup_.wall_gap - corner.z;
         entry->second = sections(part, orientation, {0, 0, z + kNear});
         const std::vector<double> lower = sections(part, orientation, {0, 0, z - kNear});
         for (std::size_t k = 0; k < lower.size(); ++k) {
@@ -57,7 +57,7 @@ const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
     if (!setup_.layer_fill) return nullptr;
     allowed_.by_index.clear();
     for (const OrientedShape& oriented : shape.orientations) {
-        const std::vector<double>& areas = profile(part, oriented.orientation, oriented.min);
+        const std::vector<double>& areas = profile(part, oriented.orientation, oriented.corner);
         std::vector<bool>& open = allowed_.by_index.emplace_back(static_cast<std::size_t>(layers), true);
         for (std::size_t z = 0; z < open.size(); ++z) {
             for (std::size_t k = 0; k < areas.size() && open[z]; ++k) {

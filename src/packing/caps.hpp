@@ -64,7 +64,7 @@ class Caps {
     void add_areas(int times, const std::vector<double>& areas);
     /// Of layer `k`, the area that may be filled, mm^2.
     double most(std::size_t k) const;
-    const std::vector<double>& profile(int part, int orientation, const Vec3& min);
+    const std::vector<double>& profile(int part, int orientation, const Vec3& corner);
     std::vector<double> sections(int part, int orientation, const Vec3& offset) const;
 
     CapSetup setup_;

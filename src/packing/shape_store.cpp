@@ -8,8 +8,7 @@
 namespace spectralpack {
 namespace {
 
-// Orientations made at a time: those of kAhead parts that may be turned by right angles.
-constexpr std::size_t kOrientationsAhead = 24 * ShapeStore::kAhead;
+constexpr std::size_t kOrientationsAhead = 768;  // made at a time
 
 std::int64_t bytes_of(const Shape& shape) {
     std::int64_t bytes = 0;

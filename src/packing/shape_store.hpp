@@ -21,7 +21,7 @@ class ShapeStore {
 
     /// Parts held at most of those not asked for so far, with the one that is: enough to keep the threads busy, few
     /// enough to hold.
-    static constexpr int kAhead = 32;
+    static constexpr int kAhead = 8;
     /// Where ways out are looked for as well, which takes longer than making voxels.
     static constexpr int kAheadOfWays = 4;
     /// So many of parts with so many orientations: fewer of those with many, whose making is work enough for all

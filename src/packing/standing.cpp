@@ -9,7 +9,7 @@ Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double vox
         corner[axis] = wall_gap + best.position[axis] * voxel_size;
     }
     const VoxelIndex& q = best.position;
-    return {corner - oriented.min,
+    return {corner - oriented.corner,
             {oriented.solid, q, shape.gap_class, false, oriented.fine, {detail * q.x, detail * q.y, detail * q.z}}};
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "search/shape.hpp"
-#include "voxel/permute.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/split.hpp"
 
 namespace spectralpack {
@@ -13,11 +13,11 @@ namespace {
 
 using Widened = std::vector<std::shared_ptr<const WidenedVoxels>>;  ///< one for each gap class
 
-constexpr double kSameSize = 1e-6;  ///< mm: sizes closer than this have the same candidates
+constexpr double kSameReach = 1e-6;  ///< mm: what reaches as far but for this has the same candidates
 
 bool same(const OrientedVoxels& a, const OrientedVoxels& b) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(a.size[axis] - b.size[axis]) > kSameSize) return false;
+        if (std::abs(a.reach[axis] - b.reach[axis]) > kSameReach) return false;
     }
     return a.solid == b.solid;
 }
@@ -46,10 +46,34 @@ Widened for_each_gap(double own_gap, const std::vector<double>& gap_classes, con
     return widened;
 }
 
+struct Source {
+    std::size_t root;  ///< in shape.orientations: the first whose voxels differ by a turn only
+    AxisTurn turn;
+};
+
+/// Says of each orientation which earlier one it follows from by an exchange of axes.
+void tell_exchanged(Shape& shape, const std::vector<Source>& sources, const std::vector<Mat3>& rotations) {
+    std::vector<std::size_t> firsts;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        OrientedShape& oriented = shape.orientations[i];
+        const Mat3& rotation = rotations[static_cast<std::size_t>(oriented.orientation)];
+        for (const std::size_t first : firsts) {
+            if (sources[first].root != sources[i].root) continue;
+            const auto from = static_cast<std::size_t>(shape.orientations[first].orientation);
+            const std::optional<AxisTurn> turn = axis_turn(rotations[from], rotation);
+            if (!turn || turn->reverses()) continue;
+            oriented.turned_from = static_cast<int>(first);
+            oriented.axes = turn->order;
+            break;
+        }
+        if (oriented.turned_from < 0) firsts.push_back(i);
+    }
+}
+
 }  // namespace
 
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
-                 double gap, const std::vector<double>& gap_classes, const Workers& workers) {
+                 double gap, const std::vector<double>& gap_classes, const Workers& workers, const Vec3& room) {
     const auto own_class = std::ranges::find(gap_classes, gap);
     if (own_class == gap_classes.end() || !std::ranges::is_sorted(gap_classes)) {
         throw InternalError("a part's gap is not among the job's gap classes");
@@ -59,56 +83,50 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     shape.id = id;
     shape.gap_class = static_cast<int>(own_class - gap_classes.begin());
 
-    std::vector<OrientedVoxels> voxels = voxelize_orientations(mesh, rotations, fine_size, workers);
-    struct Source {
-        std::size_t root;  ///< in shape.orientations: the first that differs in its axes only
-        AxisOrder axes;
-    };
+    std::vector<OrientedVoxels> voxels = voxelize_orientations(mesh, rotations, fine_size, workers, room);
     std::vector<Source> sources;
     std::vector<std::size_t> roots;
     for (const std::size_t i : distinct_orientations(voxels)) {
         std::optional<Source> source;
         for (std::size_t k = 0; k < roots.size() && !source; ++k) {
-            const int root = shape.orientations[roots[k]].orientation;
-            const auto axes = exchanged_axes(rotations[i], rotations[static_cast<std::size_t>(root)]);
-            if (axes) source = Source{roots[k], *axes};
+            const auto root = static_cast<std::size_t>(shape.orientations[roots[k]].orientation);
+            if (voxels[root].origin != voxels[i].origin) continue;
+            source = Source{roots[k], axis_turn(rotations[root], rotations[i]).value()};
         }
         if (!source) roots.push_back(sources.size());
-        sources.push_back(source.value_or(Source{sources.size(), {0, 1, 2}}));
-        shape.orientations.push_back({static_cast<int>(i),
-                                      voxels[i].size,
-                                      voxels[i].min,
-                                      nullptr,
-                                      {},
-                                      std::make_shared<const BitGrid>(std::move(voxels[i].solid))});
+        sources.push_back(source.value_or(Source{sources.size(), {}}));
+        OrientedShape made{static_cast<int>(i),
+                           voxels[i].reach,
+                           voxels[i].corner,
+                           nullptr,
+                           {},
+                           std::make_shared<const BitGrid>(std::move(voxels[i].solid))};
+        shape.orientations.push_back(std::move(made));
     }
+    tell_exchanged(shape, sources, rotations);
     workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
         OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
         made.solid =
             detail == 1 ? made.fine : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
     });
 
-    // Widening costs more than all else here, so each root is widened and the others get its grids
-    // with the axes exchanged: 8 of the cube's 24 rotations are roots.
+    // Widening costs more than all else here, so each root is widened and the others get its grids turned: of the
+    // cube's 24 rotations one is a root.
     workers.for_each(static_cast<std::int64_t>(roots.size()), [&](std::int64_t k) {
         OrientedShape& root = shape.orientations[roots[static_cast<std::size_t>(k)]];
         const Mat3& rotation = rotations[static_cast<std::size_t>(root.orientation)];
-        const Mesh turned = transformed(mesh, {rotation, {}});
+        const Mesh turned_mesh = transformed(mesh, {rotation, {}});
         root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
-            return wanted > 0 ? widen(*root.fine, turned, fine_size, wanted, workers) : WidenedVoxels{*root.fine, {}};
+            return wanted > 0 ? widen(*root.fine, turned_mesh, root.corner, fine_size, wanted, workers)
+                              : WidenedVoxels{*root.fine, {}};
         });
     });
     workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (sources[i].root == i) return;
-        shape.orientations[i].turned_from = static_cast<int>(sources[i].root);
-        shape.orientations[i].axes = sources[i].axes;
-        const Widened& of_root = shape.orientations[sources[i].root].widened;
-        const AxisOrder& axes = sources[i].axes;
+        const OrientedShape& root = shape.orientations[sources[i].root];
         shape.orientations[i].widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double) {
-            const VoxelIndex& offset = of_root[c]->offset;
-            return WidenedVoxels{permuted(of_root[c]->voxels, axes),
-                                 {offset[axes[0]], offset[axes[1]], offset[axes[2]]}};
+            return turned(*root.widened[c], root.fine->extent(), sources[i].turn);
         });
     });
     return shape;

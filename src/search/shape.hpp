@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "voxel/permute.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/voxel_box.hpp"
 #include "voxel/voxelize.hpp"
 #include "voxel/widen.hpp"
@@ -16,8 +16,8 @@ namespace spectralpack {
 
 struct OrientedShape {
     int orientation = 0;                   ///< index in the job's orientation set
-    Vec3 size;                             ///< of the turned mesh's box, mm: decides the candidates
-    Vec3 min;                              ///< the turned mesh's box minimum, mm
+    Vec3 reach;                            ///< from the corner to the box maximum, mm: decides the candidates
+    Vec3 corner;                           ///< of voxel (0,0,0), in the turned mesh's coordinates, mm
     std::shared_ptr<const BitGrid> solid;  ///< A
     /// A+g, in voxels of dx / s, against the objects of each gap class of the tray, where g = max(own
     /// gap, the class's gap); for g = 0 the unwidened voxels with offset 0. One per class, in the
@@ -26,8 +26,8 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
-    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged (voxel/permute.hpp);
-    /// -1: of none that comes before.
+    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged
+    /// (voxel/axis_turn.hpp); -1: of none that comes before.
     int turned_from = -1;
     AxisOrder axes{0, 1, 2};
 };
@@ -49,10 +49,11 @@ struct Shape {
 };
 
 /// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for
-/// every gap class, and merges orientations with equal voxels (and equal sizes to 1e-6 mm) into the
-/// least index.
+/// every gap class, and merges orientations with equal voxels (and equal reach to 1e-6 mm) into the
+/// least index. `room`: as voxelize_orientations() has it.
 /// `gap_classes`: the job's distinct gaps, ascending; `gap` is one of them.
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
-                 double gap, const std::vector<double>& gap_classes, const Workers& workers);
+                 double gap, const std::vector<double>& gap_classes, const Workers& workers,
+                 const Vec3& room = kAnyRoom);
 
 }  // namespace spectralpack

@@ -91,14 +91,14 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     if (setup_.detail > 1) make(parts_, gaps.size() * static_cast<std::size_t>(part_count(setup_.detail)));
 }
 
-Extent Tray::candidates(const Vec3& size) const {
+Extent Tray::candidates(const Vec3& reach) const {
     Extent count;
     for (int axis = 0; axis < 3; ++axis) {
-        const double room = setup_.size[axis] + kContainTolerance - size[axis];
+        const double room = setup_.size[axis] + kContainTolerance - reach[axis];
         if (!(room >= 0)) return {};
         count[axis] = static_cast<int>(std::floor(room / setup_.voxel_size)) + 1;
         // The tolerance must not push voxels over the edge of the grid.
-        const int fine = voxels_along(size[axis], setup_.voxel_size / setup_.detail);
+        const int fine = voxels_along(reach[axis], setup_.voxel_size / setup_.detail);
         const int voxels = (fine + setup_.detail - 1) / setup_.detail;
         count[axis] = std::min(count[axis], extent_[axis] - voxels + 1);
         if (count[axis] <= 0) return {};

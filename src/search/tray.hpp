@@ -103,9 +103,9 @@ class Tray {
     int reference_layers() const { return reference_layers_; }
     int gap_classes() const { return static_cast<int>(setup_.gap_classes.size()); }
 
-    /// How many positions per axis keep a mesh box of `size` mm inside the container: positions are
-    /// 0 .. count - 1; an empty extent when it does not fit. The voxels then lie in the grid.
-    Extent candidates(const Vec3& size) const;
+    /// How many positions per axis keep a mesh that reaches so far from its voxels' corner, mm, inside the container:
+    /// positions are 0 .. count - 1; an empty extent when it does not fit. The voxels then lie in the grid.
+    Extent candidates(const Vec3& reach) const;
 
     /// Voxels of dx that objects of one gap class reach into, without walls and keep-out.
     const BitGrid& occupied(int gap_class) const { return occupied_[static_cast<std::size_t>(gap_class)]; }

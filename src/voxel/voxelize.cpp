@@ -9,9 +9,9 @@
 
 #include "core/error.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/enclosed.hpp"
 #include "voxel/grid_mesh.hpp"
-#include "voxel/permute.hpp"
 #include "voxel/surface.hpp"
 #include "voxel/winding.hpp"
 
@@ -59,12 +59,20 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
 
 bool encloses_solid(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
 
-BitGrid voxels_of(const Mesh& mesh, const Box& box, bool closed, double voxel_size, const Workers& workers) {
-    const Extent extent = grid_extent(box.size(), voxel_size);
-    return solid_voxels(GridMesh(mesh, box.min, voxel_size), extent, closed, workers);
+/// `corner`: of voxel (0,0,0), at most a voxel below the box minimum on each axis.
+BitGrid voxels_of(const Mesh& mesh, const Box& box, const Vec3& corner, bool closed, double voxel_size,
+                  const Workers& workers) {
+    return solid_voxels(GridMesh(mesh, corner, voxel_size), grid_extent(box.size(), voxel_size), closed, workers);
 }
 
-Vec3 permuted(const Vec3& v, const AxisOrder& order) { return {v[order[0]], v[order[1]], v[order[2]]}; }
+/// inset(), but 0 along axes where it would keep a box out of the room that it fits into.
+Vec3 inset_within(const Vec3& size, double voxel_size, const Vec3& room) {
+    Vec3 in = inset(size, voxel_size);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size[axis] + in[axis] > room[axis]) in[axis] = 0;
+    }
+    return in;
+}
 
 }  // namespace
 
@@ -77,8 +85,17 @@ int voxels_along(double size, double voxel_size) {
     return std::max(1, static_cast<int>(voxels));
 }
 
+Vec3 inset(const Vec3& size, double voxel_size) {
+    Vec3 in;
+    for (int axis = 0; axis < 3; ++axis) {
+        in[axis] = std::max(0.0, voxels_along(size[axis], voxel_size) * voxel_size - size[axis]) / 2;
+    }
+    return in;
+}
+
 BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
-    return voxels_of(mesh, bounding_box(mesh), encloses_solid(mesh), voxel_size, workers);
+    const Box box = bounding_box(mesh);
+    return voxels_of(mesh, box, box.min - inset(box.size(), voxel_size), encloses_solid(mesh), voxel_size, workers);
 }
 
 StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, const Workers& workers) {
@@ -99,39 +116,43 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
 }
 
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
-                                                  double voxel_size, const Workers& workers) {
+                                                  double voxel_size, const Workers& workers, const Vec3& room) {
     const bool closed = encloses_solid(mesh);
-    // Of rotations that differ in the order of their axes the first, the root, is voxelised.
-    struct Source {
-        std::size_t root;
-        AxisOrder order;
-    };
-    std::vector<Source> sources;
-    std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < rotations.size(); ++i) {
-        std::optional<AxisOrder> order;
-        for (std::size_t k = 0; k < roots.size() && !order; ++k) {
-            order = exchanged_axes(rotations[i], rotations[roots[k]]);
-            if (order) sources.push_back({roots[k], *order});
-        }
-        if (order) continue;
-        sources.push_back({i, {0, 1, 2}});
-        roots.push_back(i);
-    }
-
     std::vector<OrientedVoxels> result(rotations.size());
-    workers.for_each(static_cast<std::int64_t>(roots.size()), [&](std::int64_t k) {
-        const std::size_t root = roots[static_cast<std::size_t>(k)];
-        const Mesh turned = transformed(mesh, {rotations[root], {}});
-        const Box box = bounding_box(turned);
-        result[root] = {voxels_of(turned, box, closed, voxel_size, workers), box.size(), box.min};
+    const auto stand = [&](std::size_t i, const Box& box) {
+        const Vec3 in = inset_within(box.size(), voxel_size, room);
+        result[i].corner = box.min - in;
+        result[i].reach = box.size() + in;
+        return in == inset(box.size(), voxel_size);
+    };
+    std::vector<AxisTurn> turns(rotations.size());
+    std::vector<Box> boxes(rotations.size());
+    std::vector<std::size_t> origins;  // whose voxels others may have
+    std::vector<std::size_t> own;      // whose voxels are made from the mesh
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        std::optional<AxisTurn> turn;
+        for (std::size_t k = 0; k < origins.size() && !turn; ++k) {
+            turn = axis_turn(rotations[origins[k]], rotations[i]);
+            if (turn) result[i].origin = origins[k];
+        }
+        boxes[i] = turn ? turned(boxes[result[i].origin], *turn) : bounding_box(transformed(mesh, {rotations[i], {}}));
+        const bool in_the_middle = stand(i, boxes[i]);
+        if (turn && in_the_middle) {
+            turns[i] = *turn;
+            continue;
+        }
+        result[i].origin = i;
+        own.push_back(i);
+        if (in_the_middle) origins.push_back(i);
+    }
+    workers.for_each(static_cast<std::int64_t>(own.size()), [&](std::int64_t k) {
+        const std::size_t i = own[static_cast<std::size_t>(k)];
+        const Mesh one = transformed(mesh, {rotations[i], {}});
+        result[i].solid = voxels_of(one, boxes[i], result[i].corner, closed, voxel_size, workers);
     });
-    workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t task) {
-        const auto i = static_cast<std::size_t>(task);
-        if (sources[i].root == i) return;
-        const OrientedVoxels& root = result[sources[i].root];
-        const AxisOrder& order = sources[i].order;
-        result[i] = {permuted(root.solid, order), permuted(root.size, order), permuted(root.min, order)};
+    workers.for_each(static_cast<std::int64_t>(rotations.size()), [&](std::int64_t k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (result[i].origin != i) result[i].solid = turned(result[result[i].origin].solid, turns[i]);
     });
     return result;
 }

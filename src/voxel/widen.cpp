@@ -16,7 +16,8 @@ constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 }  // namespace
 
-WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap, const Workers& workers) {
+WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, double voxel_size, double gap,
+                    const Workers& workers) {
     const double reach = (gap - kGapTolerance) / voxel_size;
     if (!(reach > 0)) return {solid, {}};
     if (!(reach <= kMaxReach)) {
@@ -24,13 +25,13 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, d
                             std::to_string(voxel_size) + " mm");
     }
     const Box box = bounding_box(mesh);
-    const GridMesh grid_mesh(mesh, box.min, voxel_size);
+    const GridMesh grid_mesh(mesh, corner, voxel_size);
     VoxelIndex first;
     Extent extent;
     for (int axis = 0; axis < 3; ++axis) {
-        first[axis] = -static_cast<int>(std::ceil(reach));
-        const int far = static_cast<int>(std::ceil(box.size()[axis] / voxel_size + reach));
-        extent[axis] = std::max(solid.extent()[axis], far) - first[axis];
+        const double below = (box.min - corner)[axis] / voxel_size, above = (box.max - corner)[axis] / voxel_size;
+        first[axis] = std::min(0, static_cast<int>(std::floor(below - reach)));
+        extent[axis] = std::max(solid.extent()[axis], static_cast<int>(std::ceil(above + reach))) - first[axis];
     }
     WidenedVoxels result{BitGrid(extent), first};
     unite(result.voxels, solid, VoxelIndex{} - first);
@@ -39,6 +40,16 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, d
             set_near(result.voxels, first, grid_mesh[i], reach);
         }
     });
+    return result;
+}
+
+WidenedVoxels turned(const WidenedVoxels& widened, const Extent& solid, const AxisTurn& turn) {
+    WidenedVoxels result{turned(widened.voxels, turn), {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const int from = turn.order[i], low = widened.offset[from];
+        result.offset[axis] = turn.reversed[i] ? solid[from] - low - widened.voxels.extent()[from] : low;
+    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/parallel.hpp"
 #include "geometry/mesh.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack {
@@ -16,9 +17,13 @@ struct WidenedVoxels {
 
 inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly `gap` away stays out
 
-/// `solid` must be voxelize(mesh, voxel_size). gap > 0, finite. The result contains `solid`.
-/// Exact: decided by the distance between the closed voxel and the mesh's triangles.
+/// `solid` are the mesh's voxels, `corner` is that of its voxel (0,0,0), not above the box minimum. gap > 0, finite.
+/// The result contains `solid`. Exact: decided by the distance between the closed voxel and the mesh's triangles.
 /// Throws ResourceError where the result would be beyond all memory.
-WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap, const Workers& workers);
+WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, double voxel_size, double gap,
+                    const Workers& workers);
+
+/// What widen() gives for the mesh turned, from that of the mesh; `solid` is the extent of the unwidened voxels.
+WidenedVoxels turned(const WidenedVoxels& widened, const Extent& solid, const AxisTurn& turn);
 
 }  // namespace spectralpack

@@ -17,7 +17,7 @@ inline std::shared_ptr<const Shape> box_shape(std::uint64_t id, int side, std::a
     solid->fill(true);
     OrientedShape oriented;
     const double mm = side;
-    oriented.size = {mm, mm, mm};
+    oriented.reach = {mm, mm, mm};
     oriented.solid = solid;
     oriented.widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}})};
     auto shape = std::make_shared<Shape>();
@@ -35,7 +35,7 @@ class FirstFit : public PlacementSearch {
         if (stop.stopped()) return {{}, true};
         if (asked == fail_at) throw std::runtime_error("engine failed");
         const OrientedShape& oriented = shape.orientations.front();
-        const Extent count = tray.candidates(oriented.size);
+        const Extent count = tray.candidates(oriented.reach);
         const BitGrid taken = tray.omega_place();
         for (int z = 0; z < count.z; ++z)
             for (int y = 0; y < count.y; ++y)

@@ -22,7 +22,7 @@ class BruteForceSearch : public PlacementSearch {
         std::optional<BestPlacement> best;
         for (int index = 0; index < static_cast<int>(shape.orientations.size()); ++index) {
             const Figure figure(shape.orientations[static_cast<std::size_t>(index)]);
-            const Extent count = tray.candidates(figure.shape.size);
+            const Extent count = tray.candidates(figure.shape.reach);
             for_each_index(count, [&](const VoxelIndex& q) {
                 if (!model.allows(index, q.z) || scenery.collides(figure, q)) return;
                 if (shape.admits && !shape.admits(index, q)) return;

@@ -121,7 +121,7 @@ TEST_P(EngineTest, FitsPartsIntoSharedVoxels) {
     Tray tray(setup);
     const auto fine = full_box({3, 4, 4});
     Shape shape{1, 0, {plain_shape(full_box({2, 2, 2}))}};
-    shape.orientations[0].size = {1.5, 2, 2};
+    shape.orientations[0].reach = {1.5, 2, 2};
     shape.orientations[0].fine = fine;
     shape.orientations[0].widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}})};
     tray.add(fine_object(fine, {3, 0, 0}, 2, 0));
@@ -163,7 +163,7 @@ TEST_P(EngineTest, AnswersWithWhatIsAdmitted) {
                 const CostModel model = random_model(random);
                 for (int index = 0; index < static_cast<int>(shape.orientations.size()); ++index) {
                     const Extent count =
-                        scene.tray.candidates(shape.orientations[static_cast<std::size_t>(index)].size);
+                        scene.tray.candidates(shape.orientations[static_cast<std::size_t>(index)].reach);
                     if (count.empty() || one_in(random, 3)) continue;
                     BitGrid& of = refused[i].try_emplace(index, count).first->second;
                     for (int k = between(random, 0, static_cast<int>(count.count())); k > 0; --k) {

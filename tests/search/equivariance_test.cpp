@@ -48,7 +48,7 @@ Shape permuted_shape(const Shape& original, const AxisOrder& order) {
     Shape shape = original;
     shape.id += 1000;
     for (OrientedShape& oriented : shape.orientations) {
-        oriented.size = permuted(oriented.size, order);
+        oriented.reach = permuted(oriented.reach, order);
         oriented.solid = std::make_shared<const BitGrid>(permuted_bits(*oriented.solid, order));
         change_widened(oriented, [&](const WidenedVoxels& wide) {
             return WidenedVoxels{permuted_bits(wide.voxels, order), permuted(wide.offset, order)};
@@ -77,7 +77,7 @@ Tray permuted_tray(const Tray& original, const AxisOrder& order) {
 OrientedShape touching_its_box(const OrientedShape& original) {
     OrientedShape shape = original;
     const Extent& a = original.solid->extent();
-    shape.size = {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+    shape.reach = {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
     BitGrid solid = *original.solid;
     solid.set(0, 0, 0);
     solid.set(a.x - 1, a.y - 1, a.z - 1);

@@ -36,7 +36,7 @@ TEST(MakeShape, MergesOrientationsOfABox) {
     EXPECT_EQ(box.id, 7u);
     EXPECT_EQ(box.orientations[0].orientation, 0);
     EXPECT_EQ(box.orientations[0].solid->extent(), (Extent{4, 2, 1}));
-    EXPECT_EQ(box.orientations[0].min, (Vec3{-1, 5, 2}));
+    EXPECT_EQ(box.orientations[0].corner, (Vec3{-1, 5, 2}));
 }
 
 TEST(MakeShape, KeepsEqualVoxelsOfUnequalSizesApart) {
@@ -54,18 +54,19 @@ TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
             for (std::size_t i = 0; i < rotations.size(); ++i) {
                 const Mesh one = turned(mesh, rotations[i]);
                 const BitGrid solid = voxelize(one, 1.25, Workers(1));
-                const Vec3 size = bounding_box(one).size();
+                const Box box = bounding_box(one);
+                const Vec3 in = inset(box.size(), 1.25), reach = box.size() + in;
                 if (next < shape.orientations.size() && shape.orientations[next].orientation == static_cast<int>(i)) {
                     const OrientedShape& kept = shape.orientations[next++];
                     EXPECT_EQ(*kept.solid, solid);
-                    EXPECT_TRUE(same_size(kept.size, size));
-                    EXPECT_TRUE(same_size(kept.min, bounding_box(one).min));
+                    EXPECT_TRUE(same_size(kept.reach, reach));
+                    EXPECT_TRUE(same_size(kept.corner, box.min - in));
                     continue;
                 }
                 bool seen = false;  // left out: an earlier one is equal
                 for (std::size_t k = 0; k < next; ++k) {
-                    seen =
-                        seen || (*shape.orientations[k].solid == solid && same_size(shape.orientations[k].size, size));
+                    seen = seen ||
+                           (*shape.orientations[k].solid == solid && same_size(shape.orientations[k].reach, reach));
                 }
                 EXPECT_TRUE(seen) << "orientation " << i << " of " << step;
             }
@@ -73,7 +74,7 @@ TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
             for (std::size_t a = 0; a < next; ++a) {
                 for (std::size_t b = 0; b < a; ++b) {
                     EXPECT_FALSE(*shape.orientations[a].solid == *shape.orientations[b].solid &&
-                                 same_size(shape.orientations[a].size, shape.orientations[b].size));
+                                 same_size(shape.orientations[a].reach, shape.orientations[b].reach));
                 }
             }
         }
@@ -93,8 +94,9 @@ TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
             const Mesh one = turned(mesh, rotations[static_cast<std::size_t>(oriented.orientation)]);
             for (std::size_t c = 0; c < gaps.size(); ++c) {
                 const double gap = std::max(gaps[own], gaps[c]);
-                const WidenedVoxels expected =
-                    gap > 0 ? widen(*oriented.solid, one, 1, gap, Workers(1)) : WidenedVoxels{*oriented.solid, {}};
+                const WidenedVoxels expected = gap > 0
+                                                   ? widen(*oriented.solid, one, oriented.corner, 1, gap, Workers(1))
+                                                   : WidenedVoxels{*oriented.solid, {}};
                 EXPECT_EQ(oriented.widened[c]->offset, expected.offset);
                 EXPECT_EQ(oriented.widened[c]->voxels, expected.voxels);
                 // Equal gaps share one grid.
@@ -114,7 +116,7 @@ TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
             const BitGrid fine = voxelize(one, 1.0 / detail, Workers(1));
             EXPECT_EQ(*oriented.fine, fine);
             EXPECT_EQ(*oriented.solid, reached_voxels(fine, {}, detail).voxels);
-            const WidenedVoxels wide = widen(fine, one, 1.0 / detail, 0.5, Workers(1));
+            const WidenedVoxels wide = widen(fine, one, oriented.corner, 1.0 / detail, 0.5, Workers(1));
             EXPECT_EQ(oriented.widened[0]->voxels, wide.voxels);
             EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
             if (oriented.turned_from < 0) continue;

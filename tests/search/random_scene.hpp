@@ -129,17 +129,17 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
         extent[axis] = std::min(between(random, 1, tray[axis]), between(random, 1, tray[axis]));
         if (kind == 0) extent[axis] = 1;
         if (kind == 1) extent[axis] = tray[axis];
-        shape.size[axis] = random_length(random, extent[axis], setup.voxel_size);
-        if (kind == 1 && !one_in(random, 4)) shape.size[axis] = setup.size[axis];
+        shape.reach[axis] = random_length(random, extent[axis], setup.voxel_size);
+        if (kind == 1 && !one_in(random, 4)) shape.reach[axis] = setup.size[axis];
     }
     if (kind == 2) {
         const int axis = between(random, 0, 2);  // too large for the tray
         extent[axis] = tray[axis] + between(random, 1, 2);
-        shape.size[axis] = extent[axis] * setup.voxel_size;
+        shape.reach[axis] = extent[axis] * setup.voxel_size;
     }
     Extent fine;
     for (int axis = 0; axis < 3; ++axis) {
-        fine[axis] = voxels_along(shape.size[axis], setup.voxel_size / setup.detail);
+        fine[axis] = voxels_along(shape.reach[axis], setup.voxel_size / setup.detail);
     }
     auto solid = std::make_shared<const BitGrid>(random_solid(random, fine));
     shape.solid = solid;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "random_mesh.hpp"
-#include "voxel/permute.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -16,8 +16,9 @@ void expect_same_as_turned(const Mesh& mesh, const std::vector<Mat3>& rotations,
     for (std::size_t i = 0; i < rotations.size(); ++i) {
         const Mesh turned = transformed(mesh, {rotations[i], {}});
         const Box box = bounding_box(turned);
-        EXPECT_EQ(voxels[i].size, box.size());
-        EXPECT_EQ(voxels[i].min, box.min);
+        const Vec3 in = inset(box.size(), voxel_size);
+        EXPECT_EQ(voxels[i].reach, box.size() + in);
+        EXPECT_EQ(voxels[i].corner, box.min - in);
         EXPECT_TRUE(voxels[i].solid == voxelize(turned, voxel_size, workers)) << seed << " " << i;
     }
 }
@@ -46,7 +47,52 @@ TEST(VoxelizeOrientations, OfALongPartAndOfFewTurns) {
     EXPECT_TRUE(voxelize_orientations(bar, {}, 2, Workers(1)).empty());
 }
 
-TEST(Permuted, MovesEveryVoxel) {
+TEST(VoxelizeOrientations, WithoutItsInsetWhereThatKeepsItOut) {
+    const Mesh bar = test::box_mesh({0, 0, 0}, {20.5, 6.5, 4});
+    const std::vector<Mat3> all = test::axis_turns(false);
+    const auto fits = [](const Vec3& reach, const Vec3& room) {
+        return reach.x <= room.x && reach.y <= room.y && reach.z <= room.z;
+    };
+    for (const Vec3& room : {Vec3{20.7, 30, 30}, Vec3{30, 20.7, 6.6}, Vec3{20.5, 6.5, 4}}) {
+        const auto voxels = voxelize_orientations(bar, all, 2, Workers(2), room);
+        int tight = 0, fitting = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Box box = bounding_box(transformed(bar, {all[i], {}}));
+            EXPECT_EQ(fits(voxels[i].reach, room), fits(box.size(), room)) << i;
+            const Vec3 from = box.min - voxels[i].corner;
+            EXPECT_EQ(voxels[i].reach, box.max - voxels[i].corner);
+            fitting += fits(box.size(), room) ? 1 : 0;
+            tight += fits(box.size(), room) && from != inset(box.size(), 2) ? 1 : 0;
+            if (from != inset(box.size(), 2)) {
+                EXPECT_EQ(voxels[i].origin, i);
+            }
+        }
+        EXPECT_GT(fitting, 0);
+        EXPECT_GT(tight, 0);
+    }
+}
+
+/// Between the cube's rotations, and from any rotation on, there is always a turn, and it is right for points.
+TEST(AxisTurn, LeadsFromOneRotationToAnother) {
+    test::RandomMesh random(3);
+    const Mat3 start = random.rotation();
+    const std::vector<Mat3> all = test::axis_turns(false);
+    for (const Mat3& a : all) {
+        for (const Mat3& b : all) {
+            const Mat3 from = a * start, to = b * start;
+            const std::optional<AxisTurn> turn = axis_turn(from, to);
+            ASSERT_TRUE(turn);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Vec3& row = from.rows[static_cast<std::size_t>(turn->order[axis])];
+                EXPECT_EQ(to.rows[axis], turn->reversed[axis] ? -1.0 * row : row);
+            }
+        }
+    }
+    EXPECT_FALSE(axis_turn(start, random.rotation()));
+    EXPECT_EQ(axis_turn(start, start), AxisTurn{});
+}
+
+TEST(Turned, MovesEveryVoxel) {
     RandomStream random(5);
     for (const Extent& n : {Extent{5, 70, 130}, {130, 3, 66}, {64, 128, 1}, {1, 1, 200}, {65, 64, 63}}) {
         BitGrid grid(n);
@@ -58,20 +104,30 @@ TEST(Permuted, MovesEveryVoxel) {
         for (std::size_t i = 0; i < grid.words().size(); ++i) {
             grid.words()[i] &= all.words()[i];
         }
-        std::array<int, 3> axes{0, 1, 2};
-        do {
-            const BitGrid result = permuted(grid, axes);
-            ASSERT_EQ(result.extent(), (Extent{n[axes[0]], n[axes[1]], n[axes[2]]}));
+        for (const Mat3& rotation : test::axis_turns(true)) {
+            const AxisTurn turn = axis_turn(Mat3{}, rotation).value();
+            const auto& [order, reversed] = turn;
+            const BitGrid result = turned(grid, turn);
+            const Extent& m = result.extent();
+            ASSERT_EQ(m, (Extent{n[order[0]], n[order[1]], n[order[2]]}));
             EXPECT_EQ(result.count(), grid.count());
             for (int z = 0; z < n.z; ++z) {
                 for (int y = 0; y < n.y; ++y) {
                     for (int x = 0; x < n.x; ++x) {
-                        const VoxelIndex at{x, y, z};
-                        ASSERT_EQ(result.get(at[axes[0]], at[axes[1]], at[axes[2]]), grid.get(x, y, z));
+                        const VoxelIndex from{x, y, z};
+                        VoxelIndex to;
+                        for (int axis = 0; axis < 3; ++axis) {
+                            const auto k = static_cast<std::size_t>(axis);
+                            to[axis] = reversed[k] ? m[axis] - 1 - from[order[k]] : from[order[k]];
+                        }
+                        ASSERT_EQ(result.get(to.x, to.y, to.z), grid.get(x, y, z));
                     }
                 }
             }
-        } while (std::ranges::next_permutation(axes).found);
+            if (!turn.reverses()) {
+                EXPECT_TRUE(result == permuted(grid, order));
+            }
+        }
     }
 }
 

@@ -91,9 +91,24 @@ inline void plain_fill(BitGrid& grid) {
     }
 }
 
-/// The mesh's triangles in voxel sizes from its box minimum.
-inline std::vector<PlainTriangle> grid_triangles(const Mesh& mesh, double voxel_size) {
-    const Vec3 origin = bounding_box(mesh).min;
+/// Voxels from there on that a mesh takes along an axis up to its box maximum.
+inline int plain_count(double reach, double voxel_size) {
+    return std::max(1, static_cast<int>(std::ceil(reach / voxel_size - 1e-4)));
+}
+
+/// Where a mesh's voxel (0,0,0) has its corner: it leaves as much of its voxels on either side.
+inline Vec3 plain_corner(const Mesh& mesh, double voxel_size) {
+    const Box box = bounding_box(mesh);
+    Vec3 corner = box.min;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double size = box.size()[axis], voxels = voxel_size * plain_count(size, voxel_size);
+        if (voxels > size) corner[axis] -= (voxels - size) / 2;
+    }
+    return corner;
+}
+
+/// The mesh's triangles in voxel sizes from there.
+inline std::vector<PlainTriangle> grid_triangles(const Mesh& mesh, double voxel_size, const Vec3& origin) {
     std::vector<PlainTriangle> triangles;
     for (const Triangle& t : mesh.triangles) {
         PlainTriangle& triangle = triangles.emplace_back();
@@ -104,13 +119,14 @@ inline std::vector<PlainTriangle> grid_triangles(const Mesh& mesh, double voxel_
     return triangles;
 }
 
-inline BitGrid plain_voxels(const Mesh& mesh, double voxel_size) {
-    const Vec3 size = bounding_box(mesh).size();
+/// `corner`: of voxel (0,0,0), at most a voxel below the box minimum.
+inline BitGrid plain_voxels(const Mesh& mesh, double voxel_size, const Vec3& corner) {
+    const Vec3 reach = bounding_box(mesh).max - corner;
     Extent n;
     for (int axis = 0; axis < 3; ++axis) {
-        n[axis] = std::max(1, static_cast<int>(std::ceil(size[axis] / voxel_size - 1e-4)));
+        n[axis] = plain_count(reach[axis], voxel_size);
     }
-    const std::vector<PlainTriangle> triangles = grid_triangles(mesh, voxel_size);
+    const std::vector<PlainTriangle> triangles = grid_triangles(mesh, voxel_size, corner);
     const bool closed = is_closed(mesh);
     BitGrid grid(n);
     // Drawn in; drawn out where that marks nothing.
@@ -131,6 +147,10 @@ inline BitGrid plain_voxels(const Mesh& mesh, double voxel_size) {
     }
     plain_fill(grid);
     return grid;
+}
+
+inline BitGrid plain_voxels(const Mesh& mesh, double voxel_size) {
+    return plain_voxels(mesh, voxel_size, plain_corner(mesh, voxel_size));
 }
 
 }  // namespace spectralpack::test

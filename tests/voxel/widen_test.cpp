@@ -6,8 +6,8 @@
 #include "geometry/triangle_distance.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/box_distance.hpp"
-#include "voxel/permute.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -36,6 +36,12 @@ double plain_distance(const PlainTriangle& triangle, const Vec3& centre) {
     return inside ? 0 : least;
 }
 
+/// A mesh's voxels `solid`, which it stands in the middle of, widened.
+WidenedVoxels widened_by(const BitGrid& solid, const Mesh& mesh, double voxel_size, double gap,
+                         const Workers& workers = kOne) {
+    return widen(solid, mesh, test::plain_corner(mesh, voxel_size), voxel_size, gap, workers);
+}
+
 /// What a widened grid says of a voxel, counted from the unwidened grid.
 bool has(const WidenedVoxels& widened, int x, int y, int z) {
     const VoxelIndex i = VoxelIndex{x, y, z} - widened.offset;
@@ -44,10 +50,10 @@ bool has(const WidenedVoxels& widened, int x, int y, int z) {
 
 void expect_plain_widening(const Mesh& mesh, double voxel_size, double gap, std::uint64_t seed) {
     const BitGrid solid = voxelize(mesh, voxel_size, kOne);
-    const WidenedVoxels widened = widen(solid, mesh, voxel_size, gap, kOne);
+    const WidenedVoxels widened = widened_by(solid, mesh, voxel_size, gap);
     const double reach = (gap - kGapTolerance) / voxel_size;
     const int margin = static_cast<int>(reach) + 3;
-    const auto triangles = test::grid_triangles(mesh, voxel_size);
+    const auto triangles = test::grid_triangles(mesh, voxel_size, test::plain_corner(mesh, voxel_size));
     const Extent& n = solid.extent();
     std::int64_t count = 0;
     for (int z = -margin; z < n.z + margin; ++z) {
@@ -126,23 +132,23 @@ TEST(Widen, AVoxelExactlyTheGapAwayStaysOut) {
     const BitGrid solid = voxelize(cube, 2, kOne);
     // 2 mm reach all of the next layer and no further; not its corners, which are nearer than 2 mm
     // only by a corner or an edge: there the distance is 0 as well.
-    const WidenedVoxels one = widen(solid, cube, 2, 2, kOne);
+    const WidenedVoxels one = widened_by(solid, cube, 2, 2);
     EXPECT_EQ(one.offset, (VoxelIndex{-1, -1, -1}));
     EXPECT_EQ(one.voxels.count(), 12 * 12 * 12);
     // Just over 2 mm: a second layer over the faces and over the edges' nearest voxels, but not at
     // the corners.
-    const WidenedVoxels two = widen(solid, cube, 2, 2.001, kOne);
+    const WidenedVoxels two = widened_by(solid, cube, 2, 2.001);
     EXPECT_EQ(two.voxels.extent(), (Extent{14, 14, 14}));
     EXPECT_TRUE(has(two, -2, 0, 0));
     EXPECT_TRUE(has(two, -2, -1, 0));
     EXPECT_TRUE(has(two, -2, -1, -1));
     EXPECT_FALSE(has(two, -2, -2, 0));
-    EXPECT_EQ(widen(solid, cube, 2, 1e-7, kOne).voxels, solid);
+    EXPECT_EQ(widened_by(solid, cube, 2, 1e-7).voxels, solid);
 }
 
 TEST(Widen, AGapBeyondAllMemoryIsRefused) {
     const Mesh cube = test::cube_mesh(20);
-    EXPECT_THROW(widen(voxelize(cube, 2, kOne), cube, 2, 1e300, kOne), ResourceError);
+    EXPECT_THROW(widened_by(voxelize(cube, 2, kOne), cube, 2, 1e300), ResourceError);
 }
 
 TEST(Widen, TheFurtherHoldsTheNearer) {
@@ -150,7 +156,7 @@ TEST(Widen, TheFurtherHoldsTheNearer) {
     const BitGrid solid = voxelize(torus, 2, kOne);
     WidenedVoxels inner{solid, {}};
     for (const double gap : {0.1, 0.5, 2.0, 5.0, 13.0}) {
-        const WidenedVoxels outer = widen(solid, torus, 2, gap, kOne);
+        const WidenedVoxels outer = widened_by(solid, torus, 2, gap);
         BitGrid rest = inner.voxels;
         subtract(rest, outer.voxels, outer.offset - inner.offset);
         EXPECT_TRUE(rest.none()) << gap;
@@ -163,8 +169,8 @@ TEST(Widen, HoldsWhatDenseSamplesOfTheSurfaceAreNearTo) {
     const Mesh sphere = test::sphere_mesh(13.3, 8);
     const double voxel_size = 2, gap = 1.7;
     const BitGrid solid = voxelize(sphere, voxel_size, kOne);
-    const WidenedVoxels widened = widen(solid, sphere, voxel_size, gap, kOne);
-    const auto triangles = test::grid_triangles(sphere, voxel_size);
+    const WidenedVoxels widened = widened_by(solid, sphere, voxel_size, gap);
+    const auto triangles = test::grid_triangles(sphere, voxel_size, test::plain_corner(sphere, voxel_size));
     RandomStream random(7);
     for (const PlainTriangle& t : triangles) {
         for (int i = 0; i < 30; ++i) {
@@ -180,24 +186,19 @@ TEST(Widen, HoldsWhatDenseSamplesOfTheSurfaceAreNearTo) {
     }
 }
 
-TEST(Widen, ExchangedAxesExchangeTheVoxels) {
+TEST(Widen, TurningTheMeshTurnsTheVoxels) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         RandomMesh random(seed);
         const Mesh mesh = random.below(3) == 0 ? random.soup() : random.closed();
         const double voxel_size = random.within(0.3, 1.5), gap = random.within(0.1, 2);
-        const WidenedVoxels widened = widen(voxelize(mesh, voxel_size, kOne), mesh, voxel_size, gap, kOne);
-        for (const AxisOrder& order : {AxisOrder{1, 2, 0}, {2, 0, 1}, {1, 0, 2}}) {
-            Mat3 turn;
-            for (std::size_t row = 0; row < 3; ++row) {
-                turn.rows[row] = {};
-                turn.rows[row][order[row]] = 1;
-            }
-            const Mesh turned = transformed(mesh, {turn, {}});
-            const WidenedVoxels direct = widen(voxelize(turned, voxel_size, kOne), turned, voxel_size, gap, kOne);
-            EXPECT_TRUE(permuted(widened.voxels, order) == direct.voxels) << seed;
-            for (int axis = 0; axis < 3; ++axis) {
-                EXPECT_EQ(direct.offset[axis], widened.offset[order[static_cast<std::size_t>(axis)]]);
-            }
+        const BitGrid solid = voxelize(mesh, voxel_size, kOne);
+        const WidenedVoxels wide = widened_by(solid, mesh, voxel_size, gap);
+        for (const Mat3& rotation : test::axis_turns(true)) {
+            const Mesh one = transformed(mesh, {rotation, {}});
+            const WidenedVoxels direct = widened_by(voxelize(one, voxel_size, kOne), one, voxel_size, gap);
+            const WidenedVoxels derived = turned(wide, solid.extent(), axis_turn(Mat3{}, rotation).value());
+            EXPECT_TRUE(derived.voxels == direct.voxels) << seed;
+            EXPECT_EQ(derived.offset, direct.offset);
         }
     }
 }
@@ -205,9 +206,9 @@ TEST(Widen, ExchangedAxesExchangeTheVoxels) {
 TEST(Widen, DoesNotDependOnTheThreads) {
     const Mesh mesh = test::torus_mesh(40, 15, 120, 60);
     const BitGrid solid = voxelize(mesh, 2, kOne);
-    const WidenedVoxels widened = widen(solid, mesh, 2, 3, kOne);
+    const WidenedVoxels widened = widened_by(solid, mesh, 2, 3);
     for (const int threads : {2, 3}) {
-        EXPECT_EQ(widen(solid, mesh, 2, 3, Workers(threads)).voxels, widened.voxels);
+        EXPECT_EQ(widened_by(solid, mesh, 2, 3, Workers(threads)).voxels, widened.voxels);
     }
 }
 

@@ -190,7 +190,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     Entry fresh;
     std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
-        counts.push_back(tray.candidates(oriented.size));
+        counts.push_back(tray.candidates(oriented.reach));
         fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back());
     }
     fresh.bytes = fresh.state_bytes;

@@ -131,7 +131,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(Lane& la
                                                                         const Admits& admits) const {
     // Circular correlations tell of every displacement; those where the object clips out of the
     // tray are discarded (appendix A.1).
-    const Extent count = tray.candidates(shape.size);
+    const Extent count = tray.candidates(shape.reach);
     if (count.empty()) return std::nullopt;
     find_free(lane, shape, tray.detail(), count);
 

@@ -1,0 +1,132 @@
+#include "voxel/axis_turn.hpp"
+
+#include <algorithm>
+
+namespace spectralpack {
+namespace {
+
+using Word = BitGrid::Word;
+constexpr int kSide = BitGrid::kWordBits;
+using Block = std::array<Word, kSide>;  ///< 64 x 64 bits
+
+/// Bit j of word i becomes bit i of word j (Warren, Hacker's Delight, section 7-3).
+void transpose(Block& block) {
+    Word mask = 0x00000000ffffffffu;
+    for (int step = kSide / 2; step != 0; step /= 2, mask ^= mask << step) {
+        for (int i = 0; i < kSide; i = (i + step + 1) & ~step) {
+            const Word exchange = ((block[i] >> step) ^ block[i + step]) & mask;
+            block[i] ^= exchange << step;
+            block[i + step] ^= exchange;
+        }
+    }
+}
+
+/// The source's row at these coordinates along the axes other than x.
+const Word* source_row(const BitGrid& grid, int axis, int at, int other) {
+    return axis == 1 ? grid.row(at, other) : grid.row(other, at);
+}
+
+/// Bit 63 becomes bit 0 (Hacker's Delight, section 7-1).
+Word reversed_bits(Word word) {
+    constexpr Word kMasks[] = {0x5555555555555555u, 0x3333333333333333u, 0x0f0f0f0f0f0f0f0fu,
+                               0x00ff00ff00ff00ffu, 0x0000ffff0000ffffu, 0x00000000ffffffffu};
+    int step = 1;
+    for (const Word mask : kMasks) {
+        word = (word >> step & mask) | (word & mask) << step;
+        step *= 2;
+    }
+    return word;
+}
+
+/// Bit n - 1 of a row of that many words becomes its bit 0.
+void reverse_row(Word* row, std::size_t words, int n) {
+    std::reverse(row, row + words);
+    std::transform(row, row + words, row, reversed_bits);
+    const int beyond = static_cast<int>(words) * kSide - n;  // of the last word, which came first
+    if (beyond == 0) return;
+    for (std::size_t i = 0; i < words; ++i) {
+        row[i] = row[i] >> beyond | (i + 1 < words ? row[i + 1] << (kSide - beyond) : 0);
+    }
+}
+
+}  // namespace
+
+BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
+    const Extent& n = grid.extent();
+    BitGrid result({n[order[0]], n[order[1]], n[order[2]]});
+    const Extent& m = result.extent();
+    if (order[0] == 0) {
+        for (int z = 0; z < m.z; ++z) {
+            for (int y = 0; y < m.y; ++y) {
+                std::copy_n(source_row(grid, order[1], y, z), grid.words_per_row(), result.row(y, z));
+            }
+        }
+        return result;
+    }
+    // Planes of the source's x and the axis that becomes x, turned over block by block.
+    const int across = order[0], third = 3 - across;
+    const bool x_becomes_y = order[1] == 0;
+    Block block;
+    for (int layer = 0; layer < n[third]; ++layer) {
+        for (int from = 0; from < n[across]; from += kSide) {
+            const int rows = std::min(kSide, n[across] - from);
+            for (int word = 0; word < grid.words_per_row(); ++word) {
+                block.fill(0);
+                for (int i = 0; i < rows; ++i) {
+                    block[i] = source_row(grid, across, from + i, layer)[word];
+                }
+                transpose(block);
+                for (int i = 0; i < std::min(kSide, n.x - word * kSide); ++i) {
+                    const int x = word * kSide + i;
+                    Word* row = x_becomes_y ? result.row(x, layer) : result.row(layer, x);
+                    row[from / kSide] = block[i];
+                }
+            }
+        }
+    }
+    return result;
+}
+
+std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to) {
+    AxisTurn turn;
+    do {
+        bool equal = true;
+        for (std::size_t axis = 0; axis < 3 && equal; ++axis) {
+            const Vec3& row = from.rows[static_cast<std::size_t>(turn.order[axis])];
+            turn.reversed[axis] = !(to.rows[axis] == row);
+            equal = !turn.reversed[axis] || to.rows[axis] == -1.0 * row;
+        }
+        if (equal) return turn;
+    } while (std::ranges::next_permutation(turn.order).found);
+    return std::nullopt;
+}
+
+BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
+    BitGrid result = permuted(grid, turn.order);
+    const Extent& n = result.extent();
+    const auto words = static_cast<std::size_t>(result.words_per_row());
+    for (int z = 0; z < n.z; ++z) {
+        const int from_z = turn.reversed[2] ? n.z - 1 - z : z;
+        for (int y = 0; y < n.y; ++y) {
+            const int from_y = turn.reversed[1] ? n.y - 1 - y : y;
+            if (z < from_z || (z == from_z && y < from_y)) {
+                std::swap_ranges(result.row(y, z), result.row(y, z) + words, result.row(from_y, from_z));
+            }
+            if (turn.reversed[0]) reverse_row(result.row(y, z), words, n.x);
+        }
+    }
+    return result;
+}
+
+Box turned(const Box& box, const AxisTurn& turn) {
+    Box result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const double low = box.min[turn.order[i]], high = box.max[turn.order[i]];
+        result.min[axis] = turn.reversed[i] ? -high : low;
+        result.max[axis] = turn.reversed[i] ? -low : high;
+    }
+    return result;
+}
+
+}  // namespace spectralpack

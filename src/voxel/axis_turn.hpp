@@ -1,0 +1,38 @@
+#pragma once
+/// Turns that only exchange and reverse axes, and what they make of grids. Between any two of the 24 rotations of the
+/// cube there is such a turn, so one voxelisation serves them all.
+
+#include <array>
+#include <optional>
+
+#include "geometry/mesh.hpp"
+#include "geometry/transform.hpp"
+#include "voxel/bit_grid.hpp"
+
+namespace spectralpack {
+
+using AxisOrder = std::array<int, 3>;  ///< a permutation of 0, 1, 2: axis i is taken from axis order[i]
+
+/// Axis i is taken from axis order[i], and runs the other way where reversed[i].
+struct AxisTurn {
+    AxisOrder order{0, 1, 2};
+    std::array<bool, 3> reversed{};
+
+    bool reverses() const { return reversed[0] || reversed[1] || reversed[2]; }
+    bool operator==(const AxisTurn&) const = default;
+};
+
+/// The turn by which rotation `to` follows from rotation `from`, to the last bit, where there is one: row i of `to` is
+/// row order[i] of `from`, negated where reversed[i].
+std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
+
+/// The grid whose axis i is axis order[i] of `grid`. O(words) and O(voxels / 64 log 64).
+BitGrid permuted(const BitGrid& grid, const AxisOrder& order);
+
+/// The grid turned; reversed along an axis, its last voxel there becomes the first.
+BitGrid turned(const BitGrid& grid, const AxisTurn& turn);
+
+/// The box turned about the origin.
+Box turned(const Box& box, const AxisTurn& turn);
+
+}  // namespace spectralpack
