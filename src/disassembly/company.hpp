@@ -33,7 +33,7 @@ struct DisassemblySetup {
     double ray_spacing = 1;  ///< mm
     /// Finer rays tell little that sweeps would not, and take longer (docs/benchmarks.md).
     static constexpr double spacing_for(double voxel) { return 4 * voxel; }
-    /// Voxels of part `name` with its box minimum on a voxel's corner, for parts that stand off the grid.
+    /// voxelize() of part `name`, for parts that stand off the grid.
     std::function<std::shared_ptr<const BitGrid>(int name)> on_grid;
     Workers workers;
     StopToken stop;

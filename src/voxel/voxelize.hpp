@@ -58,10 +58,9 @@ struct OrientedVoxels {
 };
 
 /// The voxels for every rotation, in their order. Of rotations that differ by an axis_turn() the first is voxelised,
-/// and its voxels are turned for the others: of the cube's 24 rotations one is voxelised, of the 208 in steps of 45
-/// degrees
-/// 9. But where the inset keeps a turned mesh out of `room`, mm, into which its box fits, it is voxelised by itself,
-/// with the box minimum on the corner along those axes.
+/// and its voxels are turned for the others: one of the cube's 24 rotations, 14 of the 208 in steps of 45 degrees. But
+/// where the inset keeps a turned mesh out of `room`, mm, into which its box fits, it is voxelised by itself, with the
+/// box minimum on the corner along those axes.
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers,
                                                   const Vec3& room = kAnyRoom);

@@ -81,6 +81,19 @@ TEST(MakeShape, IsWhatTheVoxeliserGivesWithEqualOnesLeftOut) {
     }
 }
 
+TEST(MakeShape, OfTurnsThatOnlyExchangeAndReverseAxesOneIsVoxelised) {
+    const auto voxelised = [](const char* step) {
+        const auto voxels = voxelize_orientations(bracket(), orientation_set(step), 1, Workers(2));
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < voxels.size(); ++i) {
+            count += voxels[i].origin == i ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(voxelised("90"), 1u);
+    EXPECT_EQ(voxelised("45"), 14u);
+}
+
 TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
     const auto rotations = orientation_set("90");
     const std::vector<double> gaps{0, 0.5, 2};
