@@ -8,6 +8,7 @@
 
 #include "api/engine_factory.hpp"
 #include "api/machine.hpp"
+#include "geometry/box.hpp"
 #include "geometry/bvh.hpp"
 #include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
@@ -15,7 +16,6 @@
 #include "packing/reachable_search.hpp"
 #include "packing/shape_store.hpp"
 #include "packing/unlinked_search.hpp"
-#include "search/tray.hpp"
 #include "voxel/outlines.hpp"
 
 namespace spectralpack {
@@ -78,11 +78,6 @@ Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
         }
     }
     return box.size();
-}
-
-bool fits(const Vec3& size, const Vec3& space) {
-    return size.x <= space.x + kContainTolerance && size.y <= space.y + kContainTolerance &&
-           size.z <= space.z + kContainTolerance;
 }
 
 /// Why the part fits in no orientation; empty where it fits in one.
@@ -374,6 +369,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan_orientations(loaded, options, workers, plan);
     plan.engine = resolve_engine(options.engine);
     plan.physical = container.physical;
+    plan.room = room(options);
     plan.gap_classes = {};
     const double container_volume = volume_of(container);
 
@@ -383,8 +379,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
-        plan.too_large[i] =
-            why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i], room(options));
+        plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i], plan.room);
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
@@ -406,7 +401,6 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
-    plan.room = room(options);
     for (int axis = 0; axis < 2; ++axis) {
         plan.grid[axis] = voxels_in(plan.room[axis], options.voxel);
     }

@@ -29,6 +29,15 @@ struct Box {
     bool operator==(const Box&) const = default;
 };
 
+/// Millimetres by which a mesh's box may stick out of the container.
+inline constexpr double kContainTolerance = 1e-6;
+
+/// A box of that size has room in one of this size, mm.
+inline bool fits(const Vec3& size, const Vec3& room) {
+    return size.x <= room.x + kContainTolerance && size.y <= room.y + kContainTolerance &&
+           size.z <= room.z + kContainTolerance;
+}
+
 /// Euclidean distance between two boxes, 0 where they meet.
 inline double distance(const Box& a, const Box& b) {
     const Vec3 zero;

@@ -30,8 +30,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     if (may_stand_(item.part, oriented.orientation, slid)) refined.offset = slid;
     standing.offset = refined.offset;
     const Vec3 walls{setup_.wall_gap, setup_.wall_gap, setup_.wall_gap};
-    StandingVoxels voxels =
-        voxelize_at(mesh_, refined.offset + bounding_box(mesh_).min - walls, voxel_size_ / detail_, workers_);
+    StandingVoxels voxels = voxelize_at(mesh_, refined.box().min - walls, voxel_size_ / detail_, workers_);
     standing.object = fine_object(std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, detail_,
                                   shape.gap_class);
     refiner_.add(std::move(refined));

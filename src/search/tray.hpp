@@ -12,16 +12,13 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/vec3.hpp"
+#include "geometry/box.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/distance_field.hpp"
 #include "voxel/split.hpp"
 #include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
-
-/// Millimetres by which a mesh's box may stick out of the container.
-inline constexpr double kContainTolerance = 1e-6;
 
 struct TraySetup {
     Vec3 size;                           ///< container less the wall gap on every side, mm

@@ -94,7 +94,7 @@ std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to) {
         for (std::size_t axis = 0; axis < 3 && equal; ++axis) {
             const Vec3& row = from.rows[static_cast<std::size_t>(turn.order[axis])];
             turn.reversed[axis] = !(to.rows[axis] == row);
-            equal = !turn.reversed[axis] || to.rows[axis] == -1.0 * row;
+            equal = !turn.reversed[axis] || to.rows[axis] == -row;
         }
         if (equal) return turn;
     } while (std::ranges::next_permutation(turn.order).found);

@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
 constexpr double kMaxAlong = 1 << 30;
-constexpr double kRoundingOfRoom = 1e-6;  ///< mm
 constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 Extent grid_extent(const Vec3& size, double voxel_size) {
@@ -69,9 +68,7 @@ BitGrid voxels_of(const Mesh& mesh, const Box& box, const Vec3& corner, bool clo
 /// inset(), but 0 along axes where it would keep a box out of the room that it fits into.
 Vec3 inset_within(const Vec3& size, double voxel_size, const Vec3& room) {
     Vec3 in = inset(size, voxel_size);
-    for (int axis = 0; axis < 3; ++axis) {
-        if (size[axis] > room[axis] + kRoundingOfRoom) return in;
-    }
+    if (!fits(size, room)) return in;
     for (int axis = 0; axis < 3; ++axis) {
         if (size[axis] + in[axis] > room[axis]) in[axis] = 0;
     }

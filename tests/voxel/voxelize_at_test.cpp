@@ -14,7 +14,7 @@ namespace {
 const Workers kOne(1);
 
 TEST(VoxelizeAt, IsThePlainDefinitionSeenFromTheGrid) {
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
         test::RandomMesh random(seed);
         const Mesh mesh = seed % 4 ? random.closed() : random.soup();
         const double voxel_size = random.within(0.4, 1.5);
