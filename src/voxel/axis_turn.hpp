@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "geometry/mesh.hpp"
+#include "geometry/box.hpp"
 #include "geometry/transform.hpp"
 #include "voxel/bit_grid.hpp"
 
@@ -26,10 +26,11 @@ struct AxisTurn {
 /// row order[i] of `from`, negated where reversed[i].
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
 
-/// The grid whose axis i is axis order[i] of `grid`. O(words) and O(voxels / 64 log 64).
+/// The grid whose axis i is axis order[i] of `grid`. O(words), some six steps each where x changes its place.
 BitGrid permuted(const BitGrid& grid, const AxisOrder& order);
 
-/// The grid turned; reversed along an axis, its last voxel there becomes the first.
+/// The grid turned; reversed along an axis, its last voxel there becomes the first. As permuted(), for a turn that
+/// reverses nothing.
 BitGrid turned(const BitGrid& grid, const AxisTurn& turn);
 
 /// The box turned about the origin.
