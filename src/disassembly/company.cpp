@@ -268,7 +268,7 @@ Company::Flood Company::flood(std::size_t i) const {
 }
 
 Company::Flooded Company::way_out(Flood& flood) const {
-    if (!flood.tiles) return {Path{}, {}};
+    if (!flood.tiles) return {Path{}};
     const auto& [i, solid, at, nearest, on_grid, others, tiles] = flood;
     const double dx = tray_.voxel_size();
     ReachableRegion region(*tiles, solid->extent(), others, setup_.stop);
@@ -282,6 +282,9 @@ Company::Flooded Company::way_out(Flood& flood) const {
     if (on_grid && region.free(nearest - origin_)) {
         starts.push_back({0, nearest});
     } else {
+        const VoxelIndex reach{kSnapReach, kSnapReach, kSnapReach};
+        const VoxelIndex around = nearest - origin_;
+        region.look_around({around - reach, around + reach + VoxelIndex{1, 1, 1}});
         for (int z = -kSnapReach; z <= kSnapReach; ++z) {
             for (int y = -kSnapReach; y <= kSnapReach; ++y) {
                 for (int x = -kSnapReach; x <= kSnapReach; ++x) {
@@ -317,18 +320,20 @@ Company::Flooded Company::way_out(Flood& flood) const {
             const auto free = [this, one = flood.i](const Vec3& from, const Vec3& move) {
                 return free_move(one, from, move);
             };
-            return {shortened(std::move(*out), free), {}};
+            return {shortened(std::move(*out), free)};
         }
         // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
-        return {std::nullopt, {others.lo + origin_, others.hi + origin_}};
+        return {std::nullopt, Pocket({others.lo + origin_, others.hi + origin_})};
     }
-    const VoxelBox visited{region.visited_box().lo + origin_, region.visited_box().hi + origin_};
-    VoxelBox pocket = hull(visited, {nearest, nearest + VoxelIndex{1, 1, 1}});
-    const Extent& e = solid->extent();
-    const int reach = kSnapReach + 1;
-    pocket.lo = pocket.lo - VoxelIndex{reach, reach, reach};
-    pocket.hi = pocket.hi + VoxelIndex{e.x + reach, e.y + reach, e.z + reach};
-    return {std::nullopt, pocket};
+    // Positions that were found taken, or that sweeps led by.
+    VoxelBox asked{nearest, nearest + VoxelIndex{1, 1, 1}};
+    const int snapped = kSnapReach + 1;
+    asked = {asked.lo - VoxelIndex{snapped, snapped, snapped}, asked.hi + VoxelIndex{snapped, snapped, snapped}};
+    if (VoxelBox walked = region.visited_box(); !walked.empty()) {
+        walked = {walked.lo + origin_ - VoxelIndex{1, 1, 1}, walked.hi + origin_ + VoxelIndex{1, 1, 1}};
+        asked = hull(asked, walked);
+    }
+    return {std::nullopt, Pocket(*solid, asked)};
 }
 
 std::optional<Company::Path> Company::any_way_out(std::size_t i) const {

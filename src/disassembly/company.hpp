@@ -13,6 +13,7 @@
 #include "core/parallel.hpp"
 #include "core/stop.hpp"
 #include "disassembly/blocking_graph.hpp"
+#include "disassembly/pocket.hpp"
 #include "disassembly/standing_hull.hpp"
 #include "disassembly/standing_part.hpp"
 #include "geometry/box_index.hpp"
@@ -77,7 +78,7 @@ class Company {
 
     struct Flooded {
         std::optional<Path> path;
-        VoxelBox pocket;  ///< where there is none: nothing outside of this box of voxels has been looked at
+        std::optional<Pocket> pocket{};  ///< where there is none
     };
     /// What a flood fill for one copy starts from.
     struct Flood {

@@ -15,25 +15,19 @@ namespace {
 // Ways tried at a time. Not the number of threads: which edges are found must not depend on it.
 constexpr std::size_t kBatch = 8;
 
-bool meet(const VoxelBox& a, const VoxelBox& b) { return !intersection(a, b).empty(); }
-
 }  // namespace
 
 /// A company being taken apart.
 class Disassembler::Yard {
   public:
     using Members = Company::Members;
-    /// Where one without a way out was looked for it.
-    struct Pocket {
-        VoxelBox box;
-        bool ahead = false;  ///< of its turn: not counted so far
-    };
 
     Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
         : owner_(owner),
           company_(Company::closed(owner.setup_, std::move(names), std::move(parts))),
           graph_(company_.size()),
-          pockets_(company_.size()) {
+          stuck_(company_.size()),
+          ways_(company_.size()) {
         std::vector<const StandingPart*> standing;
         for (std::size_t i = 0; i < company_.size(); ++i) {
             standing.push_back(&company_.part(i));
@@ -43,11 +37,12 @@ class Disassembler::Yard {
     }
 
     /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
-    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Pocket>> pockets)
+    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Pocket>> stuck)
         : owner_(founder.owner_),
           company_(founder.company_, members),
           graph_(founder.graph_.among(members)),
-          pockets_(std::move(pockets)),
+          stuck_(std::move(stuck)),
+          ways_(company_.size()),
           turns_(highest_first(company_.movable())) {}
 
     const Company& company() const { return company_; }
@@ -70,12 +65,13 @@ class Disassembler::Yard {
 
   private:
     void remove(std::size_t i) {
-        const VoxelBox gone = company_.part(i).object.box();
+        const TrayObject& gone = company_.part(i).object;
         company_.remove(i);
         graph_.remove(i);
-        pockets_[i].reset();
-        for (std::optional<Pocket>& pocket : pockets_) {
-            if (pocket && meet(pocket->box, gone)) pocket.reset();
+        stuck_[i].reset();
+        ways_[i].reset();
+        for (std::optional<Pocket>& stuck : stuck_) {
+            if (stuck && stuck->touches(gone)) stuck.reset();
         }
     }
 
@@ -154,45 +150,51 @@ class Disassembler::Yard {
     }
 
     /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile
-    /// may have opened the way of others, and more so the longer one waits. Until a way is found threads try those that
-    /// come next ahead of their turn; of these only pockets count, which hold until something leaves that touches them.
+    /// may have opened the way of others, and more so the longer one waits. Some that come next are tried with it: what
+    /// is found of them holds until their turn, a way for good and a pocket until somebody in it leaves.
     bool leave_by_flood() {
         struct Try {
             std::size_t turn, i;
-            Company::Flooded flooded{};
-            bool made = false;
         };
         std::vector<Try> tries;
         for (std::size_t k = 0; k < turns_.size(); ++k) {
             const std::size_t i = turns_[(turn_ + k) % turns_.size()];
-            if (company_.movable(i) && !pockets_[i]) tries.push_back({k, i});
+            if (company_.movable(i) && !stuck_[i]) tries.push_back({k, i});
         }
+        for (auto next = tries.begin(); next != tries.end(); ++next) {
+            if (!ways_[next->i] && !stuck_[next->i]) {
+                Members unknown;
+                for (auto at = next; at != tries.end() && unknown.size() < kBatch; ++at) {
+                    if (!ways_[at->i] && !stuck_[at->i]) unknown.push_back(at->i);
+                }
+                if (!flood(unknown)) return false;
+            }
+            std::optional<Company::Path>& way = ways_[next->i];
+            if (!way) continue;
+            turn_ = (turn_ + next->turn + 1) % turns_.size();
+            leave({next->i}, *std::exchange(way, std::nullopt));
+            ++owner_.counts_.flooded;
+            return true;
+        }
+        return false;
+    }
+
+    /// Finds a way out for each of these, or that there is none. False: stopped.
+    bool flood(const Members& members) {
         const StopToken& stop = owner_.setup_.stop;
-        const auto leaver =
-            static_cast<std::size_t>(owner_.setup_.workers.first(std::ssize(tries), [&](std::int64_t k) {
-                if (stop.stopped()) return false;
-                Try& one = tries[static_cast<std::size_t>(k)];
-                Company::Flood flood = company_.flood(one.i);
-                one.flooded = company_.way_out(flood);
-                one.made = true;
-                return one.flooded.path.has_value();
-            }));
+        std::vector<Company::Flooded> flooded(members.size());
+        owner_.setup_.workers.for_each_in_order(std::ssize(members), [&](std::int64_t k) {
+            if (stop.stopped()) return;
+            const auto at = static_cast<std::size_t>(k);
+            Company::Flood flood = company_.flood(members[at]);
+            flooded[at] = company_.way_out(flood);
+        });
         if (stop.stopped()) return false;
-        const bool found = leaver < tries.size();
-        const std::size_t turns = found ? tries[leaver].turn + 1 : turns_.size();
-        for (std::size_t k = 0; k < turns; ++k) {
-            std::optional<Pocket>& pocket = pockets_[turns_[(turn_ + k) % turns_.size()]];
-            if (pocket) owner_.counts_.fills += std::exchange(pocket->ahead, false);
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            ways_[members[k]] = std::move(flooded[k].path);
+            stuck_[members[k]] = std::move(flooded[k].pocket);
         }
-        owner_.counts_.fills += static_cast<int>(found ? leaver + 1 : tries.size());
-        for (std::size_t at = 0; at < tries.size(); ++at) {
-            const Company::Flooded& flooded = tries[at].flooded;
-            if (tries[at].made && !flooded.path) pockets_[tries[at].i] = Pocket{flooded.pocket, at > leaver};
-        }
-        if (!found) return false;
-        turn_ = (turn_ + turns) % turns_.size();
-        leave({tries[leaver].i}, std::move(*tries[leaver].flooded.path));
-        ++owner_.counts_.flooded;
+        owner_.counts_.fills += static_cast<int>(members.size());
         return true;
     }
 
@@ -222,15 +224,15 @@ class Disassembler::Yard {
 
     void found_company(const Members& group, Company::Path path) {
         // A pocket that only they close stays closed.
-        std::vector<std::optional<Pocket>> pockets;
+        std::vector<std::optional<Pocket>> stuck;
         for (const std::size_t i : group) {
-            pockets.push_back(pockets_[i]);
-            for (std::size_t other = 0; pockets.back() && other < company_.size(); ++other) {
+            stuck.push_back(stuck_[i]);
+            for (std::size_t other = 0; stuck.back() && other < company_.size(); ++other) {
                 if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
-                if (meet(pockets.back()->box, company_.part(other).object.box())) pockets.back().reset();
+                if (stuck.back()->touches(company_.part(other).object)) stuck.back().reset();
             }
         }
-        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(pockets));
+        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(stuck));
         leave(group, std::move(path));
         ++owner_.counts_.groups;
         yard->run();
@@ -240,8 +242,9 @@ class Disassembler::Yard {
     Disassembler& owner_;
     Company company_;
     BlockingGraph graph_;
-    std::vector<std::optional<Pocket>> pockets_;  // of those found to have no way out
-    std::vector<std::size_t> turns_;              // the order of flood fills, the highest first
+    std::vector<std::optional<Pocket>> stuck_;        // of those found to have no way out
+    std::vector<std::optional<Company::Path>> ways_;  // of those that were asked about and still stand
+    std::vector<std::size_t> turns_;                  // the order of flood fills, the highest first
     std::size_t turn_ = 0;
 };
 

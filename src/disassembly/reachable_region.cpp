@@ -133,6 +133,17 @@ void ReachableRegion::go_sideways(const Place& from) {
     if ((positions & 1) && i > 0) touch(place(i - 1, y, z), std::uint64_t{1} << 63);
 }
 
+void ReachableRegion::look_around(const VoxelBox& positions) {
+    const VoxelBox box = intersection({positions.lo - tiles_.origin(), positions.hi - tiles_.origin()}, whole(extent_));
+    for (int z = box.lo.z; z < box.hi.z; ++z) {
+        for (int y = box.lo.y / kRows * kRows; y < box.hi.y; y += kRows) {
+            for (int i = box.lo.x / 64; 64 * i < box.hi.x; ++i) {
+                look(place(i, y, z), below(64 * i, box.hi.x) & ~below(64 * i, box.lo.x));
+            }
+        }
+    }
+}
+
 bool ReachableRegion::free(const VoxelIndex& position) {
     const VoxelIndex q = position - tiles_.origin();
     if (!extent_.contains(q)) return true;

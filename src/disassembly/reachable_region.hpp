@@ -31,6 +31,8 @@ class ReachableRegion {
     const VoxelIndex& origin() const { return tiles_.origin(); }
     const Extent& extent() const { return extent_; }
 
+    /// Finds out at once which of these positions are free: sooner than one by one.
+    void look_around(const VoxelBox& positions);
     /// Free, and not in a pocket that a walk found closed.
     bool free(const VoxelIndex& position);
     /// On a walk so far that led outside.

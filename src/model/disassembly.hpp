@@ -20,6 +20,8 @@ struct RemovalStep {
     /// has gone before does not matter: it moved as one), mm; each keeps clear of what is left of the company. The
     /// last one ends wholly outside the bounding box of that. Empty where nothing is left of it.
     std::vector<Vec3> path;
+
+    bool operator==(const RemovalStep&) const = default;
 };
 
 /// How the copies of a packing came apart, for the record.

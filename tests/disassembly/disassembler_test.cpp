@@ -379,6 +379,12 @@ TEST(Disassembler, PlansOfRandomHeapsHoldOnTheMeshes) {
         EXPECT_EQ(static_cast<std::size_t>(answer.counts.straight + answer.counts.flooded + answer.counts.groups),
                   answer.steps.size());
         EXPECT_GE(answer.counts.fills, answer.counts.flooded);
+        for (const int threads : {1, 3}) {
+            scene.setup().workers = Workers(threads);
+            const auto again = scene.disassemble();
+            EXPECT_EQ(again.steps, answer.steps);
+            EXPECT_EQ(again.counts.fills, answer.counts.fills);
+        }
         if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
     }
 }

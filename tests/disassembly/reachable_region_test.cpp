@@ -54,6 +54,10 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
                                 static_cast<int>(random.below(static_cast<std::uint64_t>(e.y))),
                                 static_cast<int>(random.below(static_cast<std::uint64_t>(e.z)))};
             const bool found = expected.get(at.x, at.y, at.z);
+            if (random.below(8) == 0) {
+                const VoxelIndex by{static_cast<int>(random.below(70)), static_cast<int>(random.below(12)), 2};
+                region.look_around({free.origin + at - by, free.origin + at + by});
+            }
             const bool told = region.free(free.origin + at);
             if (!free.free.get(at.x, at.y, at.z)) {
                 ASSERT_FALSE(told);
