@@ -326,9 +326,9 @@ Company::Flooded Company::way_out(Flood& flood) const {
         return {std::nullopt, Pocket({others.lo + origin_, others.hi + origin_})};
     }
     // Positions that were found taken, or that sweeps led by.
-    VoxelBox asked{nearest, nearest + VoxelIndex{1, 1, 1}};
-    const int snapped = kSnapReach + 1;
-    asked = {asked.lo - VoxelIndex{snapped, snapped, snapped}, asked.hi + VoxelIndex{snapped, snapped, snapped}};
+    constexpr int kSwept = kSnapReach + 1;
+    VoxelBox asked{nearest - VoxelIndex{kSwept, kSwept, kSwept},
+                   nearest + VoxelIndex{kSwept + 1, kSwept + 1, kSwept + 1}};
     if (VoxelBox walked = region.visited_box(); !walked.empty()) {
         walked = {walked.lo + origin_ - VoxelIndex{1, 1, 1}, walked.hi + origin_ + VoxelIndex{1, 1, 1}};
         asked = hull(asked, walked);
