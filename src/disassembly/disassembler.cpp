@@ -26,8 +26,7 @@ class Disassembler::Yard {
         : owner_(owner),
           company_(Company::closed(owner.setup_, std::move(names), std::move(parts))),
           graph_(company_.size()),
-          stuck_(company_.size()),
-          ways_(company_.size()) {
+          known_(company_.size()) {
         std::vector<const StandingPart*> standing;
         for (std::size_t i = 0; i < company_.size(); ++i) {
             standing.push_back(&company_.part(i));
@@ -37,12 +36,11 @@ class Disassembler::Yard {
     }
 
     /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
-    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Pocket>> stuck)
+    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Company::Flooded>> known)
         : owner_(founder.owner_),
           company_(founder.company_, members),
           graph_(founder.graph_.among(members)),
-          stuck_(std::move(stuck)),
-          ways_(company_.size()),
+          known_(std::move(known)),
           turns_(highest_first(company_.movable())) {}
 
     const Company& company() const { return company_; }
@@ -64,14 +62,16 @@ class Disassembler::Yard {
     }
 
   private:
+    /// Known to have no way out as things stand.
+    bool stuck(std::size_t i) const { return known_[i] && known_[i]->pocket; }
+
     void remove(std::size_t i) {
         const TrayObject& gone = company_.part(i).object;
         company_.remove(i);
         graph_.remove(i);
-        stuck_[i].reset();
-        ways_[i].reset();
-        for (std::optional<Pocket>& stuck : stuck_) {
-            if (stuck && stuck->touches(gone)) stuck.reset();
+        known_[i].reset();
+        for (std::optional<Company::Flooded>& known : known_) {
+            if (known && known->pocket && known->pocket->touches(gone)) known.reset();
         }
     }
 
@@ -159,20 +159,19 @@ class Disassembler::Yard {
         std::vector<Try> tries;
         for (std::size_t k = 0; k < turns_.size(); ++k) {
             const std::size_t i = turns_[(turn_ + k) % turns_.size()];
-            if (company_.movable(i) && !stuck_[i]) tries.push_back({k, i});
+            if (company_.movable(i) && !stuck(i)) tries.push_back({k, i});
         }
         for (auto next = tries.begin(); next != tries.end(); ++next) {
-            if (!ways_[next->i] && !stuck_[next->i]) {
+            if (!known_[next->i]) {
                 Members unknown;
                 for (auto at = next; at != tries.end() && unknown.size() < kBatch; ++at) {
-                    if (!ways_[at->i] && !stuck_[at->i]) unknown.push_back(at->i);
+                    if (!known_[at->i]) unknown.push_back(at->i);
                 }
                 if (!flood(unknown)) return false;
             }
-            std::optional<Company::Path>& way = ways_[next->i];
-            if (!way) continue;
+            if (stuck(next->i)) continue;
             turn_ = (turn_ + next->turn + 1) % turns_.size();
-            leave({next->i}, *std::exchange(way, std::nullopt));
+            leave({next->i}, std::move(*known_[next->i]->path));
             ++owner_.counts_.flooded;
             return true;
         }
@@ -191,8 +190,7 @@ class Disassembler::Yard {
         });
         if (stop.stopped()) return false;
         for (std::size_t k = 0; k < members.size(); ++k) {
-            ways_[members[k]] = std::move(flooded[k].path);
-            stuck_[members[k]] = std::move(flooded[k].pocket);
+            known_[members[k]] = std::move(flooded[k]);
         }
         owner_.counts_.fills += static_cast<int>(members.size());
         return true;
@@ -224,15 +222,16 @@ class Disassembler::Yard {
 
     void found_company(const Members& group, Company::Path path) {
         // A pocket that only they close stays closed.
-        std::vector<std::optional<Pocket>> stuck;
-        for (const std::size_t i : group) {
-            stuck.push_back(stuck_[i]);
-            for (std::size_t other = 0; stuck.back() && other < company_.size(); ++other) {
+        std::vector<std::optional<Company::Flooded>> known(group.size());
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            if (!stuck(group[k])) continue;
+            known[k] = known_[group[k]];
+            for (std::size_t other = 0; known[k] && other < company_.size(); ++other) {
                 if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
-                if (stuck.back()->touches(company_.part(other).object)) stuck.back().reset();
+                if (known[k]->pocket->touches(company_.part(other).object)) known[k].reset();
             }
         }
-        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(stuck));
+        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(known));
         leave(group, std::move(path));
         ++owner_.counts_.groups;
         yard->run();
@@ -242,9 +241,8 @@ class Disassembler::Yard {
     Disassembler& owner_;
     Company company_;
     BlockingGraph graph_;
-    std::vector<std::optional<Pocket>> stuck_;        // of those found to have no way out
-    std::vector<std::optional<Company::Path>> ways_;  // of those that were asked about and still stand
-    std::vector<std::size_t> turns_;                  // the order of flood fills, the highest first
+    std::vector<std::optional<Company::Flooded>> known_;  // of those asked about: a way for good, or the pocket
+    std::vector<std::size_t> turns_;                      // the order of flood fills, the highest first
     std::size_t turn_ = 0;
 };
 

@@ -4,21 +4,13 @@
 
 #include <memory>
 
-#include "core/random.hpp"
+#include "search/random_scene.hpp"
 
-namespace spectralpack {
+namespace spectralpack::test {
 namespace {
 
-int below(RandomStream& random, int end) { return static_cast<int>(random.below(static_cast<std::uint64_t>(end))); }
-
-VoxelIndex place(RandomStream& random, int end) { return {below(random, end), below(random, end), below(random, end)}; }
-
-BitGrid random_solid(RandomStream& random, const VoxelIndex& most) {
-    BitGrid solid({1 + below(random, most.x), 1 + below(random, most.y), 1 + below(random, most.z)});
-    for (int voxels = 1 + below(random, 40); voxels > 0; --voxels) {
-        solid.set(below(random, solid.extent().x), below(random, solid.extent().y), below(random, solid.extent().z));
-    }
-    return solid;
+VoxelIndex random_place(RandomStream& random, int low, int high) {
+    return {between(random, low, high), between(random, low, high), between(random, low, high)};
 }
 
 TEST(Pocket, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
@@ -26,12 +18,13 @@ TEST(Pocket, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
-        const BitGrid solid = random_solid(random, {90, 6, 6});
+        const BitGrid solid = random_bits(random, random_extent(random, {1, 1, 1}, {90, 6, 6}), 20);
         VoxelBox positions;
-        positions.lo = place(random, 12) - VoxelIndex{6, 6, 6};
-        positions.hi = positions.lo + VoxelIndex{1, 1, 1} + place(random, 7);
-        const TrayObject object{std::make_shared<const BitGrid>(random_solid(random, {70, 6, 6})),
-                                place(random, 16) - VoxelIndex{8, 8, 8}};
+        positions.lo = random_place(random, -6, 5);
+        positions.hi = positions.lo + random_place(random, 1, 7);
+        const TrayObject object{
+            std::make_shared<const BitGrid>(random_bits(random, random_extent(random, {1, 1, 1}, {70, 6, 6}), 20)),
+            random_place(random, -8, 7)};
         bool meets = false;
         for (int z = positions.lo.z; z < positions.hi.z; ++z) {
             for (int y = positions.lo.y; y < positions.hi.y; ++y) {
@@ -65,4 +58,4 @@ TEST(Pocket, OfAWideRangeIsTheBoxAround) {
 }
 
 }  // namespace
-}  // namespace spectralpack
+}  // namespace spectralpack::test
