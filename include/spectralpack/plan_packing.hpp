@@ -19,8 +19,9 @@ struct PlanSettings {
 
 /// One plan for each tray: how its copies come apart, or which sets of them hold each other. Nothing is taken out of
 /// the packing. Whatever a plan says was confirmed on the meshes; that a set is interlocked is as sure as the voxels
-/// are fine: no single copy of it leaves through voxels of this size, and no group that the blocking graphs suggest
-/// leaves along an axis. A plan is incomplete without interlocked sets where `stop` came first.
+/// are fine: no single copy of it leaves through voxels of this size, no group that the blocking graphs suggest leaves
+/// along an axis, and none leaves by the plan that the packing has already. A plan is incomplete without interlocked
+/// sets where `stop` came first.
 std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
                                       const StopToken& stop);
 

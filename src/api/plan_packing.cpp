@@ -127,6 +127,7 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
                               scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
+        if (tray.disassembly) standing.setup().told = &tray.disassembly->steps;
         plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), [&](int, int) {
             ++done;
             const double work = static_cast<double>(done) / static_cast<double>(total);

@@ -207,16 +207,15 @@ Company::Straight Company::straight_way(const Members& members, AxisDirection di
     return straight_way(members, Vec3{}, direction, {known, std::nullopt});
 }
 
-bool Company::free_move(std::size_t i, const Vec3& from, const Vec3& move) const {
+bool Company::free_move(const Members& members, const Vec3& from, const Vec3& move) const {
     const AxisDirection direction = direction_of(move);
-    const Members alone{i};
     std::vector<Pair> passed;
-    return !meeting({alone, from, direction, std::abs(move[direction.axis])}, {}, passed);
+    return !meeting({members, from, direction, std::abs(move[direction.axis])}, {}, passed);
 }
 
-bool Company::free_path(std::size_t i, Vec3 from, const Path& path) const {
+bool Company::free_path(const Members& members, Vec3 from, const Path& path) const {
     for (const Vec3& move : path) {
-        if (!free_move(i, from, move)) return false;
+        if (!free_move(members, from, move)) return false;
         from = from + move;
     }
     return true;
@@ -232,7 +231,7 @@ std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) cons
             path.push_back(leg);
         }
         path = merged(path);
-        if (free_path(i, {}, path)) return path;
+        if (free_path({i}, {}, path)) return path;
     }
     return std::nullopt;
 }
@@ -318,12 +317,12 @@ Company::Flooded Company::way_out(Flood& flood) const {
         }
         if (std::optional<Path> out = out_along(i, merged(path))) {
             const auto free = [this, one = flood.i](const Vec3& from, const Vec3& move) {
-                return free_move(one, from, move);
+                return free_move({one}, from, move);
             };
             return {shortened(std::move(*out), free)};
         }
         // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
-        return {std::nullopt, Pocket({others.lo + origin_, others.hi + origin_})};
+        return {std::nullopt, Pocket({others.lo + origin_, others.hi + origin_}), true};
     }
     // Positions that were found taken, or that sweeps led by.
     constexpr int kSwept = kSnapReach + 1;
@@ -333,7 +332,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
         walked = {walked.lo + origin_ - VoxelIndex{1, 1, 1}, walked.hi + origin_ + VoxelIndex{1, 1, 1}};
         asked = hull(asked, walked);
     }
-    return {std::nullopt, Pocket(*solid, asked)};
+    return {std::nullopt, Pocket(*solid, asked), !starts.empty()};
 }
 
 std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
@@ -345,12 +344,46 @@ std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
     return way_out(last).path;
 }
 
+std::optional<Company::Path> Company::way_beside_the_grid(std::size_t i) const {
+    std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way from elsewhere, likely is from here
+    for (int d = 0; d < BlockingGraph::kDirections; ++d) {
+        const Vec3 aside = along(BlockingGraph::direction(d), tray_.voxel_size());
+        if (!free_move({i}, {}, aside)) continue;
+        for (int on = 0; on < BlockingGraph::kDirections; ++on) {
+            const AxisDirection direction = BlockingGraph::direction(on);
+            if (direction.axis == direction_of(aside).axis) continue;
+            const Straight way = straight_way({i}, aside, direction, hints[on]);
+            if (way.met) {
+                hints[on].first = way.met->other;
+                continue;
+            }
+            Path path{aside};
+            path.insert(path.end(), way.path.begin(), way.path.end());
+            return path;
+        }
+    }
+    return std::nullopt;
+}
+
+bool Company::leads_out(const Members& members, const Path& path) const {
+    const Box others = hull_.without(members);
+    if (others.empty()) return true;
+    Box own;
+    for (const std::size_t member : members) {
+        own.add(boxes_[member]);
+    }
+    for (const Vec3& move : path) {
+        own = moved(own, move);
+    }
+    return !meet(own, others) && free_path(members, {}, path);
+}
+
 std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {
     Path gone;
     Vec3 from;
     std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way the last time, likely still is
     for (const Vec3& move : path) {
-        if (!free_move(i, from, move)) return std::nullopt;
+        if (!free_move({i}, from, move)) return std::nullopt;
         from = from + move;
         gone.push_back(move);
         // From the end it goes on by the clearance.

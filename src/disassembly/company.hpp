@@ -18,6 +18,7 @@
 #include "disassembly/standing_part.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/slide.hpp"
+#include "model/disassembly.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -36,6 +37,8 @@ struct DisassemblySetup {
     static constexpr double spacing_for(double voxel) { return 4 * voxel; }
     /// voxelize() of part `name`, for parts that stand off the grid.
     std::function<std::shared_ptr<const BitGrid>(int name)> on_grid;
+    /// A plan that was there before, by names; null: none. Its steps are tried where nothing else is found.
+    const std::vector<RemovalStep>* told = nullptr;
     Workers workers;
     StopToken stop;
 };
@@ -79,6 +82,7 @@ class Company {
     struct Flooded {
         std::optional<Path> path;
         std::optional<Pocket> pocket{};  ///< where there is none
+        bool began = false;              ///< some position near where it stands is free
     };
     /// What a flood fill for one copy starts from.
     struct Flood {
@@ -97,6 +101,11 @@ class Company {
     Flooded way_out(Flood& flood) const;
     /// A straight one, or else any.
     std::optional<Path> any_way_out(std::size_t i) const;
+    /// A way of two moves that voxels need not see: one of a voxel's length, then straight on. For copies that stand
+    /// off the grid so near to others that a flood fill has nowhere to begin.
+    std::optional<Path> way_beside_the_grid(std::size_t i) const;
+    /// Whether `members` (ascending) leave by that path as one.
+    bool leads_out(const Members& members, const Path& path) const;
 
   private:
     /// Part of the setup's grid, and where it lies in that.
@@ -124,8 +133,8 @@ class Company {
     /// Whom they would meet. Appends whom they pass.
     std::optional<Pair> meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const;
     Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction, const Hints& hints) const;
-    bool free_move(std::size_t i, const Vec3& from, const Vec3& move) const;
-    bool free_path(std::size_t i, Vec3 from, const Path& path) const;
+    bool free_move(const Members& members, const Vec3& from, const Vec3& move) const;
+    bool free_path(const Members& members, Vec3 from, const Path& path) const;
     /// Moves along the axes, in some order, that are free and come to `move`.
     std::optional<Path> snap(std::size_t i, const Vec3& move) const;
     /// Goes along `path`, which leads outside, to the first corner from which it is free to go straight out, and then

@@ -1,6 +1,7 @@
 #include "disassembly/disassembler.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -47,7 +48,10 @@ class Disassembler::Yard {
 
     void run() {
         while (!owner_.setup_.stop.stopped()) {
-            if (leave_straight() || leave_by_flood() || leave_as_group()) continue;
+            if (leave_straight() || leave_by_flood() || leave_as_group() || leave_as_told() ||
+                leave_beside_the_grid()) {
+                continue;
+            }
             return;
         }
     }
@@ -218,6 +222,52 @@ class Disassembler::Yard {
             }
         }
         return false;
+    }
+
+    /// Takes out whom the first step that says something of those present does. What was in the way once and is gone
+    /// changes nothing, so it holds if it did.
+    bool leave_as_told() {
+        if (owner_.setup_.told == nullptr) return false;
+        std::map<int, std::size_t> present;
+        for (std::size_t i = 0; i < company_.size(); ++i) {
+            if (company_.present(i)) present.emplace(company_.name(i), i);
+        }
+        for (const RemovalStep& step : *owner_.setup_.told) {
+            Members members;
+            for (const int name : step.placements) {
+                if (const auto known = present.find(name); known != present.end()) members.push_back(known->second);
+            }
+            std::sort(members.begin(), members.end());
+            if (members.empty() || members.size() == present.size()) continue;
+            if (!company_.leads_out(members, step.path)) return false;
+            if (members.size() > 1) {
+                found_company(members, step.path);
+            } else {
+                leave(members, step.path);
+                ++(step.path.size() == 1 ? owner_.counts_.straight : owner_.counts_.flooded);
+            }
+            return true;
+        }
+        return false;
+    }
+
+    /// Takes out one copy that no flood fill could begin with, the highest first.
+    bool leave_beside_the_grid() {
+        Members members;
+        for (const std::size_t i : highest_first(company_.movable())) {
+            if (stuck(i) && !known_[i]->began) members.push_back(i);
+        }
+        std::vector<std::optional<Company::Path>> ways(members.size());
+        const std::int64_t first = owner_.setup_.workers.first(std::ssize(members), [&](std::int64_t k) {
+            const auto at = static_cast<std::size_t>(k);
+            if (!owner_.setup_.stop.stopped()) ways[at] = company_.way_beside_the_grid(members[at]);
+            return ways[at].has_value();
+        });
+        if (first == std::ssize(members)) return false;
+        const auto at = static_cast<std::size_t>(first);
+        leave({members[at]}, std::move(*ways[at]));
+        ++owner_.counts_.flooded;
+        return true;
     }
 
     void found_company(const Members& group, Company::Path path) {

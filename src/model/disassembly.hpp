@@ -27,7 +27,7 @@ struct RemovalStep {
 /// How the copies of a packing came apart, for the record.
 struct InterlockCounts {
     int straight = 0;    ///< copies that left by a straight way
-    int flooded = 0;     ///< by a way with corners, found by flood fill
+    int flooded = 0;     ///< by a way with corners, nearly all of them found by flood fill
     int groups = 0;      ///< several that left as one rigid body
     int fills = 0;       ///< flood fills, those that found no way included
     int removed = 0;     ///< copies taken out of the packing because they were interlocked

@@ -86,6 +86,54 @@ TEST(Plan, HoldsWithRaysFarApart) {
     EXPECT_TRUE(contains(fine, "--ray-spacing 0.01 is too fine")) << fine;
 }
 
+/// What no search of the program's finds, a plan in the file may know.
+TEST(Plan, GoesByTheFilesOwnPlanWhereItFindsNoWay) {
+    const TemporaryFolder folder;
+    // A die in a box that is open at +x above a sill, with a tenth of a millimetre on either side.
+    Mesh box = box_mesh({5, 5, 5}, {30, 25, 10.4});
+    for (const auto& [low, high] : {std::pair{Vec3{5, 5, 5}, Vec3{10.4, 25, 25}},
+                                    {Vec3{5, 5, 5}, Vec3{30, 10.4, 25}},
+                                    {Vec3{5, 18.6, 5}, Vec3{30, 25, 25}},
+                                    {Vec3{5, 5, 20.2}, Vec3{30, 25, 25}},
+                                    {Vec3{19, 5, 10.4}, Vec3{30, 25, 11.9}}}) {
+        box = merged(box, box_mesh(low, high));
+    }
+    const std::vector<std::shared_ptr<const Mesh>> meshes{
+        std::make_shared<const Mesh>(box),
+        std::make_shared<const Mesh>(box_mesh({10.5, 10.5, 10.5}, {18.5, 18.5, 18.5}))};
+    Packing packing;
+    packing.container.size = packing.options.tray = {60, 40, 40};
+    packing.options.voxel = 1;
+    packing.options.detail = 1;
+    packing.trays.resize(1);
+    for (int i = 0; i < 2; ++i) {
+        Part part;
+        part.name = i == 0 ? "box" : "die";
+        part.mesh = (folder / (part.name + ".stl")).string();
+        part.count = 1;
+        Packing alone;
+        alone.container = packing.container;
+        alone.parts = {part};
+        alone.trays.resize(1);
+        alone.trays[0].placements = {{0, 0, 0, false, {}}};
+        write_stl(alone, {meshes[static_cast<std::size_t>(i)]}, part.mesh);
+        packing.parts.push_back(part);
+        packing.trays[0].placements.push_back({i, 0, 0, i == 0, {}});
+    }
+    packing.metrics.copies = packing.metrics.placed = 2;
+    const std::string file = (folder / "b.json").string(), planned = (folder / "planned.json").string();
+    write_packing(packing, file);
+    EXPECT_EQ(spectralpack({"plan", file}).status, 1);
+
+    packing.trays[0].disassembly = Disassembly{true, {{{1}, {{0, 0, 1.5}, {30, 0, 0}}}}, {}};
+    write_packing(packing, file);
+    const Ran ran = spectralpack({"plan", file, "-o", planned});
+    EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
+    EXPECT_EQ(read_json(planned)["trays"][0]["disassembly"], read_json(file)["trays"][0]["disassembly"]);
+    const std::string checked = spectralpack({"check", planned, "--require-plan"}).out;
+    EXPECT_TRUE(contains(checked, "plan: 1 step replayed, ok")) << checked;
+}
+
 TEST(Plan, EveryPackedCopyComesOutOnce) {
     for (const std::string interlock : {"post", "place"}) {
         const TemporaryFolder folder;

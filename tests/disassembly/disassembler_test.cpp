@@ -269,6 +269,50 @@ TEST(Disassembler, SnapsACopyOffTheGridOntoIt) {
     scene.replay(answer);
 }
 
+/// A fixed box around a die of 8 mm, open at +x above a sill and half a voxel off the grid. The die has a tenth of a
+/// millimetre on either side, so no voxel position is free, and comes out if lifted over the sill.
+AssemblyScene die_behind_a_sill(double sill, double room_above) {
+    AssemblyScene scene({60, 40, 40});
+    Mesh box = box_mesh({5, 5, 5}, {30, 25, 10.4});
+    box = test::merged(box, box_mesh({5, 5, 5}, {10.4, 25, 25}));
+    box = test::merged(box, box_mesh({5, 5, 5}, {30, 10.4, 25}));
+    box = test::merged(box, box_mesh({5, 18.6, 5}, {30, 25, 25}));
+    box = test::merged(box, box_mesh({5, 5, 18.5 + room_above}, {30, 25, 25}));
+    scene.add(test::merged(box, box_mesh({19, 5, 10.4}, {30, 25, 10.5 + sill})), true);
+    scene.add(box_mesh({10.5, 10.5, 10.5}, {18.5, 18.5, 18.5}));
+    return scene;
+}
+
+TEST(Disassembler, FindsAWayBesideTheGrid) {
+    const AssemblyScene scene = die_behind_a_sill(0.8, 1.2);
+    const auto answer = scene.disassemble();
+    EXPECT_TRUE(answer.complete());
+    ASSERT_EQ(answer.steps.size(), 1u);
+    EXPECT_EQ(answer.steps.front().path.size(), 2u);
+    EXPECT_EQ(answer.counts.flooded, 1);
+    scene.replay(answer);
+    EXPECT_FALSE(die_behind_a_sill(1.2, 1.4).disassemble().complete());
+    EXPECT_FALSE(die_behind_a_sill(0.8, 0.7).disassemble().complete());
+}
+
+TEST(Disassembler, TriesStepsThatItIsToldOf) {
+    AssemblyScene scene = die_behind_a_sill(1.4, 1.7);
+    EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1}}));
+    const std::vector<RemovalStep> told{{{1}, {{0, 0, 1.5}, {30, 0, 0}}}};
+    scene.setup().told = &told;
+    const auto answer = scene.disassemble();
+    EXPECT_EQ(answer.steps, told);
+    EXPECT_TRUE(answer.complete());
+    scene.replay(answer);
+    // What is not so, or does not lead outside, changes nothing.
+    for (const std::vector<Vec3>& path :
+         {std::vector<Vec3>{{0, 0, 1.3}, {30, 0, 0}}, {{0, 0, 1.8}, {30, 0, 0}}, {{0, 0, 1.5}, {10, 0, 0}}, {}}) {
+        const std::vector<RemovalStep> wrong{{{1}, path}};
+        scene.setup().told = &wrong;
+        EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1}}));
+    }
+}
+
 /// A square tube along x, fixed, and in it a tongue in a groove that come apart only along y, which the tube forbids.
 AssemblyScene tongue_and_groove() {
     AssemblyScene scene({120, 40, 40});
@@ -296,6 +340,21 @@ TEST(Disassembler, TakesOutAsAGroupWhatComesOutOnlySo) {
     EXPECT_TRUE(answer.complete());
     ASSERT_EQ(answer.steps.size(), 3u);
     EXPECT_EQ(answer.steps.front().placements, (std::vector<int>{1, 2}));
+    EXPECT_EQ(answer.counts.groups, 1);
+    scene.replay(answer);
+}
+
+TEST(Disassembler, TakesOutAsAGroupWhatItIsTold) {
+    // As before, with one end closed and a sill at the other: the pair is to be lifted first.
+    AssemblyScene scene = tongue_and_groove();
+    scene.add(test::merged(box_mesh({6, 5, 5}, {10, 29, 27}), box_mesh({70, 5, 5}, {72, 29, 9.5})), true);
+    EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1, 2, 3}}));
+    const std::vector<RemovalStep> told{{{1, 2}, {{0, 0, 0.8}, {80, 0, 0}}}};
+    scene.setup().told = &told;
+    const auto answer = scene.disassemble();
+    EXPECT_TRUE(answer.complete());
+    ASSERT_EQ(answer.steps.size(), 3u);
+    EXPECT_EQ(answer.steps.front(), told.front());
     EXPECT_EQ(answer.counts.groups, 1);
     scene.replay(answer);
 }
