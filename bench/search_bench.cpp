@@ -5,7 +5,10 @@
 /// same states, in a packing of its own lest it disturbs the other's caches, and extrapolated.
 ///
 ///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
-///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--distinct] [--trace]
+///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--distinct] [--trace]
+///
+/// --gpu times the plain method on a GPU instead, all orientations of a copy at a time (gpu_plain.hpp); without the
+/// distance field, which the CPU makes for it.
 ///
 /// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
 /// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
@@ -15,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/error.hpp"
@@ -25,6 +29,9 @@
 #include "search/cpu/cpu_search.hpp"
 #ifdef SPECTRALPACK_BENCH_REFERENCE
 #include "search/reference/reference_search.hpp"
+#endif
+#ifdef SPECTRALPACK_BENCH_GPU
+#include "gpu_plain_search.hpp"
 #endif
 
 namespace {
@@ -37,7 +44,7 @@ struct Arguments {
     double voxel = 2, gap = 0.2;
     Vec3 tray{480, 245, 200};
     std::string penalty = "auto";
-    int detail = 1, threads = 0, plain_samples = 0, most = 0;
+    int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, most = 0;
     std::int64_t cache = CpuOptions{}.cache_memory;
     bool distinct = false, trace = false;
 };
@@ -75,6 +82,8 @@ Arguments parse(int count, char** words) {
             result.cache = std::atoll(value);
         else if (option == "--plain")
             result.plain_samples = std::atoi(value);
+        else if (option == "--gpu")
+            result.gpu_samples = std::atoi(value);
         else if (option == "--tray") {
             std::sscanf(value, "%lfx%lfx%lf", &result.tray.x, &result.tray.y, &result.tray.z);
         } else
@@ -83,10 +92,17 @@ Arguments parse(int count, char** words) {
     return result;
 }
 
+/// The plain method, to be timed beside an engine.
+struct Plain {
+    PlacementSearch* search = nullptr;                                                          ///< null: none
+    std::function<void(const Tray&, const Shape&)> prepare = [](const Tray&, const Shape&) {};  ///< not timed
+    int samples = 0;
+};
+
 /// Times an engine, and now and then another one on the same question.
 class TimedSearch final : public PlacementSearch {
   public:
-    TimedSearch(PlacementSearch& engine, PlacementSearch* plain, int every, bool trace)
+    TimedSearch(PlacementSearch& engine, const Plain& plain, int every, bool trace)
         : engine_(engine), plain_(plain), every_(every), trace_(trace) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
@@ -100,9 +116,14 @@ class TimedSearch final : public PlacementSearch {
             std::printf("%d %llu %lld %.3f\n", calls_, static_cast<unsigned long long>(shape.id),
                         static_cast<long long>(shape.orientations[0].solid->count()), 1e3 * spent);
         }
-        if (plain_ && calls_ % every_ == every_ / 2) {
-            plain_seconds += timed([&] { plain_->best_placement(tray, shape, model, stop); });
+        if (plain_.search && calls_ % every_ == every_ / 2) {
+            plain_.prepare(tray, shape);
+            SearchResult answer;
+            plain_seconds += timed([&] { answer = plain_.search->best_placement(tray, shape, model, stop); });
             plain_orientations += count;
+            ++asked;
+            const auto &a = result.best, &b = answer.best;
+            same += a.has_value() == b.has_value() && (!a || (a->index == b->index && a->position == b->position));
         }
         ++calls_;
         return result;
@@ -114,6 +135,7 @@ class TimedSearch final : public PlacementSearch {
     std::int64_t memory() const override { return engine_.memory(); }
 
     double seconds = 0, orientations = 0, plain_seconds = 0, plain_orientations = 0;
+    int asked = 0, same = 0;  ///< of the plain method; how often it answered likewise: it rounds
 
   private:
     template <class Work>
@@ -124,7 +146,7 @@ class TimedSearch final : public PlacementSearch {
     }
 
     PlacementSearch& engine_;
-    PlacementSearch* plain_;
+    const Plain& plain_;
     int every_, calls_ = 0;
     bool trace_;
 };
@@ -173,10 +195,11 @@ struct Packed {
     double costs = 0, megabytes = 0;
     double seconds = 0, orientations = 0;              ///< of the engine
     double plain_seconds = 0, plain_orientations = 0;  ///< of the plain method, on its samples
+    int asked = 0, same = 0;                           ///< these, and those with the engine's answer
 };
 
-/// Packs greedily. `plain` (may be null) is asked as well, now and then.
-Packed pack(const Question& question, const Arguments& arguments, PlacementSearch* plain, const Workers& workers) {
+/// Packs greedily. The plain method is asked as well, now and then.
+Packed pack(const Question& question, const Arguments& arguments, const Plain& plain, const Workers& workers) {
     const std::vector<Mat3> rotations = orientation_set("90");
     const TraySetup& setup = question.setup;
     Tray tray(setup);
@@ -189,11 +212,14 @@ Packed pack(const Question& question, const Arguments& arguments, PlacementSearc
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
     shapes.start_tray(question.items);
     // FFTW tries its ways out on the first question: not part of the method's time.
-    if (plain) plain->best_placement(tray, shapes.at(0), question.model, {});
+    if (plain.search) {
+        plain.prepare(tray, shapes.at(0));
+        plain.search->best_placement(tray, shapes.at(0), question.model, {});
+    }
 
     const auto engine = make_cpu_search({arguments.cache}, workers);
-    const int every = std::max(1, static_cast<int>(question.items.size()) / std::max(1, arguments.plain_samples));
-    TimedSearch search(*engine, plain, every, arguments.trace && !plain);
+    const int every = std::max(1, static_cast<int>(question.items.size()) / std::max(1, plain.samples));
+    TimedSearch search(*engine, plain, every, arguments.trace && !plain.search);
     GreedyResult result;
     const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
         return stand_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
@@ -208,17 +234,29 @@ Packed pack(const Question& question, const Arguments& arguments, PlacementSearc
                   search.seconds,
                   search.orientations,
                   search.plain_seconds,
-                  search.plain_orientations};
+                  search.plain_orientations,
+                  search.asked,
+                  search.same};
     for (const PlacedItem& placed : result.placed) {
         packed.costs += placed.cost.primary;
     }
     return packed;
 }
 
+/// Packs once more with the plain method beside, and says how the two compare.
+void compare(const Question& question, const Arguments& arguments, const Plain& plain, const Packed& packed,
+             const Workers& workers) {
+    const Packed beside = pack(question, arguments, plain, workers);
+    const double each = beside.plain_seconds / beside.plain_orientations;
+    std::printf(", %s %.2f ms an orientation, %.1f s in all, extrapolated: %.1f times; %d of %d answers the same",
+                plain.search->name(), 1e3 * each, each * packed.orientations,
+                each * packed.orientations / packed.seconds, beside.same, beside.asked);
+}
+
 void run(const Arguments& arguments) {
     const Workers workers(arguments.threads);
     const Question question = read_question(arguments);
-    const Packed packed = pack(question, arguments, nullptr, workers);
+    const Packed packed = pack(question, arguments, {}, workers);
     const Extent tray = Tray(question.setup).extent();
     std::printf(
         "%s tray %dx%dx%d voxels of %g detail %d p %g threads %d: placed %zu of %zu, %lld searches, %.0f orientations, "
@@ -233,11 +271,18 @@ void run(const Arguments& arguments) {
         options.single_precision = true;
         options.measure = true;
         const auto plain = make_reference_search(options, workers);
-        const Packed beside = pack(question, arguments, plain.get(), workers);
-        const double each = beside.plain_seconds / beside.plain_orientations;
-        std::printf(", plain %.2f ms an orientation, %.1f s in all, extrapolated: %.1f times", 1e3 * each,
-                    each * packed.orientations, each * packed.orientations / packed.seconds);
+        compare(question, arguments, {.search = plain.get(), .samples = arguments.plain_samples}, packed, workers);
     }
+#endif
+#ifdef SPECTRALPACK_BENCH_GPU
+    if (arguments.gpu_samples > 0) {
+        GpuPlainSearch gpu;
+        const Plain plain{&gpu, [&](const Tray& at, const Shape& shape) { gpu.prepare(at, shape); },
+                          arguments.gpu_samples};
+        compare(question, arguments, plain, packed, workers);
+    }
+#else
+    if (arguments.gpu_samples > 0) throw UsageError("--gpu: built without nvcc or FFTW");
 #endif
     std::printf("\n");
 }
