@@ -1,6 +1,7 @@
 #include "packing/interlocking.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <unordered_set>
@@ -50,6 +51,27 @@ std::vector<int> select_remove(const std::vector<int>& set, const std::vector<St
         sum += candidate.box;
     }
     return removed;
+}
+
+/// A position of an orientation of a shape.
+struct Place {
+    int index;  ///< in Shape::orientations
+    VoxelIndex position;
+};
+using Places = std::vector<Place>;
+
+// Where a copy does not come out it is tried elsewhere, up to so many places in all. More find none that these do not.
+constexpr int kPlacesTried = 4;
+
+/// Whether a copy's boxes there have their centres less than half a box apart along every axis: in the same hole.
+bool near(const Shape& shape, const Place& a, const Place& b) {
+    const Extent& at_a = shape.orientations[static_cast<std::size_t>(a.index)].solid->extent();
+    const Extent& at_b = shape.orientations[static_cast<std::size_t>(b.index)].solid->extent();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int twice = 2 * (a.position[axis] - b.position[axis]) + at_a[axis] - at_b[axis];
+        if (std::abs(twice) >= std::min(at_a[axis], at_b[axis])) return false;
+    }
+    return true;
 }
 
 class Untangling {
@@ -161,7 +183,7 @@ class Untangling {
     }
 
     /// Tells where copies are tried first.
-    PlacementSearch& best() { return setup_.best ? *setup_.best : search_; }
+    PlacementSearch& best_search() { return setup_.best ? *setup_.best : search_; }
 
     void remove_from_tray(const PlacedItem& item) {
         if (Caps* caps = setup_.limits.caps) caps->remove(item.item.part, item.orientation, item.offset);
@@ -191,7 +213,7 @@ class Untangling {
             remove_from_tray(item);
         }
         result_.plan.complete = true;
-        best().forget();
+        best_search().forget();
         put_in(setup_.order, {});
         if (!stop_.stopped() && placed_.size() >= placed.size() && height() < height_now) {
             result_.report.counts = {.fills = repaired.report.counts.fills + result_.report.counts.fills};
@@ -223,10 +245,12 @@ class Untangling {
         ShapeStore& shapes = *setup_.shapes;
         shapes.start_tray(items, ShapeStore::kAheadOfWays);
         std::unordered_set<int> hopeless;
+        std::map<int, Places> refused;  // by part: where one copy did not come out, another does not
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool was_taken_out = taken_out.contains(items[i]);
-            const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                               put_in(items[i], asked(shapes.at(i), was_taken_out), packing, reachable);
+            const bool again =
+                !stop_.stopped() && !hopeless.contains(items[i].part) &&
+                put_in(items[i], asked(shapes.at(i), was_taken_out), refused[items[i].part], packing, reachable);
             if (!again) {
                 hopeless.insert(items[i].part);
                 if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(items[i]);
@@ -249,16 +273,28 @@ class Untangling {
         return asked;
     }
 
-    /// At its best place if it comes out from there once its turn comes, or else at the best that is reachable now.
-    bool put_in(const PackItem& item, const Shape& shape, RemovablePacking& packing, ReachableSearch& reachable) {
+    /// At the best place from which it comes out once its turn comes, of the first few that are not near one another,
+    /// or else at the best that is reachable now.
+    bool put_in(const PackItem& item, const Shape& shape, Places& refused, RemovablePacking& packing,
+                ReachableSearch& reachable) {
         const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
-        for (PlacementSearch* search : {&best(), static_cast<PlacementSearch*>(&reachable)}) {
-            const SearchResult found = find_place(tray_, *search, setup_.model, item, shape, setup_.limits, stop_);
-            if (!found.best) return false;
-            if (put_at(*found.best, item, shape, packing)) return true;
+        const auto place_of = [&](PlacementSearch& search, const Shape& asked) {
+            return find_place(tray_, search, setup_.model, item, asked, setup_.limits, stop_).best;
+        };
+        Shape elsewhere = shape;
+        elsewhere.admits = [&](int index, const VoxelIndex& q) {
+            return std::ranges::none_of(refused, [&](const Place& place) { return near(shape, place, {index, q}); });
+        };
+        for (int tried = 0; tried < kPlacesTried; ++tried) {
+            const std::optional<BestPlacement> best = place_of(best_search(), refused.empty() ? shape : elsewhere);
+            if (!best) break;
+            if (put_at(*best, item, shape, packing)) return true;
+            refused.push_back({best->index, best->position});
         }
-        return false;
+        if (refused.empty()) return false;  // there is no place at all
+        const std::optional<BestPlacement> best = place_of(reachable, shape);
+        return best && put_at(*best, item, shape, packing);
     }
 
     bool put_at(const BestPlacement& place, const PackItem& item, const Shape& shape, RemovablePacking& packing) {

@@ -48,11 +48,11 @@ struct Untangled {
 /// Disassembles what `placed` and `tray` hold. While something is stuck, takes out of each stuck set what the rule says
 /// and goes on; then lets stand what need not go after all, lighter copies instead of heavier ones. Then puts back what
 /// was taken out, and puts in what had found no place, in the order of the job: each at its best placement if it comes
-/// out from there when its turn comes, or else at its best reachable one, on the grid. Without a ceiling all is packed
-/// anew where that made the packing higher, and the lower one stays. `placed` and `tray` end as the packing that the
-/// plan is of. When stopped, the plan is complete only if all that stands had been planned by then, and what has been
-/// found interlocked until then is out; what had not been tried by then is not among `interlocked`. (docs/algorithm.md,
-/// section 11)
+/// out from there when its turn comes, or else at the best in some other holes, or at its best reachable one, on the
+/// grid. Without a ceiling all is packed anew where that made the packing higher, and the lower one stays. `placed` and
+/// `tray` end as the packing that the plan is of. When stopped, the plan is complete only if all that stands had been
+/// planned by then, and what has been found interlocked until then is out; what had not been tried by then is not among
+/// `interlocked`. (docs/algorithm.md, section 11)
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 

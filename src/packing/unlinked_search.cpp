@@ -210,7 +210,9 @@ SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape
     Asking asking(*this, tray, shape, stop);
     Shape asked = shape;
     asked.id |= kUnlinkedIds;
-    asked.admits = [&](int index, const VoxelIndex& q) { return asking.unlinked(index, q); };
+    asked.admits = [&](int index, const VoxelIndex& q) {
+        return (!shape.admits || shape.admits(index, q)) && asking.unlinked(index, q);
+    };
     SearchResult result = engine_.best_placement(tray, asked, model, stop);
     if (stop.stopped()) known_.reset();  // walks that were stopped say nothing
     return result;

@@ -7,7 +7,7 @@
 /// Definition: a position q of an orientation is unlinked if, for every object b of the tray, link_sample(A) can be
 /// moved from q to where A is outside of b's box by single steps along x, y and z through positions where it does not
 /// meet b, all in the voxels that collisions are decided on (dx / s). The best unlinked placement is the best placement
-/// (conventions.md) among the candidates that are also unlinked.
+/// (conventions.md) among the candidates that the shape admits and that are also unlinked.
 
 #include <algorithm>
 #include <cstdint>

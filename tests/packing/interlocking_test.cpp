@@ -158,6 +158,30 @@ TEST_F(Interlocking, PutsACopyWhereItsWayOpensLater) {
     EXPECT_LT(cube->position.z, 26);
 }
 
+TEST_F(Interlocking, TriesTheNextBestPlaceWhereACopyDoesNotComeOutOfTheBest) {
+    // The best place for a cube is the hollow of a chest with a slit in its lid, the next best a chest under a plate,
+    // from where it comes out once that has left; all that can be reached now is higher up.
+    tray_ = Tray(TraySetup{{41, 28, 40}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
+    put(test::chest_mesh(26, 2, true), 0, {0, 0, 0});
+    put(test::box_mesh({0, 0, 0}, {28, 28, 2}), 0, {0, 0, 28});
+    put(test::merged(test::chest_mesh(12, 2, true), test::box_mesh({0, 0, 10}, {12, 8, 12})), 0, {29, 0, 0});
+    put(test::box_mesh({0, 0, 0}, {12, 16, 40}), 0, {29, 12, 0});
+    put(test::chest_mesh(6, 1, false), 0, {29, 0, 12});  // something to take out
+    put(test::cube_mesh(2), 0, {31, 2, 14});
+    setup_.model = {1e8, HeightAt::bottom};
+    parts_.meshes.push_back(test::cube_mesh(8));
+    setup_.order = {{6, 0}, {6, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
+    setup_.waiting = {{6, 0}, {6, 1}};
+    const Untangled result = untangle_all();
+    EXPECT_EQ(result.report.counts.added, 2);
+    expect_complete(result);
+    for (const PlacedItem& placed : placed_) {
+        if (placed.item.part != 6) continue;
+        EXPECT_LT(placed.position.x, 26) << "in the open chest, the second copy as well";
+        EXPECT_LT(placed.position.z, 26);
+    }
+}
+
 TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
     // Two linked frames, and a plate on the rest of the base: what is taken out finds a place only on top of them.
     tray_ = Tray(TraySetup{{36, 34, 20}, 1, 1, {0}, Ceiling::open, 0, {}, false});

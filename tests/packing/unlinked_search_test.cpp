@@ -15,7 +15,9 @@ namespace {
 /// The best of the candidates from which there is a way past each object, no others being admitted.
 SearchResult plain_best(const Tray& tray, Shape shape, const CostModel& model) {
     const int s = tray.detail();
+    const Admits admits = shape.admits;
     shape.admits = [&](int index, const VoxelIndex& q) {
+        if (admits && !admits(index, q)) return false;
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
         const BitGrid solid = link_sample(s == 1 ? *oriented.solid : *oriented.fine);
         for (ObjectId id = 0; id < tray.object_count(); ++id) {
@@ -46,6 +48,25 @@ TEST(UnlinkedSearch, AnswersTheBestOfWhatIsUnlinked) {
 
 TEST(UnlinkedSearch, DecidesInTheVoxelsThatCollisionsAreDecidedOn) {
     expect_the_best_of_the_admitted<UnlinkedSearch>(scenes_in(3), 50, plain_best);
+}
+
+TEST(UnlinkedSearch, AnswersWithNothingThatTheShapeDoesNotAdmit) {
+    const auto engine = make_cpu_search({}, Workers(2));
+    UnlinkedSearch search(*engine);
+    int differs = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        RandomStream random(seed);
+        Scene scene = random_scene(random, scenes_in(1), 1 + 100 * seed);
+        for (Shape shape : scene.shapes) {
+            const CostModel model = random_model(random);
+            const SearchResult any = plain_best(scene.tray, shape, model);
+            shape.admits = [](int index, const VoxelIndex& q) { return (index + q.x + q.y + q.z) % 3 != 0; };
+            const SearchResult answer = search.best_placement(scene.tray, shape, model, {});
+            ASSERT_EQ(answer.best, plain_best(scene.tray, shape, model).best) << "seed " << seed;
+            differs += answer.best != any.best;
+        }
+    }
+    EXPECT_GT(differs, 10);
 }
 
 TEST(LinkSample, IsRowsSpreadOverTheSolidWholeForSmallOnes) {
