@@ -98,6 +98,7 @@ Command add_plan_command(CLI::App& app) {
     auto* sub = app.add_subcommand("plan", "Find out how a packing comes apart, or what in it is interlocked");
     sub->footer(
         "Works on any packing file whose meshes are there. Every step is confirmed on the exact triangles.\n"
+        "Where no way is found that the file's own plan has, if it has one, that is taken.\n"
         "Exit status 1 when something is interlocked, or when there was no time to find out.");
     auto arguments = std::make_shared<PlanArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();

@@ -373,6 +373,7 @@ bool Company::leads_out(const Members& members, const Path& path) const {
         own.add(boxes_[member]);
     }
     for (const Vec3& move : path) {
+        if (along(direction_of(move), std::abs(move[direction_of(move).axis])) != move) return false;  // oblique
         own = moved(own, move);
     }
     return !meet(own, others) && free_path(members, {}, path);

@@ -104,7 +104,7 @@ class Company {
     /// A way of two moves that voxels need not see: one of a voxel's length, then straight on. For copies that stand
     /// off the grid so near to others that a flood fill has nowhere to begin.
     std::optional<Path> way_beside_the_grid(std::size_t i) const;
-    /// Whether `members` (ascending) leave by that path as one.
+    /// Whether `members` (ascending) leave by that path as one. False where a move of it does not follow an axis.
     bool leads_out(const Members& members, const Path& path) const;
 
   private:

@@ -304,9 +304,12 @@ TEST(Disassembler, TriesStepsThatItIsToldOf) {
     EXPECT_EQ(answer.steps, told);
     EXPECT_TRUE(answer.complete());
     scene.replay(answer);
-    // What is not so, or does not lead outside, changes nothing.
-    for (const std::vector<Vec3>& path :
-         {std::vector<Vec3>{{0, 0, 1.3}, {30, 0, 0}}, {{0, 0, 1.8}, {30, 0, 0}}, {{0, 0, 1.5}, {10, 0, 0}}, {}}) {
+    // What is not so, does not lead outside or cannot be swept changes nothing.
+    for (const std::vector<Vec3>& path : {std::vector<Vec3>{{0, 0, 1.3}, {30, 0, 0}},
+                                          {{0, 0, 1.8}, {30, 0, 0}},
+                                          {{0, 0, 1.5}, {10, 0, 0}},
+                                          {{0, 0, 1.5}, {30, 0.01, 0}},
+                                          {}}) {
         const std::vector<RemovalStep> wrong{{{1}, path}};
         scene.setup().told = &wrong;
         EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1}}));
