@@ -232,6 +232,14 @@ class Untangling {
         result_ = std::move(repaired);
     }
 
+    /// What goes on while copies are put in.
+    struct Pass {
+        RemovablePacking packing;
+        ReachableSearch reachable;
+        std::map<int, Places> refused;  ///< by part: where one copy did not come out, another does not
+        int most_places;                ///< tried of each copy; where it is 1, none are called refused
+    };
+
     /// In the order of the job.
     void put_in(std::vector<PackItem> items, const std::set<PackItem>& taken_out) {
         std::map<PackItem, std::size_t> rank;
@@ -240,17 +248,16 @@ class Untangling {
         }
         std::stable_sort(items.begin(), items.end(),
                          [&](const PackItem& a, const PackItem& b) { return rank[a] < rank[b]; });
-        RemovablePacking packing(standing_, result_.plan.steps);
-        ReachableSearch reachable(search_, setup_.walls);
+        // Without a ceiling there is always one that can be reached, and others take long to find.
+        const int places = tray_.setup().ceiling == Ceiling::open ? 1 : kPlacesTried;
+        Pass pass{RemovablePacking(standing_, result_.plan.steps), ReachableSearch(search_, setup_.walls), {}, places};
         ShapeStore& shapes = *setup_.shapes;
         shapes.start_tray(items, ShapeStore::kAheadOfWays);
         std::unordered_set<int> hopeless;
-        std::map<int, Places> refused;  // by part: where one copy did not come out, another does not
         for (std::size_t i = 0; i < items.size(); ++i) {
             const bool was_taken_out = taken_out.contains(items[i]);
-            const bool again =
-                !stop_.stopped() && !hopeless.contains(items[i].part) &&
-                put_in(items[i], asked(shapes.at(i), was_taken_out), refused[items[i].part], packing, reachable);
+            const bool again = !stop_.stopped() && !hopeless.contains(items[i].part) &&
+                               put_in(items[i], asked(shapes.at(i), was_taken_out), pass);
             if (!again) {
                 hopeless.insert(items[i].part);
                 if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(items[i]);
@@ -260,8 +267,8 @@ class Untangling {
             shapes.release(i, again);
             setup_.to_put_back(static_cast<int>(items.size() - i - 1), static_cast<int>(items.size()));
         }
-        result_.plan.steps = packing.steps();
-        result_.report.counts.fills += packing.fills();
+        result_.plan.steps = pass.packing.steps();
+        result_.report.counts.fills += pass.packing.fills();
     }
 
     /// A copy that had no room before has some only where something was taken out, unless caps or a ceiling that goes
@@ -275,26 +282,28 @@ class Untangling {
 
     /// At the best place from which it comes out once its turn comes, of the first few that are not near one another,
     /// or else at the best that is reachable now.
-    bool put_in(const PackItem& item, const Shape& shape, Places& refused, RemovablePacking& packing,
-                ReachableSearch& reachable) {
+    bool put_in(const PackItem& item, const Shape& shape, Pass& pass) {
         const Caps* caps = setup_.limits.caps;
         if (caps && !caps->why_not(item.part).empty()) return false;
         const auto place_of = [&](PlacementSearch& search, const Shape& asked) {
             return find_place(tray_, search, setup_.model, item, asked, setup_.limits, stop_).best;
         };
+        Places& refused = pass.refused[item.part];
         Shape elsewhere = shape;
         elsewhere.admits = [&](int index, const VoxelIndex& q) {
             return std::ranges::none_of(refused, [&](const Place& place) { return near(shape, place, {index, q}); });
         };
-        for (int tried = 0; tried < kPlacesTried; ++tried) {
+        bool none = refused.empty();
+        for (int tried = 0; tried < pass.most_places; ++tried) {
             const std::optional<BestPlacement> best = place_of(best_search(), refused.empty() ? shape : elsewhere);
             if (!best) break;
-            if (put_at(*best, item, shape, packing)) return true;
-            refused.push_back({best->index, best->position});
+            if (put_at(*best, item, shape, pass.packing)) return true;
+            none = false;
+            if (pass.most_places > 1) refused.push_back({best->index, best->position});
         }
-        if (refused.empty()) return false;  // there is no place at all
-        const std::optional<BestPlacement> best = place_of(reachable, shape);
-        return best && put_at(*best, item, shape, packing);
+        if (none) return false;  // there is no place at all
+        const std::optional<BestPlacement> best = place_of(pass.reachable, shape);
+        return best && put_at(*best, item, shape, pass.packing);
     }
 
     bool put_at(const BestPlacement& place, const PackItem& item, const Shape& shape, RemovablePacking& packing) {
