@@ -21,7 +21,7 @@ void check(cufftResult status) {
 template <class T>
 class DeviceArray {
   public:
-    explicit DeviceArray(std::size_t count = 0) { grow(count); }
+    DeviceArray() = default;
     ~DeviceArray() { cudaFree(data_); }
     DeviceArray(const DeviceArray&) = delete;
     DeviceArray& operator=(const DeviceArray&) = delete;

@@ -1,6 +1,7 @@
 #pragma once
 /// The plain method (Algorithm 1) on a GPU, in single precision by cuFFT, to measure engines against: all orientations
-/// of an object at a time. Not an engine: it rounds, and it knows voxels of one size, without keep-out.
+/// of an object at a time. Not an engine: it rounds, and it knows voxels of one size, without keep-out. All in voxels;
+/// triples are x, y, z, and x goes fastest.
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,7 @@
 #pragma once
-/// GpuPlain as it is asked by search_bench: detail 1, no keep-out, one gap class, heights at the bottom.
+/// GpuPlain as it is asked by search_bench: one tray, detail 1, no keep-out, one gap class, heights at the bottom.
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "gpu_plain.hpp"
 #include "search/placement_search.hpp"
 #include "search/reference/transform.hpp"
+#include "voxel/distance_field.hpp"
 
 namespace spectralpack {
 
@@ -18,9 +20,8 @@ class GpuPlainSearch final : public PlacementSearch {
         if (tray.detail() != 1 || tray.gap_classes() != 1 || !tray.blocked().none()) {
             throw UsageError("the GPU's plain method knows detail 1 only, one gap, and no keep-out");
         }
-        if (!gpu_ || tray.extent() != extent_) {
-            extent_ = tray.extent();
-            grid_ = transform_extent(extent_, VoxelIndex{kOverhang, kOverhang, kOverhang});
+        if (!gpu_) {
+            grid_ = transform_extent(tray.extent(), VoxelIndex{kOverhang, kOverhang, kOverhang});
             gpu_.emplace(grid_.x, grid_.y, grid_.z, kMostOrientations);
         }
         gpu_->plan(static_cast<int>(shape.orientations.size()));
@@ -74,7 +75,7 @@ class GpuPlainSearch final : public PlacementSearch {
         return {bits.words().data(), bits.words_per_row(), {e.x, e.y, e.z}, {offset.x, offset.y, offset.z}};
     }
 
-    Extent extent_, grid_;
+    Extent grid_;
     std::optional<GpuPlain> gpu_;
     Grid<std::int32_t> phi_;
     std::uint64_t version_ = ~std::uint64_t{0};

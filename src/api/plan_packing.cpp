@@ -127,12 +127,13 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& se
                               scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
-        if (tray.disassembly) standing.setup().told = &tray.disassembly->steps;
-        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), [&](int, int) {
+        const auto left = [&](int, int) {
             ++done;
             const double work = static_cast<double>(done) / static_cast<double>(total);
             listener.on_progress({Phase::disassemble, done, total, 0, work});
-        }));
+        };
+        const std::vector<RemovalStep>* told = tray.disassembly ? &tray.disassembly->steps : nullptr;
+        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), left, told));
     }
     return plans;
 }

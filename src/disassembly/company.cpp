@@ -187,14 +187,19 @@ std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hin
     return std::nullopt;
 }
 
+Box Company::box_of(const Members& members) const {
+    Box box;
+    for (const std::size_t member : members) {
+        box.add(boxes_[member]);
+    }
+    return box;
+}
+
 Company::Straight Company::straight_way(const Members& members, const Vec3& from, AxisDirection direction,
                                         const Hints& hints) const {
     const Box others = hull_.without(members);
     if (others.empty()) return {};
-    Box own;
-    for (const std::size_t member : members) {
-        own.add(moved(boxes_[member], from));
-    }
+    const Box own = moved(box_of(members), from);
     const double way = std::max(way_past(own, others, direction), 0.0) + kClearance;
     Straight straight;
     straight.met = meeting({members, from, direction, way}, hints, straight.passed);
@@ -347,11 +352,12 @@ std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
 std::optional<Company::Path> Company::way_beside_the_grid(std::size_t i) const {
     std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way from elsewhere, likely is from here
     for (int d = 0; d < BlockingGraph::kDirections; ++d) {
-        const Vec3 aside = along(BlockingGraph::direction(d), tray_.voxel_size());
+        const AxisDirection first = BlockingGraph::direction(d);
+        const Vec3 aside = along(first, tray_.voxel_size());
         if (!free_move({i}, {}, aside)) continue;
         for (int on = 0; on < BlockingGraph::kDirections; ++on) {
             const AxisDirection direction = BlockingGraph::direction(on);
-            if (direction.axis == direction_of(aside).axis) continue;
+            if (direction.axis == first.axis) continue;
             const Straight way = straight_way({i}, aside, direction, hints[on]);
             if (way.met) {
                 hints[on].first = way.met->other;
@@ -368,15 +374,11 @@ std::optional<Company::Path> Company::way_beside_the_grid(std::size_t i) const {
 bool Company::leads_out(const Members& members, const Path& path) const {
     const Box others = hull_.without(members);
     if (others.empty()) return true;
-    Box own;
-    for (const std::size_t member : members) {
-        own.add(boxes_[member]);
-    }
-    for (const Vec3& move : path) {
-        if (along(direction_of(move), std::abs(move[direction_of(move).axis])) != move) return false;  // oblique
-        own = moved(own, move);
-    }
-    return !meet(own, others) && free_path(members, {}, path);
+    const bool along_axes = std::ranges::all_of(path, [](const Vec3& move) {
+        const AxisDirection direction = direction_of(move);
+        return along(direction, std::abs(move[direction.axis])) == move;
+    });
+    return along_axes && !meet(at_end(box_of(members), path), others) && free_path(members, {}, path);
 }
 
 std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {

@@ -18,7 +18,6 @@
 #include "disassembly/standing_part.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/slide.hpp"
-#include "model/disassembly.hpp"
 #include "search/placement_search.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -37,8 +36,6 @@ struct DisassemblySetup {
     static constexpr double spacing_for(double voxel) { return 4 * voxel; }
     /// voxelize() of part `name`, for parts that stand off the grid.
     std::function<std::shared_ptr<const BitGrid>(int name)> on_grid;
-    /// A plan that was there before, by names; null: none. Its steps are tried where nothing else is found.
-    const std::vector<RemovalStep>* told = nullptr;
     Workers workers;
     StopToken stop;
 };
@@ -132,6 +129,7 @@ class Company {
     };
     /// Whom they would meet. Appends whom they pass.
     std::optional<Pair> meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const;
+    Box box_of(const Members& members) const;
     Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction, const Hints& hints) const;
     bool free_move(const Members& members, const Vec3& from, const Vec3& move) const;
     bool free_path(const Members& members, Vec3 from, const Path& path) const;

@@ -227,12 +227,12 @@ class Disassembler::Yard {
     /// Takes out whom the first step that says something of those present does. What was in the way once and is gone
     /// changes nothing, so it holds if it did.
     bool leave_as_told() {
-        if (owner_.setup_.told == nullptr) return false;
+        if (owner_.told_ == nullptr) return false;
         std::map<int, std::size_t> present;
         for (std::size_t i = 0; i < company_.size(); ++i) {
             if (company_.present(i)) present.emplace(company_.name(i), i);
         }
-        for (const RemovalStep& step : *owner_.setup_.told) {
+        for (const RemovalStep& step : *owner_.told_) {
             Members members;
             for (const int name : step.placements) {
                 if (const auto known = present.find(name); known != present.end()) members.push_back(known->second);
@@ -296,8 +296,9 @@ class Disassembler::Yard {
     std::size_t turn_ = 0;
 };
 
-Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left)
-    : setup_(setup), left_(std::move(left)) {
+Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left,
+                           const std::vector<RemovalStep>* told)
+    : setup_(setup), left_(std::move(left)), told_(told) {
     std::vector<int> names(parts.size());
     std::iota(names.begin(), names.end(), 0);
     yards_.emplace_back(*this, std::move(names), std::move(parts));

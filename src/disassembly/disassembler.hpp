@@ -15,8 +15,10 @@ class Disassembler {
   public:
     using Left = std::function<void(int left, int all)>;  ///< told how many movable copies still stand
 
-    /// `parts` are named by their index. `setup` is referred to.
-    Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left);
+    /// `parts` are named by their index. `setup` is referred to, and so is `told`: the steps of a plan that was there
+    /// before (null: none), which are tried where nothing else is found.
+    Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left,
+                 const std::vector<RemovalStep>* told = nullptr);
     ~Disassembler();
 
     /// Takes out all that comes out, which does not depend on the order: what leaves is in nobody's way any more.
@@ -39,6 +41,7 @@ class Disassembler {
 
     const DisassemblySetup& setup_;
     Left left_;
+    const std::vector<RemovalStep>* told_;
     std::list<Yard> yards_;
     std::vector<RemovalStep> steps_;
     InterlockCounts counts_;

@@ -42,13 +42,6 @@ bool outside(const Box& box, const Box& others) {
     return false;
 }
 
-Box at_end(Box box, const std::vector<Vec3>& path) {
-    for (const Vec3& move : path) {
-        box = moved(box, move);
-    }
-    return box;
-}
-
 }  // namespace
 
 /// Lets one part in: goes through the steps of its company from when it was discarded on.

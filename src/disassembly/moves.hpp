@@ -12,6 +12,13 @@ namespace spectralpack {
 
 inline Box moved(const Box& box, const Vec3& by) { return {box.min + by, box.max + by}; }
 
+inline Box at_end(Box box, const std::vector<Vec3>& path) {
+    for (const Vec3& move : path) {
+        box = moved(box, move);
+    }
+    return box;
+}
+
 inline Box swept(Box box, AxisDirection direction, double way) {
     (direction.sign > 0 ? box.max : box.min)[direction.axis] += direction.sign * way;
     return box;

@@ -293,15 +293,14 @@ class Untangling {
         elsewhere.admits = [&](int index, const VoxelIndex& q) {
             return std::ranges::none_of(refused, [&](const Place& place) { return near(shape, place, {index, q}); });
         };
-        bool none = refused.empty();
-        for (int tried = 0; tried < pass.most_places; ++tried) {
+        int tried = 0;
+        for (; tried < pass.most_places; ++tried) {
             const std::optional<BestPlacement> best = place_of(best_search(), refused.empty() ? shape : elsewhere);
             if (!best) break;
             if (put_at(*best, item, shape, pass.packing)) return true;
-            none = false;
             if (pass.most_places > 1) refused.push_back({best->index, best->position});
         }
-        if (none) return false;  // there is no place at all
+        if (tried == 0 && refused.empty()) return false;  // there is no place at all
         const std::optional<BestPlacement> best = place_of(pass.reachable, shape);
         return best && put_at(*best, item, shape, pass.packing);
     }
@@ -339,8 +338,8 @@ Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>&
 }
 
 Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts, std::size_t copies,
-                             const Disassembler::Left& left) {
-    Disassembler disassembler(setup, std::move(parts), left);
+                             const Disassembler::Left& left, const std::vector<RemovalStep>* told) {
+    Disassembler disassembler(setup, std::move(parts), left, told);
     disassembler.run();
     Disassembly plan;
     plan.steps = disassembler.steps();

@@ -56,9 +56,10 @@ struct Untangled {
 Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
                    const StopToken& stop);
 
-/// Makes the plan for parts that stand; takes nothing out. `interlocked` names the sets that hold each other, of the
-/// first `copies` parts: what comes after them is a container.
+/// Makes the plan for parts that stand, by the steps `told` where it finds none (may be null); takes nothing out.
+/// `interlocked` names the sets that hold each other, of the first `copies` parts: what comes after them is a
+/// container.
 Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts, std::size_t copies,
-                             const Disassembler::Left& left);
+                             const Disassembler::Left& left, const std::vector<RemovalStep>* told);
 
 }  // namespace spectralpack

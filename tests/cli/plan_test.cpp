@@ -4,6 +4,7 @@
 #include "cli/program.hpp"
 #include "core/parallel.hpp"
 #include "formats/packing_file.hpp"
+#include "support/die_behind_sill.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {
@@ -89,18 +90,8 @@ TEST(Plan, HoldsWithRaysFarApart) {
 /// What no search of the program's finds, a plan in the file may know.
 TEST(Plan, GoesByTheFilesOwnPlanWhereItFindsNoWay) {
     const TemporaryFolder folder;
-    // A die in a box that is open at +x above a sill, with a tenth of a millimetre on either side.
-    Mesh box = box_mesh({5, 5, 5}, {30, 25, 10.4});
-    for (const auto& [low, high] : {std::pair{Vec3{5, 5, 5}, Vec3{10.4, 25, 25}},
-                                    {Vec3{5, 5, 5}, Vec3{30, 10.4, 25}},
-                                    {Vec3{5, 18.6, 5}, Vec3{30, 25, 25}},
-                                    {Vec3{5, 5, 20.2}, Vec3{30, 25, 25}},
-                                    {Vec3{19, 5, 10.4}, Vec3{30, 25, 11.9}}}) {
-        box = merged(box, box_mesh(low, high));
-    }
-    const std::vector<std::shared_ptr<const Mesh>> meshes{
-        std::make_shared<const Mesh>(box),
-        std::make_shared<const Mesh>(box_mesh({10.5, 10.5, 10.5}, {18.5, 18.5, 18.5}))};
+    const std::vector<std::shared_ptr<const Mesh>> meshes{std::make_shared<const Mesh>(box_with_sill(1.4, 1.7)),
+                                                          std::make_shared<const Mesh>(die_mesh())};
     Packing packing;
     packing.container.size = packing.options.tray = {60, 40, 40};
     packing.options.voxel = 1;

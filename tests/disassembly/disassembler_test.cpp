@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "disassembly/scenes.hpp"
+#include "support/die_behind_sill.hpp"
 
 namespace spectralpack {
 namespace {
@@ -269,17 +270,10 @@ TEST(Disassembler, SnapsACopyOffTheGridOntoIt) {
     scene.replay(answer);
 }
 
-/// A fixed box around a die of 8 mm, open at +x above a sill and half a voxel off the grid. The die has a tenth of a
-/// millimetre on either side, so no voxel position is free, and comes out if lifted over the sill.
 AssemblyScene die_behind_a_sill(double sill, double room_above) {
     AssemblyScene scene({60, 40, 40});
-    Mesh box = box_mesh({5, 5, 5}, {30, 25, 10.4});
-    box = test::merged(box, box_mesh({5, 5, 5}, {10.4, 25, 25}));
-    box = test::merged(box, box_mesh({5, 5, 5}, {30, 10.4, 25}));
-    box = test::merged(box, box_mesh({5, 18.6, 5}, {30, 25, 25}));
-    box = test::merged(box, box_mesh({5, 5, 18.5 + room_above}, {30, 25, 25}));
-    scene.add(test::merged(box, box_mesh({19, 5, 10.4}, {30, 25, 10.5 + sill})), true);
-    scene.add(box_mesh({10.5, 10.5, 10.5}, {18.5, 18.5, 18.5}));
+    scene.add(test::box_with_sill(sill, room_above), true);
+    scene.add(test::die_mesh());
     return scene;
 }
 
@@ -296,11 +290,10 @@ TEST(Disassembler, FindsAWayBesideTheGrid) {
 }
 
 TEST(Disassembler, TriesStepsThatItIsToldOf) {
-    AssemblyScene scene = die_behind_a_sill(1.4, 1.7);
+    const AssemblyScene scene = die_behind_a_sill(1.4, 1.7);
     EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1}}));
     const std::vector<RemovalStep> told{{{1}, {{0, 0, 1.5}, {30, 0, 0}}}};
-    scene.setup().told = &told;
-    const auto answer = scene.disassemble();
+    const auto answer = scene.disassemble(&told);
     EXPECT_EQ(answer.steps, told);
     EXPECT_TRUE(answer.complete());
     scene.replay(answer);
@@ -311,8 +304,7 @@ TEST(Disassembler, TriesStepsThatItIsToldOf) {
                                           {{0, 0, 1.5}, {30, 0.01, 0}},
                                           {}}) {
         const std::vector<RemovalStep> wrong{{{1}, path}};
-        scene.setup().told = &wrong;
-        EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1}}));
+        EXPECT_EQ(scene.disassemble(&wrong).stuck, (Sets{{0, 1}}));
     }
 }
 
@@ -353,8 +345,7 @@ TEST(Disassembler, TakesOutAsAGroupWhatItIsTold) {
     scene.add(test::merged(box_mesh({6, 5, 5}, {10, 29, 27}), box_mesh({70, 5, 5}, {72, 29, 9.5})), true);
     EXPECT_EQ(scene.disassemble().stuck, (Sets{{0, 1, 2, 3}}));
     const std::vector<RemovalStep> told{{{1, 2}, {{0, 0, 0.8}, {80, 0, 0}}}};
-    scene.setup().told = &told;
-    const auto answer = scene.disassemble();
+    const auto answer = scene.disassemble(&told);
     EXPECT_TRUE(answer.complete());
     ASSERT_EQ(answer.steps.size(), 3u);
     EXPECT_EQ(answer.steps.front(), told.front());

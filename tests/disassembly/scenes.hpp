@@ -75,8 +75,9 @@ class AssemblyScene {
 
         bool complete() const { return stuck.empty(); }
     };
-    Answer disassemble() const {
-        Disassembler disassembler(setup_, parts_, [](int, int) {});
+    Answer disassemble(const std::vector<RemovalStep>* told = nullptr) const {
+        Disassembler disassembler(
+            setup_, parts_, [](int, int) {}, told);
         disassembler.run();
         return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
     }
