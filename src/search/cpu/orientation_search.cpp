@@ -195,19 +195,18 @@ class Pass {
         if (state_.is_dead(bx, by, bz)) return;
         const std::uint32_t limit = LaneLimit(most_);
         const bool fresh = state_.is_fresh(bx, by, bz);
-        std::uint32_t* bound[kBlocksY];
         std::uint32_t near[kBlocksY], room[kBlocksY];
         std::uint32_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
-            bound[j] = state_.bound(bx, by * kBlocksY + j, bz);
             room[j] = fresh ? Room(bx, by, j) : 0;
-            near[j] = fresh ? room[j] : PairAtMost(bound[j], limit);
+            near[j] = fresh ? room[j] : PairAtMost(state_.open_pair(bx, by, bz).bound[j], limit);
             if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j]);
             any |= near[j];
         }
         if (any == 0) return;
         std::size_t sifted[kPair] = {};
         if (fresh && !Sift(bx, by, bz, room, sifted)) return;
+        auto& bound = state_.open_pair(bx, by, bz).bound;
         for (int j = 0; j < kBlocksY; ++j) {
             near[j] = Close(bx, by * kBlocksY + j, bz, near[j], bound[j]);
         }
@@ -336,7 +335,7 @@ class Pass {
 
     /// Bounds the blocks of a pair that are near and have no bound yet.
     void BoundBlocks(int bx, int by, int bz, const std::uint32_t (&near)[kBlocksY],
-                     std::uint32_t* const (&bound)[kBlocksY]) const {
+                     std::uint32_t (&bound)[kBlocksY][kPair * kBlocksX]) const {
         Stretches<kBlocksY * kPair * kBlocksX> unknown;
         for (int j = 0; j < kBlocksY; ++j) {
             if (near[j] != 0) unknown.add(j, near[j] & Unknown(bound[j]));
@@ -358,11 +357,13 @@ class Pass {
         const auto& [bound_then, bx, by, sifted, near] = survivor;
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
-        std::uint64_t* live = state_.live(bx, by, bz);
+        OpenPair& open = state_.open_pair(bx, by, bz);
+        const int half = bx % kPair;
+        std::uint64_t* live = open.live[half];
         alignas(64) Bounds before;
         alignas(64) Bounds after;
         for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(state_.bound(bx, by * kBlocksY + j, bz), kBlocksX, before[j]);
+            std::copy_n(open.bound[j] + half * kBlocksX, kBlocksX, before[j]);
             std::fill_n(after[j], kBlocksX, kDead);
         }
         for (int i = 0; i < kBrickZ; ++i) {
@@ -370,7 +371,7 @@ class Pass {
             SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live + kBrickY * i, before, near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(after[j], kBlocksX, state_.bound(bx, by * kBlocksY + j, bz));
+            std::copy_n(after[j], kBlocksX, open.bound[j] + half * kBlocksX);
         }
     }
 

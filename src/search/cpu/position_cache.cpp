@@ -14,25 +14,22 @@ Extent brick_count(const Extent& count) {
     return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY, (count.z + kBrickZ - 1) / kBrickZ};
 }
 
+int pairs_along_x(const Extent& bricks) { return (bricks.x + kPair - 1) / kPair; }
+std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
+
 }  // namespace
 
 void PositionState::reset(const Extent& count, const Extent& most) {
     count_ = count;
     bricks_ = brick_count(count);
-    bound_rows_ = bricks_.y * kBlocksY;
-    bound_stride_ = bricks_.x * kBlocksX + kBlocksX;  // bricks are looked at in pairs
-    pairs_ = (bricks_.x + kPair - 1) / kPair;
-    pair_is_.assign(static_cast<std::size_t>(checked_product({pairs_, bricks_.y, bricks_.z})), kFresh);
-    const Extent room = brick_count(most);
-    const auto bricks = static_cast<std::size_t>(room.count());
-    const auto bounds =
-        static_cast<std::size_t>(checked_product({room.z, room.y * kBlocksY, room.x * kBlocksX + kBlocksX}));
+    pairs_ = pairs_along_x(bricks_);
+    place_.assign(static_cast<std::size_t>(pair_count(bricks_)), kFresh);
+    opened_.assign(static_cast<std::size_t>(bricks_.z), 0);
     if (count.empty()) return;
-    if (room_for_bricks_ < bricks || room_for_bounds_ < bounds) {
-        live_ = std::make_unique_for_overwrite<std::uint64_t[]>(bricks * kBrickY * kBrickZ);
-        bound_ = std::make_unique_for_overwrite<std::uint32_t[]>(bounds);
-        room_for_bricks_ = bricks;
-        room_for_bounds_ = bounds;
+    const auto room = static_cast<std::size_t>(pair_count(brick_count(most)));
+    if (room_ < room) {
+        open_ = std::make_unique_for_overwrite<OpenPair[]>(room);
+        room_ = room;
     }
 }
 
@@ -58,13 +55,12 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
         close(bx, by, bz);
         return false;
     }
-    pair_is_[pair(bx, by, bz)] = kOpen;
-    for (int i = 0; i < std::min(kPair, bricks_.x - bx); ++i) {
-        std::copy_n(words[i], kBrickY * kBrickZ, live(bx + i, by, bz));
-    }
-    for (int j = 0; j < kBlocksY; ++j) {
-        std::uint32_t* row = bound(bx, kBlocksY * by + j, bz);
-        for (int i = 0; i < kPair; ++i, row += kBlocksX) {
+    std::int32_t& opened = opened_[static_cast<std::size_t>(bz)];
+    place_[pair(bx, by, bz)] = opened++;
+    OpenPair& open = open_pair(bx, by, bz);
+    for (int i = 0; i < kPair; ++i) {
+        std::copy_n(words[i], kBrickY * kBrickZ, open.live[i]);
+        for (int j = 0; j < kBlocksY; ++j) {
             std::uint64_t bits = 0;
             for (int z = 0; z < kBrickZ; ++z) {
                 for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
@@ -72,8 +68,9 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
                 }
             }
             const std::uint32_t left = every_fourth(any_of_block(bits));
+            std::uint32_t* bound = open.bound[j] + i * kBlocksX;
             for (int k = 0; k < kBlocksX; ++k) {
-                row[k] = left >> k & 1 ? 0 : kDead;
+                bound[k] = left >> k & 1 ? 0 : kDead;
             }
         }
     }
@@ -81,7 +78,7 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
 }
 
 void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
-    std::vector<bool> left(pair_is_.size(), false);
+    std::vector<bool> left(place_.size(), false);
     for (const VoxelBox& box : positions) {
         const VoxelBox within = intersection(box, whole(count_));
         if (within.empty()) continue;
@@ -94,12 +91,12 @@ void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
         }
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
-        if (!left[i] && pair_is_[i] == kFresh) pair_is_[i] = kNothing;
+        if (!left[i] && place_[i] == kFresh) place_[i] = kNothing;
     }
 }
 
 bool PositionState::all_dead() const {
-    return std::ranges::all_of(pair_is_, [](PairIs pair) { return pair == kNothing; });
+    return std::ranges::all_of(place_, [](std::int32_t place) { return place == kNothing; });
 }
 
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
@@ -110,14 +107,15 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     constexpr int kBlock = TrayTables::kBlock;
     for (int z = touched.lo.z / kBlock; z <= (touched.hi.z - 1) / kBlock; ++z) {
         for (int y = touched.lo.y / kBlock; y <= (touched.hi.y - 1) / kBlock; ++y) {
-            std::uint32_t* row = bound(0, y, z);
             const int end = (touched.hi.x - 1) / kBlock + 1;
             for (int x = touched.lo.x / kBlock; x < end;) {
-                const int bx = x / kBlocksX / kPair * kPair;
+                const int bx = x / kBlocksX / kPair * kPair, by = y / kBlocksY;
                 const int next = std::min(end, (bx + kPair) * kBlocksX);
-                if (pair_is_[pair(bx, y / kBlocksY, z)] == kOpen) {
+                if (!is_fresh(bx, by, z) && !is_dead(bx, by, z)) {
+                    std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
                     for (; x < next; ++x) {
-                        if (row[x] != kDead) row[x] = 0;
+                        std::uint32_t& bound = row[x - bx * kBlocksX];
+                        if (bound != kDead) bound = 0;
                     }
                 }
                 x = next;
@@ -127,8 +125,8 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
 }
 
 std::int64_t PositionState::bytes_for(const Extent& count) {
-    const Extent bricks = brick_count(count);
-    return bricks.count() * (kBrickY * kBrickZ * 8 + kBlocksX * kBlocksY * 4 + 1);
+    constexpr auto kBytes = static_cast<std::int64_t>(sizeof(OpenPair) + sizeof(std::int32_t));
+    return pair_count(brick_count(count)) * kBytes;
 }
 
 void PositionCache::make_room(std::int64_t bytes) {

@@ -29,6 +29,13 @@ inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
 /// A brick's 4 tiles of 8 words.
 using BrickWords = std::uint64_t[kBrickY * kBrickZ];
 
+/// What is known of a pair: its bricks' live bits, and the bounds of its rows of blocks, from the left brick's first
+/// block on.
+struct alignas(64) OpenPair {
+    BrickWords live[kPair];
+    std::uint32_t bound[kBlocksY][kPair * kBlocksX];
+};
+
 class PositionState {
   public:
     /// `count` candidate positions per axis, of at most `most`, for which room is made so that it serves any shape in
@@ -38,21 +45,15 @@ class PositionState {
     const Extent& count() const { return count_; }
     const Extent& bricks() const { return bricks_; }
 
-    /// The brick's 4 tiles of 8 words.
-    std::uint64_t* live(int bx, int by, int bz) { return live_.get() + brick(bx, by, bz) * (kBrickY * kBrickZ); }
-    /// The bounds of row `block_y` of blocks in brick layer bz, from brick bx on.
-    std::uint32_t* bound(int bx, int block_y, int bz) {
-        return bound_.get() +
-               (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bound_rows_) +
-                static_cast<std::size_t>(block_y)) *
-                   static_cast<std::size_t>(bound_stride_) +
-               static_cast<std::size_t>(bx * kBlocksX);
-    }
     /// Bricks are looked at in pairs along x. A pair is fresh until it is first of interest; then it is opened with
     /// what the first look-ups leave of its candidates, or is dead where that is nothing: so what is never looked at
     /// costs nothing, and of most others nothing is written but that they are dead.
-    bool is_fresh(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kFresh; }
-    bool is_dead(int bx, int by, int bz) const { return pair_is_[pair(bx, by, bz)] == kNothing; }
+    bool is_fresh(int bx, int by, int bz) const { return place_[pair(bx, by, bz)] == kFresh; }
+    bool is_dead(int bx, int by, int bz) const { return place_[pair(bx, by, bz)] == kNothing; }
+    /// Of brick bx's pair, which is neither.
+    OpenPair& open_pair(int bx, int by, int bz) {
+        return open_[place_in(bz) + static_cast<std::size_t>(place_[pair(bx, by, bz)])];
+    }
     /// The candidates of a brick's lowest layer in its `alive` blocks (bits along x, by row of blocks): a tile. Those
     /// of the others are the same, as far as there are layers.
     void candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const;
@@ -62,7 +63,7 @@ class PositionState {
     /// different brick layers may be opened by different threads at once.
     bool open(int bx, int by, int bz, const BrickWords (&words)[kPair]);
     /// Nothing of a fresh pair is live. Likewise.
-    void close(int bx, int by, int bz) { pair_is_[pair(bx, by, bz)] = kNothing; }
+    void close(int bx, int by, int bz) { place_[pair(bx, by, bz)] = kNothing; }
 
     /// All positions but those in one of these boxes are blocked, for good: what is fresh of them dies.
     void leave_only(const std::vector<VoxelBox>& positions);
@@ -75,26 +76,25 @@ class PositionState {
     static std::int64_t bytes_for(const Extent& count);
 
   private:
-    std::size_t brick(int bx, int by, int bz) const {
-        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) + static_cast<std::size_t>(by)) *
-                   static_cast<std::size_t>(bricks_.x) +
-               static_cast<std::size_t>(bx);
+    /// Where brick layer bz's open pairs begin.
+    std::size_t place_in(int bz) const {
+        return static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) * static_cast<std::size_t>(pairs_);
     }
     std::size_t pair(int bx, int by, int bz) const {
-        return (static_cast<std::size_t>(bz) * static_cast<std::size_t>(bricks_.y) + static_cast<std::size_t>(by)) *
-                   static_cast<std::size_t>(pairs_) +
+        return place_in(bz) + static_cast<std::size_t>(by) * static_cast<std::size_t>(pairs_) +
                static_cast<std::size_t>(bx / kPair);
     }
 
+    static constexpr std::int32_t kFresh = -1, kNothing = -2;
+
     Extent count_, bricks_;
     int pairs_ = 0;  // along x
-    int bound_rows_ = 0, bound_stride_ = 0;
-    // Written when a pair is opened: what never is takes no memory from the system.
-    std::unique_ptr<std::uint64_t[]> live_;
-    std::unique_ptr<std::uint32_t[]> bound_;
-    std::size_t room_for_bricks_ = 0, room_for_bounds_ = 0;
-    enum PairIs : std::uint8_t { kFresh, kOpen, kNothing };
-    std::vector<PairIs> pair_is_;
+    // Pairs lie in the order in which they were opened, one brick layer's after the other's: what never is takes no
+    // memory from the system and no room in caches.
+    std::unique_ptr<OpenPair[]> open_;
+    std::size_t room_ = 0;              // pairs
+    std::vector<std::int32_t> place_;   // of each pair, which one of its layer's open ones it is; kFresh, kNothing
+    std::vector<std::int32_t> opened_;  // by brick layer
 };
 
 /// States by shape, within a budget; what was least useful for its size goes first.
