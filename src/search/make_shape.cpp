@@ -51,22 +51,34 @@ struct Source {
     AxisTurn turn;
 };
 
-/// Says of each orientation which earlier one it follows from by an exchange of axes.
-void tell_exchanged(Shape& shape, const std::vector<Source>& sources, const std::vector<Mat3>& rotations) {
-    std::vector<std::size_t> firsts;
+/// True where voxels of dx become voxels of dx: from whichever end fine ones are counted, they are the same.
+bool keeps_coarse_voxels(const AxisTurn& turn, const Extent& fine, int detail) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (turn.reversed[axis] && fine[turn.order[axis]] % detail != 0) return false;
+    }
+    return true;
+}
+
+/// Says of each orientation which earlier one it follows from: best by an exchange of axes alone.
+void tell_turned(Shape& shape, const std::vector<Source>& sources, const std::vector<Mat3>& rotations, int detail) {
+    std::vector<std::size_t> firsts;  // that no other is exchanged into
     for (std::size_t i = 0; i < sources.size(); ++i) {
         OrientedShape& oriented = shape.orientations[i];
         const Mat3& rotation = rotations[static_cast<std::size_t>(oriented.orientation)];
-        for (const std::size_t first : firsts) {
-            if (sources[first].root != sources[i].root) continue;
-            const auto from = static_cast<std::size_t>(shape.orientations[first].orientation);
-            const std::optional<AxisTurn> turn = axis_turn(rotations[from], rotation);
-            if (!turn || turn->reverses()) continue;
-            oriented.turned_from = static_cast<int>(first);
-            oriented.axes = turn->order;
-            break;
+        for (const bool reversing : {false, true}) {
+            for (const std::size_t first : firsts) {
+                const OrientedShape& from = shape.orientations[first];
+                if (oriented.turned_from >= 0 || sources[first].root != sources[i].root) continue;
+                if (reversing && from.turned_from >= 0) continue;
+                const std::optional<AxisTurn> turn =
+                    axis_turn(rotations[static_cast<std::size_t>(from.orientation)], rotation);
+                if (!turn || turn->reverses() != reversing) continue;
+                if (!keeps_coarse_voxels(*turn, from.fine->extent(), detail)) continue;
+                oriented.turned_from = static_cast<int>(first);
+                oriented.turn = *turn;
+            }
         }
-        if (oriented.turned_from < 0) firsts.push_back(i);
+        if (oriented.turned_from < 0 || oriented.turn.reverses()) firsts.push_back(i);
     }
 }
 
@@ -103,7 +115,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
                            std::make_shared<const BitGrid>(std::move(voxels[i].solid))};
         shape.orientations.push_back(std::move(made));
     }
-    tell_exchanged(shape, sources, rotations);
+    tell_turned(shape, sources, rotations, detail);
     workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
         OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
         made.solid =

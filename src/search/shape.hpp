@@ -26,10 +26,11 @@ struct OrientedShape {
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
-    /// All voxels here are those of orientation `turned_from` of the shape with the axes exchanged
-    /// (voxel/axis_turn.hpp); -1: of none that comes before.
+    /// All voxels here, those of dx and finer ones, are those of orientation `turned_from` of the shape turned like
+    /// that; -1: of none that comes before. Where the turn reverses an axis, that one is turned from none; where it
+    /// only exchanges axes, it may be.
     int turned_from = -1;
-    AxisOrder axes{0, 1, 2};
+    AxisTurn turn{};
 };
 
 /// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked

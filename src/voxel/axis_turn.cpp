@@ -87,6 +87,16 @@ BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
     return result;
 }
 
+AxisTurn inverse(const AxisTurn& turn) {
+    AxisTurn back;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto from = static_cast<std::size_t>(turn.order[axis]);
+        back.order[from] = static_cast<int>(axis);
+        back.reversed[from] = turn.reversed[axis];
+    }
+    return back;
+}
+
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to) {
     AxisTurn turn;
     do {

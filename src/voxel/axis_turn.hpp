@@ -8,6 +8,7 @@
 #include "geometry/box.hpp"
 #include "geometry/transform.hpp"
 #include "voxel/bit_grid.hpp"
+#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
@@ -22,6 +23,9 @@ struct AxisTurn {
     bool operator==(const AxisTurn&) const = default;
 };
 
+/// The turn that leads back.
+AxisTurn inverse(const AxisTurn& turn);
+
 /// The turn by which rotation `to` follows from rotation `from`, to the last bit, where there is one: row i of `to` is
 /// row order[i] of `from`, negated where reversed[i].
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
@@ -32,6 +36,18 @@ BitGrid permuted(const BitGrid& grid, const AxisOrder& order);
 /// The grid turned; reversed along an axis, its last voxel there becomes the first. As permuted(), for a turn that
 /// reverses nothing.
 BitGrid turned(const BitGrid& grid, const AxisTurn& turn);
+
+/// Where a box of voxels of a grid with these extents comes to lie as that is turned; it may reach beyond the grid.
+inline VoxelBox turned(const VoxelBox& box, const AxisTurn& turn, const Extent& grid) {
+    VoxelBox result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const int from = turn.order[i], low = box.lo[from], high = box.hi[from];
+        result.lo[axis] = turn.reversed[i] ? grid[from] - high : low;
+        result.hi[axis] = turn.reversed[i] ? grid[from] - low : high;
+    }
+    return result;
+}
 
 /// The box turned about the origin.
 Box turned(const Box& box, const AxisTurn& turn);

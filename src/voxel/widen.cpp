@@ -44,13 +44,9 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, 
 }
 
 WidenedVoxels turned(const WidenedVoxels& widened, const Extent& solid, const AxisTurn& turn) {
-    WidenedVoxels result{turned(widened.voxels, turn), {}};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        const int from = turn.order[i], low = widened.offset[from];
-        result.offset[axis] = turn.reversed[i] ? solid[from] - low - widened.voxels.extent()[from] : low;
-    }
-    return result;
+    const Extent& n = widened.voxels.extent();
+    const VoxelBox box{widened.offset, widened.offset + VoxelIndex{n.x, n.y, n.z}};
+    return {turned(widened.voxels, turn), turned(box, turn, solid).lo};
 }
 
 }  // namespace spectralpack

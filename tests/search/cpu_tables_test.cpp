@@ -259,32 +259,41 @@ std::set<std::tuple<std::int64_t, std::uint32_t, std::uint16_t>> placed_cells(co
     return cells;
 }
 
-TEST(OrientationRuns, ExchangeTheirAxes) {
+/// Exchanges, and where `reverses` reverses, some axes.
+AxisTurn random_turn(RandomStream& random, bool reverses) {
+    AxisTurn turn;
+    for (int k = between(random, 0, 5); k > 0; --k)
+        std::ranges::next_permutation(turn.order);
+    for (bool& reversed : turn.reversed) {
+        reversed = reverses && one_in(random, 2);
+    }
+    return turn;
+}
+
+TEST(OrientationRuns, TurnLikeTheirVoxels) {
     RandomStream random(14);
     TrayTables tables;
     TraySetup setup;
     setup.size = {100, 90, 80};
     tables.follow(Tray(setup), 3, true, Workers(1));
     int fine = 0;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const Extent extent = random_extent(random, {2, 2, 2}, {70, 30, 20});
         const auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
-        AxisOrder axes{0, 1, 2};
-        for (int k = between(random, 0, 5); k > 0; --k)
-            std::ranges::next_permutation(axes);
-        const auto turned = std::make_shared<const BitGrid>(permuted(*solid, axes));
+        const AxisTurn turn = random_turn(random, i % 2 == 1);
+        const auto solid_then = std::make_shared<const BitGrid>(turned(*solid, turn));
         const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
-        const VoxelIndex& offset = wide->offset;
-        const VoxelIndex turned_offset{offset[axes[0]], offset[axes[1]], offset[axes[2]]};
-        const BitGrid turned_wide = permuted(wide->voxels, axes);
-        const OrientationRuns runs = permuted(make_runs({0, {}, {}, solid, {wide}}, 1, true, tables), axes, tables);
-        EXPECT_EQ(runs.widened.front().offset, turned_offset);
-        EXPECT_EQ(drawn(runs.widened.front().pieces, turned_wide.extent()), turned_wide);
-        const Runs expected = runs_along(*turned, runs.solid.axis);
+        const WidenedVoxels wide_then = turned(*wide, extent, turn);
+        std::optional<Depths> depths;
+        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables, &depths);
+        const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables);
+        EXPECT_EQ(runs.widened.front().offset, wide_then.offset);
+        EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent()), wide_then.voxels);
+        const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
-        EXPECT_EQ(runs.least, Depths(*turned, expected).sums(expected));
-        const OrientationRuns made = make_runs({0, {}, {}, turned, {}}, 1, true, tables);
+        EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
+        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables);
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
         EXPECT_EQ(placed_cells(runs.fine_cells), placed_cells(made.fine_cells));
@@ -316,7 +325,6 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
                     EXPECT_EQ(before.at(x, y, z), expected.at(x, y, z));
                 }
             });
-            phi.tighten_most();
             EXPECT_EQ(phi.most(), *std::ranges::max_element(expected.values()));
         }
     }
@@ -584,10 +592,11 @@ TEST(CellPlan, NeverClaimsMoreThanTheProximityOfAFreePosition) {
         const Extent& a = solid.extent();
         const Runs runs = fewest_runs(solid);
         const Depths depths(solid, runs);
+        const TurnedDepths as_it_is(depths, {}, a);
         for (const int kind : {0, 1, 2, 3}) {
             const bool apart = kind % 2 == 1;
             const CellPlan plan = plan_cells(runs, a, minima, phi.most(), kind < 2 ? kBlock : 2 * kBlock, 1000,
-                                             apart ? &depths : nullptr);
+                                             apart ? &as_it_is : nullptr);
             for (int question = 0; question < 200; ++question) {
                 const VoxelIndex q{between(random, 0, n.x - a.x), between(random, 0, n.y - a.y),
                                    between(random, 0, n.z - a.z)};

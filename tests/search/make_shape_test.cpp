@@ -134,12 +134,30 @@ TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
             EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
             if (oriented.turned_from < 0) continue;
             const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
-            EXPECT_LT(from.turned_from, 0);
-            EXPECT_EQ(permuted(*from.fine, oriented.axes), fine);
-            EXPECT_EQ(permuted(from.widened[0]->voxels, oriented.axes), wide.voxels);
+            EXPECT_TRUE(from.turned_from < 0 || !oriented.turn.reverses());
+            EXPECT_EQ(turned(*from.fine, oriented.turn), fine);
+            EXPECT_EQ(turned(*from.solid, oriented.turn), *oriented.solid);
+            EXPECT_EQ(turned(from.widened[0]->voxels, oriented.turn), wide.voxels);
         }
         EXPECT_TRUE(std::ranges::any_of(shape.orientations, [](const OrientedShape& o) { return o.turned_from >= 0; }));
     }
+}
+
+TEST(MakeShape, SaysWhichOrientationsFollowFromOthers) {
+    const auto rotations = orientation_set("90");
+    // An odd number of fine voxels along some axis: not the same voxels of dx from its other end.
+    const auto turned_from = [&](double voxel_size, int detail) {
+        int none = 0, reversing = 0, exchanging = 0;
+        for (const OrientedShape& oriented :
+             make_shape(7, bracket(), rotations, voxel_size, detail, 0, {0}, Workers(2)).orientations) {
+            none += oriented.turned_from < 0;
+            reversing += oriented.turn.reverses();
+            exchanging += oriented.turned_from >= 0 && !oriented.turn.reverses();
+        }
+        return std::array{none, reversing, exchanging};
+    };
+    EXPECT_EQ(turned_from(1, 1), (std::array{1, 7, 16}));
+    EXPECT_EQ(turned_from(1, 2)[2], 16);
 }
 
 TEST(MakeShape, DoesNotDependOnThreads) {

@@ -33,6 +33,6 @@ struct CellPlan {
 /// two and no less than a block's. `depths`: the solid's, null where they say nothing. `most`: no phi is above it.
 /// O(voxels).
 CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& minima, int most, int edge,
-                    std::size_t most_cells, const Depths* depths);
+                    std::size_t most_cells, const TurnedDepths* depths);
 
 }  // namespace spectralpack

@@ -113,27 +113,44 @@ class CpuSearch final : public PlacementSearch {
         return open;
     }
 
-    /// Makes the runs of open orientations that have none yet. Of those that differ in their axes only, the first is
-    /// made from its voxels and the others from it.
+    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
+    /// and of the others from it. Turns that reverse an axis come before those that exchange axes, which follow from
+    /// them.
     void make_runs_of(const Shape& shape, const Tray& tray, const std::vector<bool>& open, bool covers,
                       std::vector<OrientationRuns>& runs) const {
-        const std::size_t count = shape.orientations.size();
-        std::vector<bool> wanted(count, false);
-        for (std::size_t i = 0; i < count; ++i) {
+        const int detail = tray.detail();
+        const bool deep = detail == 1 ? tables_.apart() : covers;
+        const auto count = std::ssize(shape.orientations);
+        const auto from = [&](std::size_t i) { return shape.orientations[i].turned_from; };
+        std::vector<int> turns(shape.orientations.size(), 0);  // one after the other, that lead to each
+        std::vector<bool> wanted(shape.orientations.size(), false);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (from(i) >= 0) turns[i] = turns[static_cast<std::size_t>(from(i))] + 1;
             if (!open[i] || !runs[i].of_class.empty()) continue;
             wanted[i] = true;
-            if (shape.orientations[i].turned_from < 0) continue;
-            const auto from = static_cast<std::size_t>(shape.orientations[i].turned_from);
-            if (runs[from].of_class.empty()) wanted[from] = true;
+            for (int k = from(i); k >= 0 && runs[static_cast<std::size_t>(k)].of_class.empty();) {
+                wanted[static_cast<std::size_t>(k)] = true;
+                k = from(static_cast<std::size_t>(k));
+            }
         }
-        for (const bool turned : {false, true}) {
-            workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
+        std::vector<std::optional<Depths>> depths(shape.orientations.size());  // of those that others follow from
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (!wanted[i] || !shape.orientations[i].turn.reverses()) continue;
+            const auto f = static_cast<std::size_t>(from(i));
+            if (!wanted[f] && !depths[f]) depths[f] = depths_of(shape.orientations[f], runs[f].solid, detail, deep);
+        }
+        for (int round = 0; round <= std::ranges::max(turns); ++round) {
+            workers_.for_each(count, [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
+                if (!wanted[k] || turns[k] != round) return;
                 const OrientedShape& oriented = shape.orientations[k];
-                if (!wanted[k] || (oriented.turned_from >= 0) != turned) return;
-                runs[k] =
-                    turned ? permuted(runs[static_cast<std::size_t>(oriented.turned_from)], oriented.axes, tables_)
-                           : make_runs(oriented, tray.detail(), tray.detail() == 1 ? tables_.apart() : covers, tables_);
+                if (round == 0) {
+                    runs[k] = make_runs(oriented, detail, deep, tables_, &depths[k]);
+                    return;
+                }
+                const auto f = static_cast<std::size_t>(from(k));
+                const Extent& solid = shape.orientations[f].solid->extent();
+                runs[k] = turned(runs[f], oriented.turn, solid, detail, depths[f], tables_);
             });
         }
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "search/cpu/runs.hpp"
+#include "voxel/axis_turn.hpp"
 
 namespace spectralpack {
 
@@ -14,25 +15,47 @@ inline constexpr int kDeepest = 63;
 class Depths {
   public:
     /// delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel outside `solid`). `runs` are the solid's
-    /// own. O(voxels of the solid's grid), a byte for each.
+    /// own. O(voxels of the solid's grid), five bytes for each.
     Depths(const BitGrid& solid, const Runs& runs);
 
-    /// The sum over a run of voxels along `axis`, within the solid's grid; outside the solid delta is 0.
-    std::uint32_t sum(const Run& run, int axis) const;
+    /// The sum over a run of voxels along the axis of the solid's runs, within the solid's grid; outside the solid
+    /// delta is 0. O(1).
+    std::uint32_t sum(const Run& run) const {
+        const std::size_t first = place(run.start);
+        return before_[first + step_ * static_cast<std::size_t>(run.length)] - before_[first];
+    }
     std::vector<std::uint32_t> sums(const Runs& runs) const;
 
   private:
-    /// Of voxel (0, y, z), in depth_.
-    std::ptrdiff_t row(int y, int z) const { return kMargin + step_[2] * z + step_[1] * y; }
-    void lower_along_x(int z);
-    void lower_from_neighbours(std::ptrdiff_t first, std::ptrdiff_t step, int count, std::ptrdiff_t length);
+    std::size_t place(const VoxelIndex& v) const { return place(v.x, v.y, v.z); }
+    std::size_t place(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(room_.y) + static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(room_.x) +
+               static_cast<std::size_t>(x);
+    }
 
-    static constexpr std::ptrdiff_t kMargin = 32;  // the farthest that is looked along x at once
+    Extent room_;  // the solid's, and a layer more along the runs' axis
+    int axis_;
+    std::size_t step_;                   // from a voxel to the next along it
+    std::vector<std::uint32_t> before_;  // what lies before each voxel in its row along the axis, summed up
+};
 
-    Extent extent_;
-    std::ptrdiff_t step_[3];  // from a voxel to the next along each axis
-    // Rows have a 0 behind their end, and there are zeros before the first and behind the last.
-    std::vector<std::uint8_t> depth_;
+/// Depths in a solid that was turned, from those before.
+class TurnedDepths {
+  public:
+    /// `solid`: the extents after the turn. Refers to `depths`.
+    TurnedDepths(const Depths& depths, const AxisTurn& turn, const Extent& solid)
+        : depths_(depths), back_(inverse(turn)), solid_(solid) {}
+
+    /// As Depths::sum(), in the turned solid, whose runs lie along `axis`.
+    std::uint32_t sum(const Run& run, int axis) const {
+        return depths_.sum({turned(box_of(run, axis), back_, solid_).lo, run.length});
+    }
+
+  private:
+    const Depths& depths_;
+    AxisTurn back_;
+    Extent solid_;
 };
 
 }  // namespace spectralpack

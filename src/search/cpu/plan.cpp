@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
-
-#include "search/cpu/depths.hpp"
 
 namespace spectralpack {
 namespace {
@@ -225,20 +225,16 @@ void clear_stretch(BitGrid::Word* row, int begin, int end) {
     row[last] &= ~to;
 }
 
-constexpr AxisOrder kAsTheyAre{0, 1, 2};
-
-/// Indices of `items` by z, y, x of their voxels, which are not negative, once v has become (v[axes[0]], v[axes[1]],
-/// v[axes[2]]): what asks for them then walks memory in one direction. `ordered`: they were by z, y, x before. By
-/// counting, an axis at a time: O(items + extents).
+/// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
+/// direction. Of those that have the axes from `first` on in common the order is right already. By counting, an axis at
+/// a time: O(items + extents).
 template <class T, class Voxel>
-std::vector<std::uint32_t> by_place(const std::vector<T>& items, const AxisOrder& axes, bool ordered,
-                                    const Voxel& voxel) {
+std::vector<std::uint32_t> by_place(const std::vector<T>& items, int first, const Voxel& voxel) {
     std::vector<std::uint32_t> order(items.size()), before(items.size());
     std::iota(order.begin(), order.end(), 0);
     std::vector<std::uint32_t> begin;
-    // Of those that have all else in common, the order that they had is right already.
-    for (std::size_t k = !ordered ? 0 : axes[0] > axes[1] ? 1 : 2; k < 3; ++k) {
-        const auto place = [&, axis = axes[k]](const T& item) { return static_cast<std::size_t>(voxel(item)[axis]); };
+    for (int axis = first; axis < 3; ++axis) {
+        const auto place = [&](const T& item) { return static_cast<std::size_t>(voxel(item)[axis]); };
         std::size_t last = 0;
         for (const T& item : items) {
             last = std::max(last, place(item));
@@ -256,13 +252,57 @@ std::vector<std::uint32_t> by_place(const std::vector<T>& items, const AxisOrder
     return order;
 }
 
-const VoxelIndex& start_of(const Run& run) { return run.start; }
-const VoxelIndex& corner_of(const Piece& piece) { return piece.corner; }
+VoxelBox box_of(const Piece& piece) {
+    const Form& form = piece.form;
+    return {piece.corner, piece.corner + VoxelIndex{form.size(0), form.size(1), form.size(2)}};
+}
+
+/// Calls visit(i, corner) for items that were by z, y, x, in that order again once the grid with these extents in which
+/// `box_of` them lie is turned.
+template <class T, class BoxOf, class Visit>
+void for_each_turned(const std::vector<T>& items, const AxisTurn& turn, const Extent& grid, const BoxOf& box_of,
+                     const Visit& visit) {
+    std::vector<VoxelIndex> corners;
+    corners.reserve(items.size());
+    for (const T& item : items) {
+        corners.push_back(turned(box_of(item), turn, grid).lo);
+    }
+    const int first = turn.reverses() ? 0 : turn.order[0] > turn.order[1] ? 1 : 2;
+    for (const std::uint32_t i : by_place(corners, first, std::identity{})) {
+        visit(i, corners[i]);
+    }
+}
+
+/// Pieces of a grid with these extents once it is turned.
+std::vector<Piece> turned(const std::vector<Piece>& pieces, const AxisTurn& turn, const Extent& grid) {
+    std::vector<Piece> result;
+    result.reserve(pieces.size());
+    const auto box = [](const Piece& piece) { return box_of(piece); };
+    for_each_turned(pieces, turn, grid, box, [&](std::size_t i, const VoxelIndex& corner) {
+        int axes = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            axes |= (pieces[i].form.axes >> turn.order[axis] & 1) << axis;
+        }
+        result.push_back({{axes, pieces[i].form.level}, corner});
+    });
+    return result;
+}
+
+/// Pieces at an offset in a grid with these extents once that is turned, and their offset then.
+std::pair<std::vector<Piece>, VoxelIndex> turned(const std::vector<Piece>& pieces, const VoxelIndex& offset,
+                                                 const AxisTurn& turn, const Extent& grid) {
+    VoxelBox all;
+    for (const Piece& piece : pieces) {
+        all = hull(all, box_of(piece));
+    }
+    const VoxelBox box{offset, offset + all.hi};
+    return {turned(pieces, turn, {all.hi.x, all.hi.y, all.hi.z}), turned(box, turn, grid).lo};
+}
 
 /// cover() by z, y, x of the corners, of voxels that are `detail` to one of dx.
 std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted, int detail = 1) {
     const std::vector<Piece> pieces = cover(solid, std::move(wanted), BitTables::forms_for(detail));
-    return in_order(pieces, by_place(pieces, kAsTheyAre, false, corner_of));
+    return in_order(pieces, by_place(pieces, 0, [](const Piece& piece) { return piece.corner; }));
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
@@ -290,6 +330,20 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
     return result;
 }
 
+/// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
+void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const std::optional<Depths>& depths,
+               const TrayTables& tables) {
+    std::optional<TurnedDepths> here;
+    if (depths) here.emplace(*depths, turn, solid);
+    const auto cells = [&](int edge, std::size_t most) {
+        return plan_cells(runs.solid, solid, tables.minima(), tables.phi().most(), edge, most, here ? &*here : nullptr);
+    };
+    runs.cells = cells(2 * TrayTables::kBlock, kMostCells);
+    if (tables.large() && runs.solid.runs.size() >= kRunsWorthCells) {
+        runs.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
+    }
+}
+
 template <class T>
 std::int64_t bytes_of(const std::vector<T>& list) {
     return static_cast<std::int64_t>(list.capacity() * sizeof(T));
@@ -297,29 +351,24 @@ std::int64_t bytes_of(const std::vector<T>& list) {
 
 }  // namespace
 
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables) {
+std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers) {
+    if (!covers) return std::nullopt;
+    if (detail == 1) return Depths(*shape.solid, solid);
+    const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
+    return Depths(core, runs_along(core, solid.axis));
+}
+
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
+                          std::optional<Depths>* keep) {
     OrientationRuns result;
     result.solid = fewest_runs(*shape.solid);
-    std::optional<Depths> depths;
-    if (covers && detail == 1) {
-        depths.emplace(*shape.solid, result.solid);
-    } else if (covers) {
-        const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
-        depths.emplace(core, runs_along(core, result.solid.axis));
-    }
+    std::optional<Depths> depths = depths_of(shape, result.solid, detail, covers);
     if (depths) {
         result.least = depths->sums(result.solid);
     } else {
         result.least.assign(result.solid.runs.size(), 0);
     }
-    const auto cells = [&](int edge, std::size_t most) {
-        return plan_cells(result.solid, shape.solid->extent(), tables.minima(), tables.phi().most(), edge, most,
-                          depths ? &*depths : nullptr);
-    };
-    result.cells = cells(2 * TrayTables::kBlock, kMostCells);
-    if (tables.large() && result.solid.runs.size() >= kRunsWorthCells) {
-        result.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
-    }
+    add_cells(result, {}, shape.solid->extent(), depths, tables);
     if (tables.walls()) result.walled = ordered_cover(*shape.solid, *shape.solid);
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
@@ -332,45 +381,40 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         result.of_class.push_back(static_cast<int>(result.widened.size()));
         result.widened.push_back(pieces_of(*shape.widened[c], detail));
     }
+    if (keep) *keep = std::move(depths);
     return result;
 }
 
-OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables) {
-    const auto exchanged = [&](const VoxelIndex& v) { return VoxelIndex{v[axes[0]], v[axes[1]], v[axes[2]]}; };
-    const auto pieces = [&](const std::vector<Piece>& all) {
-        std::vector<Piece> turned;
-        turned.reserve(all.size());
-        for (const std::uint32_t i : by_place(all, axes, true, corner_of)) {
-            int form = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                form |= (all[i].form.axes >> axes[axis] & 1) << axis;
-            }
-            turned.push_back({{form, all[i].form.level}, exchanged(all[i].corner)});
-        }
-        return turned;
-    };
-
+OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
+                       const std::optional<Depths>& depths, const TrayTables& tables) {
     OrientationRuns result;
-    const std::vector<Run>& solid = runs.solid.runs;
-    result.solid.axis = static_cast<int>(std::ranges::find(axes, runs.solid.axis) - axes.begin());
+    result.solid.axis = static_cast<int>(std::ranges::find(turn.order, runs.solid.axis) - turn.order.begin());
     result.solid.voxels = runs.solid.voxels;
-    result.solid.runs.reserve(solid.size());
-    result.least.reserve(solid.size());
-    for (const std::uint32_t i : by_place(solid, axes, true, start_of)) {
-        result.solid.runs.push_back({exchanged(solid[i].start), solid[i].length});
+    result.solid.runs.reserve(runs.solid.runs.size());
+    result.least.reserve(runs.solid.runs.size());
+    const auto box = [&](const Run& run) { return box_of(run, runs.solid.axis); };
+    for_each_turned(runs.solid.runs, turn, solid, box, [&](std::size_t i, const VoxelIndex& start) {
+        result.solid.runs.push_back({start, runs.solid.runs[i].length});
         result.least.push_back(runs.least[i]);
-    }
+    });
+    const Extent fine{detail * solid.x, detail * solid.y, detail * solid.z};  // exact where it is asked for
     for (const OrientationRuns::Widened& wide : runs.widened) {
-        result.widened.push_back(
-            {pieces(wide.pieces), exchanged(wide.offset), pieces(wide.core), exchanged(wide.core_offset)});
+        OrientationRuns::Widened& to = result.widened.emplace_back();
+        std::tie(to.pieces, to.offset) = turned(wide.pieces, wide.offset, turn, fine);
+        std::tie(to.core, to.core_offset) = turned(wide.core, wide.core_offset, turn, solid);
     }
     result.of_class = runs.of_class;
-    result.walled = pieces(runs.walled);
+    result.walled = turned(runs.walled, turn, solid);
+    if (turn.reverses()) {
+        const Extent& n = solid;
+        add_cells(result, turn, {n[turn.order[0]], n[turn.order[1]], n[turn.order[2]]}, depths, tables);
+        return result;
+    }
     result.cells = runs.cells;
     result.fine_cells = runs.fine_cells;
     for (CellPlan* plan : {&result.cells, &result.fine_cells}) {
         for (SolidCell& cell : plan->cells) {
-            cell.block = exchanged(cell.block);
+            cell.block = {cell.block[turn.order[0]], cell.block[turn.order[1]], cell.block[turn.order[2]]};
             cell.offset = tables.minima().offset(cell.block);
         }
     }

@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "search/cpu/cells.hpp"
 #include "search/cpu/cover.hpp"
+#include "search/cpu/depths.hpp"
 #include "search/cpu/runs.hpp"
 #include "search/cpu/tray_tables.hpp"
 #include "search/shape.hpp"
@@ -34,12 +36,19 @@ struct OrientationRuns {
     CellPlan fine_cells;           ///< none where sums cost little more
 };
 
-/// For searches in the tray that `tables` follow. `covers`: covers_solid() of the whole shape.
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables);
+/// Depths in the solid, `solid` being its runs, of the voxels that the tray's other objects keep off; none where
+/// `covers`, covers_solid() of the whole shape, is false.
+std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers);
 
-/// What make_runs() would give, but for the order of pieces and cells, for an orientation whose voxels are those of the
-/// one with these runs with the axes exchanged. O(runs log runs).
-OrientationRuns permuted(const OrientationRuns& runs, const AxisOrder& axes, const TrayTables& tables);
+/// For searches in the tray that `tables` follow. `keep`, if given, becomes depths_of() the shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
+                          std::optional<Depths>* keep = nullptr);
+
+/// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
+/// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
+/// whose `depths`, if any, are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
+OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
+                       const std::optional<Depths>& depths, const TrayTables& tables);
 
 /// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with
 /// s = 1 phi >= 1 on every voxel of the solid.
