@@ -54,6 +54,7 @@ DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
         throw ResourceError("the tray is too wide for this engine");
     }
     values_.assign(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})), 0);
+    most_of_row_.assign(row_number(0, extent.z), 0);
     for (int z = 0; z < extent.z; ++z) {
         const int above = ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
         for (int y = 0; y < extent.y; ++y) {
@@ -62,14 +63,17 @@ DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
             for (int x = 0; x < extent.x; ++x) {
                 values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent.x - x}));
             }
+            note_most_of_row(y, z);
         }
     }
-    tighten_most();
+    note_most();
 }
 
-void DistanceGrid::tighten_most() {
-    most_ = max_of_row(values_.data(), values_.size());  // what pads a row is 0
+void DistanceGrid::note_most_of_row(int y, int z) {
+    most_of_row_[row_number(y, z)] = max_of_row(row(y, z), static_cast<std::size_t>(extent_.x));
 }
+
+void DistanceGrid::note_most() { most_ = max_of_row(most_of_row_.data(), most_of_row_.size()); }
 
 VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
     const Extent& s = solid.extent();
@@ -114,12 +118,16 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
             const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, extent_.z, lower);
             const int down = sweep(std::min(up, extent_.z) - 2, box.lo.z, -1, extent_.z, lower);
             height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.z)};
+            for (int z = std::max(down, 0); z < std::min(up, extent_.z); ++z) {
+                note_most_of_row(y, z);
+            }
         }
     });
     for (const auto& [down, up] : height) {
         changed.lo.z = std::min(changed.lo.z, down);
         changed.hi.z = std::max(changed.hi.z, up);
     }
+    note_most();
     return changed;
 }
 

@@ -33,22 +33,25 @@ class DistanceGrid {
     const std::uint16_t* row(int y, int z) const { return values_.data() + offset(y, z); }
     std::uint16_t at(int x, int y, int z) const { return row(y, z)[x]; }
 
-    /// An upper bound on every value now.
+    /// The greatest value now.
     int most() const { return most_; }
-    void tighten_most();  ///< makes it exact; O(voxels)
 
-    std::int64_t bytes() const { return static_cast<std::int64_t>(values_.size() * 2); }
+    std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + most_of_row_.size()) * 2); }
 
   private:
-    std::size_t offset(int y, int z) const {
-        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(stride_);
+    std::size_t row_number(int y, int z) const {
+        return static_cast<std::size_t>(z) * static_cast<std::size_t>(extent_.y) + static_cast<std::size_t>(y);
     }
+    std::size_t offset(int y, int z) const { return row_number(y, z) * static_cast<std::size_t>(stride_); }
+
+    void note_most_of_row(int y, int z);
+    void note_most();
 
     Extent extent_;
     int stride_ = 0;
     int most_ = 0;
     std::vector<std::uint16_t> values_;
+    std::vector<std::uint16_t> most_of_row_;
 };
 
 }  // namespace spectralpack

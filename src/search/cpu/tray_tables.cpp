@@ -5,7 +5,6 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::uint64_t kTightenEvery = 8;   // versions between exact maxima of phi
 constexpr std::uint64_t kRebuildAfter = 64;  // pending changes that make a fresh start cheaper
 
 /// Layers of bit tables: a fine one for each gap class; with s > 1 a coarse one for each as well; the walls, if any.
@@ -59,7 +58,6 @@ void TrayTables::note_occupied(const Tray& tray) {
 void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     phi_ = DistanceGrid(tray.extent(), tray.setup().ceiling);
     phi_.add(tray.omega_place(), {}, workers);
-    phi_.tighten_most();
     update_from_phi(whole(tray.extent()), workers);
     ++epoch_;
     epoch_start_ = tray.version();
@@ -105,13 +103,12 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
         const VoxelBox changed = phi_.add(*object.solid, object.position, workers);
         changes_.push_back(changed);
         all = hull(all, changed);
-        if (v % kTightenEvery == 0) phi_.tighten_most();
     }
     update_from_phi(all, workers);
 }
 
 /// Once phi is small it stays so until an object is removed.
-void TrayTables::update_sums(const VoxelBox& changed, const Workers& workers) {
+void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
     const bool to_be_narrow = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
     VoxelBox box = changed;
     if (to_be_narrow != narrow()) {
@@ -124,12 +121,15 @@ void TrayTables::update_sums(const VoxelBox& changed, const Workers& workers) {
             sums_ = make_sums<std::uint16_t>(n, apart_);
         }
     }
-    std::visit([&](auto& sums) { sums.update(phi_, box, workers); }, sums_);
-}
-
-void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
-    update_sums(changed, workers);
-    minima_.update(phi_, changed, workers);
+    const auto update = [&](auto& sums) {
+        // Of each what can be done at once is little.
+        workers.for_each(3, [&](std::int64_t i) {
+            if (i == 0) sums.exact.update(phi_, box, workers);
+            if (i == 1) sums.coarse.update(phi_, box, workers);
+            if (i == 2) minima_.update(phi_, changed, workers);
+        });
+    };
+    std::visit(update, sums_);
 }
 
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
@@ -177,7 +177,7 @@ void TrayTables::check(const Tray& tray) const {
             }
         }
     }
-    require(most <= phi_.most(), "greatest distance");
+    require(most == phi_.most(), "greatest distance");
     const Workers one(1);
     visit_sums([&]<class T>(const Sums<T>& kept) {
         Sums<T> sums = make_sums<T>(n, apart_);

@@ -88,7 +88,6 @@ class TrayTables {
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
-    void update_sums(const VoxelBox& changed, const Workers& workers);
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
     void note_occupied(const Tray& tray);
 
