@@ -205,9 +205,11 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
     Tray tray(setup);
     ShapeStore shapes(
         [&](int part, const Workers& makers) {
-            return std::make_shared<const Shape>(make_shape(
-                static_cast<std::uint64_t>(part) + 1, question.meshes[static_cast<std::size_t>(part)], rotations,
-                setup.voxel_size, setup.detail, arguments.gap, setup.gap_classes, makers, setup.size));
+            Shape shape = make_shape(static_cast<std::uint64_t>(part) + 1,
+                                     question.meshes[static_cast<std::size_t>(part)], rotations, setup.voxel_size,
+                                     setup.detail, arguments.gap, setup.gap_classes, makers, setup.size);
+            shape.once = std::ranges::count(question.items, part, &PackItem::part) == 1;
+            return std::make_shared<const Shape>(std::move(shape));
         },
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
     shapes.start_tray(question.items);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "api/check_together.hpp"
@@ -41,6 +42,19 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) 
         by_part.push_back(ids.emplace(key, ids.size() + 1).first->second);
     }
     return by_part;
+}
+
+/// By part, whether it is the only one among the items with its shape.
+std::vector<bool> only_ones(const std::vector<PackItem>& items, const std::vector<std::uint64_t>& shape_ids) {
+    std::unordered_map<std::uint64_t, int> copies;
+    for (const PackItem& item : items) {
+        ++copies[shape_ids[static_cast<std::size_t>(item.part)]];
+    }
+    std::vector<bool> only;
+    for (const std::uint64_t id : shape_ids) {
+        only.push_back(copies[id] == 1);
+    }
+    return only;
 }
 
 /// True where `failure` is a lack of memory, also to let a packing grow higher.
@@ -161,14 +175,17 @@ class Run {
             },
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
+        const std::vector<bool> only = only_ones(items, ids);
         ShapeStore shapes(
             [&](int part, const Workers& workers) {
                 const auto i = static_cast<std::size_t>(part);
                 std::shared_ptr<const Shape> shape = kept_[i];
                 if (!shape) {
-                    shape = std::make_shared<const Shape>(
+                    Shape made =
                         make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
-                                   loaded_.parts[i].gap, plan_.gap_classes, workers, plan_.room));
+                                   loaded_.parts[i].gap, plan_.gap_classes, workers, plan_.room);
+                    made.once = only[i] && !options.fill;
+                    shape = std::make_shared<const Shape>(std::move(made));
                     if (keep_shapes_) kept_[i] = shape;
                 }
                 return shape;

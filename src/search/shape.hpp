@@ -43,6 +43,8 @@ struct Shape {
     int gap_class = 0;     ///< index into the tray's gap classes of the part's own gap
     /// By ascending orientation index, equal voxels merged.
     std::vector<OrientedShape> orientations;
+    /// No second copy is likely to be asked about in the same tray: engines need not remember what they find out.
+    bool once = false;
     Admits admits{};  ///< null: every candidate
     /// Boxes of voxels of dx. Where there are any, the asker knows of all candidates whose boxes, A+g included, meet
     /// none of these that they collide or would be turned down: engines need not look there.

@@ -78,12 +78,30 @@ TEST(CpuSearch, RemembersWithinItsMemory) {
     const auto none = make_cpu_search({0}, Workers(1));
     const auto some = make_cpu_search({40'000}, Workers(1));
     const auto all = make_cpu_search({}, Workers(1));
-    pack_copies(*none, scene, random, 30);
-    pack_copies(*some, scene, random, 30);
-    pack_copies(*all, scene, random, 30);
+    for (PlacementSearch* search : {none.get(), some.get(), all.get()}) {
+        pack_copies(*search, scene, random, 30);
+        for (const Shape& shape : scene.shapes) {
+            search->best_placement(scene.tray, shape, {}, {});
+        }
+    }
     EXPECT_LE(some->memory(), all->memory());
     // One shape's states are always held while it is searched for.
     EXPECT_LT(none->memory(), all->memory());
+}
+
+TEST(CpuSearch, KeepsLessOfWhatIsAskedAboutOnce) {
+    RandomStream random(13);
+    SceneLimits limits = middling_scene();
+    limits.objects = 0;  // so that something is left to remember
+    const Scene scene = random_scene(random, limits);
+    const auto memory_for = [&](bool once) {
+        Shape shape = scene.shapes.front();
+        shape.once = once;
+        const auto search = make_cpu_search({}, Workers(1));
+        search->best_placement(scene.tray, shape, {}, {});
+        return search->memory();
+    };
+    EXPECT_LT(memory_for(true), memory_for(false));
 }
 
 TEST(CpuSearch, KeepsNothingOfATrayThatIsGone) {

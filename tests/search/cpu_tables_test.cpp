@@ -259,17 +259,6 @@ std::set<std::tuple<std::int64_t, std::uint32_t, std::uint16_t>> placed_cells(co
     return cells;
 }
 
-/// Exchanges, and where `reverses` reverses, some axes.
-AxisTurn random_turn(RandomStream& random, bool reverses) {
-    AxisTurn turn;
-    for (int k = between(random, 0, 5); k > 0; --k)
-        std::ranges::next_permutation(turn.order);
-    for (bool& reversed : turn.reversed) {
-        reversed = reverses && one_in(random, 2);
-    }
-    return turn;
-}
-
 TEST(OrientationRuns, TurnLikeTheirVoxels) {
     RandomStream random(14);
     TrayTables tables;

@@ -49,6 +49,7 @@ Shape permuted_shape(const Shape& original, const AxisOrder& order) {
     shape.id += 1000;
     for (OrientedShape& oriented : shape.orientations) {
         oriented.reach = permuted(oriented.reach, order);
+        oriented.turned_from = -1;  // it would be another turn
         oriented.solid = std::make_shared<const BitGrid>(permuted_bits(*oriented.solid, order));
         change_widened(oriented, [&](const WidenedVoxels& wide) {
             return WidenedVoxels{permuted_bits(wide.voxels, order), permuted(wide.offset, order)};

@@ -162,16 +162,54 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
     return shape;
 }
 
+/// Exchanges, and where `reverses` reverses, some axes.
+inline AxisTurn random_turn(RandomStream& random, bool reverses) {
+    AxisTurn turn;
+    for (int k = between(random, 0, 5); k > 0; --k)
+        std::ranges::next_permutation(turn.order);
+    for (bool& reversed : turn.reversed) {
+        reversed = reverses && one_in(random, 2);
+    }
+    return turn;
+}
+
+/// An orientation that follows from one of the shape's by a turn, where that keeps voxels of dx.
+inline std::optional<OrientedShape> random_turned(RandomStream& random, const Shape& shape, int detail) {
+    const std::size_t index = random.below(shape.orientations.size());
+    const OrientedShape& from = shape.orientations[index];
+    const AxisTurn turn = random_turn(random, from.turned_from < 0);
+    const Extent fine = from.fine ? from.fine->extent() : from.solid->extent();
+    OrientedShape result = from;
+    result.turned_from = static_cast<int>(index);
+    result.turn = turn;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (turn.reversed[axis] && fine[turn.order[axis]] % detail != 0) return std::nullopt;
+        result.reach[static_cast<int>(axis)] = from.reach[turn.order[axis]];
+    }
+    result.solid = std::make_shared<const BitGrid>(turned(*from.solid, turn));
+    if (from.fine) result.fine = std::make_shared<const BitGrid>(turned(*from.fine, turn));
+    for (std::size_t c = 0; c < from.widened.size(); ++c) {
+        result.widened[c] = c > 0 && from.widened[c] == from.widened[c - 1]
+                                ? result.widened[c - 1]
+                                : std::make_shared<const WidenedVoxels>(turned(*from.widened[c], fine, turn));
+    }
+    return result;
+}
+
 inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetup& setup, const Extent& tray,
                           const SceneLimits& limits) {
     Shape shape;
     shape.id = id;
+    shape.once = id % 3 == 0;  // which says nothing of how often it is asked about
     shape.gap_class = between(random, 0, static_cast<int>(setup.gap_classes.size()) - 1);
     const int count = between(random, 1, limits.orientations);
     int orientation = -1;
     for (int i = 0; i < count; ++i) {
         orientation += between(random, 1, 3);  // indices merged away leave holes
-        shape.orientations.push_back(random_orientation(random, setup, tray, shape.gap_class, limits.reach));
+        std::optional<OrientedShape> turned;
+        if (i > 0 && one_in(random, 3)) turned = random_turned(random, shape, setup.detail);
+        shape.orientations.push_back(turned ? *turned
+                                            : random_orientation(random, setup, tray, shape.gap_class, limits.reach));
         shape.orientations.back().orientation = orientation;
     }
     return shape;

@@ -15,7 +15,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kLayersPerTask = 8;  // brick layers
+constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
 std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
@@ -48,7 +48,7 @@ class CpuSearch final : public PlacementSearch {
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray, open, covers, entry.runs);
         std::vector<std::optional<OrientationTask>> searches = plan_searches(shape, open, entry, context);
-        if (!search_all(searches, tray, stop)) return {std::nullopt, true};
+        if (!search_all(searches, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
         if (!best) return {};
@@ -177,18 +177,25 @@ class CpuSearch final : public PlacementSearch {
     }
 
     /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.
-    bool search_all(std::vector<std::optional<OrientationTask>>& searches, const Tray& tray,
-                    const StopToken& stop) const {
+    bool search_all(std::vector<std::optional<OrientationTask>>& searches, const StopToken& stop) const {
         struct Task {
             OrientationTask* search;
             int begin, end;
         };
+        std::vector<OrientationTask*> order;
+        int most_layers = 0;
+        for (std::optional<OrientationTask>& search : searches) {
+            if (!search) continue;
+            order.push_back(&*search);
+            most_layers = std::max(most_layers, search->state.bricks().z);
+        }
+        // Those that read the same sums one after the other.
+        std::ranges::stable_sort(order, {}, [](const OrientationTask* search) { return search->solid.axis; });
         std::vector<Task> tasks;
-        for (int begin = 0; begin < tray.extent().z; begin += kLayersPerTask) {
-            for (std::optional<OrientationTask>& search : searches) {
-                if (!search) continue;
+        for (int begin = 0; begin < most_layers; begin += kLayersPerTask) {
+            for (OrientationTask* search : order) {
                 const int layers = search->state.bricks().z;
-                if (begin < layers) tasks.push_back({&*search, begin, std::min(layers, begin + kLayersPerTask)});
+                if (begin < layers) tasks.push_back({search, begin, std::min(layers, begin + kLayersPerTask)});
             }
         }
         std::atomic<bool> stopped{false};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory>
 #include <span>
 
 #include "search/cpu/block_bits.hpp"
@@ -38,13 +39,15 @@ std::uint32_t LaneLimit(std::int64_t limit) {
 /// One thread's work on some brick layers of one orientation.
 class Pass {
   public:
-    explicit Pass(OrientationTask& task) : t_(task), context_(task.context), state_(task.state) {}
+    explicit Pass(OrientationTask& task) : t_(task), context_(task.context), state_(task.state) {
+        if (!state_.keeps()) for_now_ = std::make_unique_for_overwrite<OpenPair[]>(state_.pairs_in_layer());
+    }
 
     void Run(int begin, int end) {
         for (int bz = begin; bz < end; ++bz) {
-            survivors_.clear();
             LookAtLimits(bz);
             if (most_ < 0) continue;
+            sifted_.clear();
             for (int by = 0; by < state_.bricks().y; ++by) {
                 if (by % kCrowdBricksY == 0) LookAtCrowd(by / kCrowdBricksY, bz);
                 for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
@@ -52,6 +55,8 @@ class Pass {
                     SiftPair(bx, by, bz);
                 }
             }
+            LookAtLimits(bz);
+            BoundPairs(bz);
             // Without anything to beat, the most promising come first; later, neighbours do.
             if (context_.incumbent.generation() == 0) {
                 std::sort(survivors_.begin(), survivors_.end(),
@@ -64,11 +69,25 @@ class Pass {
     }
 
   private:
+    /// A pair of bricks that the sift left something of.
+    struct SiftedPair {
+        int bx, by;
+        OpenPair* open;
+        std::size_t sifted[kPair];     // batches that need not be repeated, made in this search
+        std::uint32_t near[kBlocksY];  // blocks that Near() left, by row
+    };
+    /// Blocks side by side that have no bound yet; x and y count blocks of the tray.
+    struct UnknownBlocks {
+        int x, y;
+        std::uint32_t lanes;
+        std::uint32_t* bound;  // of the first of them
+    };
     struct Survivor {
         std::uint32_t bound = 0;
         int bx = 0, by = 0;
-        std::size_t sifted = 0;             // batches that need not be repeated, made in this search
-        std::uint16_t near[kBlocksY] = {};  // blocks that Near() left, by row
+        OpenPair* open = nullptr;
+        std::size_t sifted = 0;
+        std::uint16_t near[kBlocksY] = {};
     };
     using Bounds = std::uint32_t[kBlocksY][kBlocksX];
     /// Of a row of a tile; stretches may begin anywhere in it.
@@ -190,7 +209,7 @@ class Pass {
         return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, LaneLimit(most_), blocks);
     }
 
-    /// Sifts and bounds two bricks side by side.
+    /// Sifts two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
         if (state_.is_dead(bx, by, bz)) return;
         const std::uint32_t limit = LaneLimit(most_);
@@ -204,32 +223,58 @@ class Pass {
             any |= near[j];
         }
         if (any == 0) return;
-        std::size_t sifted[kPair] = {};
-        if (fresh && !Sift(bx, by, bz, room, sifted)) return;
-        auto& bound = state_.open_pair(bx, by, bz).bound;
-        for (int j = 0; j < kBlocksY; ++j) {
-            near[j] = Close(bx, by * kBlocksY + j, bz, near[j], bound[j]);
+        SiftedPair pair{bx, by, nullptr, {}, {near[0], near[1]}};
+        pair.open = fresh ? Sift(bx, by, bz, room, pair.sifted) : &state_.open_pair(bx, by, bz);
+        if (pair.open != nullptr) sifted_.push_back(pair);
+    }
+
+    /// Bounds the blocks of the pairs that were sifted, of all together two stretches at a time: a pair alone has one
+    /// or two that are near and have no bound yet.
+    void BoundPairs(int bz) {
+        const std::uint32_t limit = LaneLimit(most_);
+        unknown_.clear();
+        for (SiftedPair& pair : sifted_) {
+            auto& bound = pair.open->bound;
+            for (int j = 0; j < kBlocksY; ++j) {
+                const int y = pair.by * kBlocksY + j;
+                pair.near[j] = Close(pair.bx, y, bz, pair.near[j], bound[j]);
+                if (pair.near[j] == 0) continue;
+                for_each_stretch(pair.near[j] & Unknown(bound[j]), [&](int x, std::uint32_t lanes) {
+                    unknown_.push_back({pair.bx * kBlocksX + x, y, lanes, bound[j] + x});
+                });
+            }
         }
-        BoundBlocks(bx, by, bz, near, bound);
-        for (int i = 0; i < std::min(kPair, state_.bricks().x - bx); ++i) {
-            std::uint32_t least = kDead;
-            for (int j = 0; j < kBlocksY; ++j) {
-                for (int k = i * kBlocksX; k < (i + 1) * kBlocksX; ++k) {
-                    least = std::min(least, near[j] >> k & 1 ? bound[j][k] : kDead);
+        const auto from = [&](const auto& tables, const UnknownBlocks& blocks) {
+            return tables.coarse.base(blocks.x, kBlock * blocks.y, kBrickZ * bz);
+        };
+        SumUp<true>(t_.plan.coarse, std::span<const UnknownBlocks>(unknown_), from, StopAbove(most_),
+                    [&](const UnknownBlocks& blocks, const std::uint32_t* sums) {
+                        for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {
+                            const int i = std::countr_zero(left);
+                            blocks.bound[i] = sums[i];
+                        }
+                    });
+        survivors_.clear();
+        for (const SiftedPair& pair : sifted_) {
+            const auto& bound = pair.open->bound;
+            for (int i = 0; i < std::min(kPair, state_.bricks().x - pair.bx); ++i) {
+                Survivor survivor{kDead, pair.bx + i, pair.by, pair.open, pair.sifted[i], {}};
+                for (int j = 0; j < kBlocksY; ++j) {
+                    survivor.near[j] = static_cast<std::uint16_t>(pair.near[j] >> (i * kBlocksX));
+                    if (survivor.near[j] == 0) continue;
+                    const std::uint32_t* first = bound[j] + i * kBlocksX;
+                    for (std::uint32_t left = survivor.near[j] & AtMost(first, limit); left != 0; left &= left - 1) {
+                        survivor.bound = std::min(survivor.bound, first[std::countr_zero(left)]);
+                    }
                 }
+                if (survivor.bound <= limit) survivors_.push_back(survivor);
             }
-            if (least > limit) continue;
-            Survivor survivor{least, bx + i, by, sifted[i], {}};
-            for (int j = 0; j < kBlocksY; ++j) {
-                survivor.near[j] = static_cast<std::uint16_t>(near[j] >> (i * kBlocksX));
-            }
-            survivors_.push_back(survivor);
         }
     }
 
-    /// Opens a fresh pair with what the first batches of look-ups leave of its blocks that have `room`. True if that is
-    /// anything; `sifted` is how many batches each brick went through.
-    bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
+    /// Opens a fresh pair with what the first batches of look-ups leave of its blocks that have `room`; null if that is
+    /// nothing. `sifted` is how many batches each brick went through.
+    OpenPair* Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
         alignas(64) BrickWords live[kPair];
         bool left[kPair];
         for (int i = 0; i < kPair; ++i) {
@@ -239,16 +284,20 @@ class Pass {
             }
             left[i] = std::ranges::any_of(alive, [](std::uint32_t row) { return row != 0; }) &&
                       bx + i < state_.bricks().x && SiftStacks(bx + i, by, bz, alive, live[i]);
-            if (left[i]) sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
+            if (!left[i]) continue;
+            sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
+            left[i] = std::ranges::any_of(live[i], [](std::uint64_t word) { return word != 0; });
         }
         if (!left[0] && !left[1]) {
             state_.close(bx, by, bz);
-            return false;
+            return nullptr;
         }
         for (int i = 0; i < kPair; ++i) {
             if (!left[i]) std::fill_n(live[i], kBrickY * kBrickZ, std::uint64_t{0});
         }
-        return state_.open(bx, by, bz, live);
+        OpenPair& open = state_.keeps() ? state_.open(bx, by, bz) : for_now_[sifted_.size()];
+        open.set(live);
+        return &open;
     }
 
     /// The candidates of a brick in its `alive` blocks, but for stacks that are found to collide as one. False where
@@ -315,15 +364,15 @@ class Pass {
 
     /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). sums_from(Sums,
     /// stretch) is the element of its table that the plan's offsets count from.
-    template <bool kOfEach, class SumsFrom, class Each>
-    void SumUp(const SumPlan& plan, std::span<const Stretch> stretches, const SumsFrom& sums_from,
+    template <bool kOfEach, class AnyStretch, class SumsFrom, class Each>
+    void SumUp(const SumPlan& plan, std::span<const AnyStretch> stretches, const SumsFrom& sums_from,
                std::uint32_t stop_above, const Each& each) const {
         context_.tables.visit_sums([&](const auto& tables) {
             alignas(64) std::uint32_t sums[kLanes];
             for (std::size_t i = 0; i < stretches.size(); i += 2) {
                 const bool both = i + 1 < stretches.size();
-                const Stretch& low = stretches[i];
-                const Stretch& high = stretches[both ? i + 1 : i];
+                const AnyStretch& low = stretches[i];
+                const AnyStretch& high = stretches[both ? i + 1 : i];
                 SumLanes<kOfEach>(sums_from(tables, low), sums_from(tables, high), plan.loads.data(),
                                   plan.batches.data(), plan.batches.size(), stop_above,
                                   low.lanes | (both ? high.lanes << kStretch : 0), LaneLimit(plan.least), sums);
@@ -333,37 +382,17 @@ class Pass {
         });
     }
 
-    /// Bounds the blocks of a pair that are near and have no bound yet.
-    void BoundBlocks(int bx, int by, int bz, const std::uint32_t (&near)[kBlocksY],
-                     std::uint32_t (&bound)[kBlocksY][kPair * kBlocksX]) const {
-        Stretches<kBlocksY * kPair * kBlocksX> unknown;
-        for (int j = 0; j < kBlocksY; ++j) {
-            if (near[j] != 0) unknown.add(j, near[j] & Unknown(bound[j]));
-        }
-        const auto from = [&](const auto& tables, const Stretch& blocks) {
-            return tables.coarse.base(bx * kBlocksX + blocks.x, kBlock * (by * kBlocksY + blocks.y), kBrickZ * bz);
-        };
-        SumUp<true>(t_.plan.coarse, unknown.all(), from, StopAbove(most_),
-                    [&](const Stretch& blocks, const std::uint32_t* sums) {
-                        for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {
-                            const int i = std::countr_zero(left);
-                            bound[blocks.y][blocks.x + i] = sums[i];
-                        }
-                    });
-    }
-
     /// Decides every position of the brick that could be the answer.
     void Settle(const Survivor& survivor, int bz) {
-        const auto& [bound_then, bx, by, sifted, near] = survivor;
+        const auto& [bound_then, bx, by, open, sifted, near] = survivor;
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
-        OpenPair& open = state_.open_pair(bx, by, bz);
         const int half = bx % kPair;
-        std::uint64_t* live = open.live[half];
+        std::uint64_t* live = open->live[half];
         alignas(64) Bounds before;
         alignas(64) Bounds after;
         for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(open.bound[j] + half * kBlocksX, kBlocksX, before[j]);
+            std::copy_n(open->bound[j] + half * kBlocksX, kBlocksX, before[j]);
             std::fill_n(after[j], kBlocksX, kDead);
         }
         for (int i = 0; i < kBrickZ; ++i) {
@@ -371,7 +400,7 @@ class Pass {
             SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live + kBrickY * i, before, near, after);
         }
         for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(after[j], kBlocksX, open.bound[j] + half * kBlocksX);
+            std::copy_n(after[j], kBlocksX, open->bound[j] + half * kBlocksX);
         }
     }
 
@@ -501,6 +530,9 @@ class Pass {
     OrientationTask& t_;
     SearchContext& context_;
     PositionState& state_;
+    std::vector<SiftedPair> sifted_;
+    std::unique_ptr<OpenPair[]> for_now_;  // those of sifted_, where the state does not keep them
+    std::vector<UnknownBlocks> unknown_;
     std::vector<Survivor> survivors_;
     std::vector<Found> found_;
     std::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row

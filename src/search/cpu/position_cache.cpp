@@ -1,6 +1,7 @@
 #include "search/cpu/position_cache.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "search/cpu/block_bits.hpp"
@@ -14,18 +15,31 @@ Extent brick_count(const Extent& count) {
     return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY, (count.z + kBrickZ - 1) / kBrickZ};
 }
 
+/// The bounds of four blocks, by which of them have candidates.
+constexpr int kQuad = 4, kQuads = 1 << kQuad;
+constexpr auto kBoundsOf = [] {
+    std::array<std::array<std::uint32_t, kQuad>, kQuads> bounds{};
+    for (std::size_t left = 0; left < kQuads; ++left) {
+        for (std::size_t k = 0; k < kQuad; ++k) {
+            bounds[left][k] = left >> k & 1 ? 0 : kDead;
+        }
+    }
+    return bounds;
+}();
+
 int pairs_along_x(const Extent& bricks) { return (bricks.x + kPair - 1) / kPair; }
 std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
 
 }  // namespace
 
-void PositionState::reset(const Extent& count, const Extent& most) {
+void PositionState::reset(const Extent& count, const Extent& most, bool keeps) {
+    keeps_ = keeps;
     count_ = count;
     bricks_ = brick_count(count);
     pairs_ = pairs_along_x(bricks_);
     place_.assign(static_cast<std::size_t>(pair_count(bricks_)), kFresh);
     opened_.assign(static_cast<std::size_t>(bricks_.z), 0);
-    if (count.empty()) return;
+    if (count.empty() || !keeps) return;
     const auto room = static_cast<std::size_t>(pair_count(brick_count(most)));
     if (room_ < room) {
         open_ = std::make_unique_for_overwrite<OpenPair[]>(room);
@@ -43,23 +57,15 @@ void PositionState::candidates(int bx, int by, const std::uint32_t (&alive)[kBlo
     if (rows < kBrickY) std::fill(tile + rows, tile + kBrickY, std::uint64_t{0});
 }
 
-bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair]) {
+OpenPair& PositionState::open(int bx, int by, int bz) {
+    place_[pair(bx, by, bz)] = opened_[static_cast<std::size_t>(bz)]++;
+    return open_pair(bx, by, bz);
+}
+
+void OpenPair::set(const BrickWords (&words)[kPair]) {
     constexpr int kBlock = TrayTables::kBlock;
-    std::uint64_t any = 0;
-    for (const BrickWords& brick : words) {
-        for (const std::uint64_t word : brick) {
-            any |= word;
-        }
-    }
-    if (any == 0) {
-        close(bx, by, bz);
-        return false;
-    }
-    std::int32_t& opened = opened_[static_cast<std::size_t>(bz)];
-    place_[pair(bx, by, bz)] = opened++;
-    OpenPair& open = open_pair(bx, by, bz);
     for (int i = 0; i < kPair; ++i) {
-        std::copy_n(words[i], kBrickY * kBrickZ, open.live[i]);
+        std::copy_n(words[i], kBrickY * kBrickZ, live[i]);
         for (int j = 0; j < kBlocksY; ++j) {
             std::uint64_t bits = 0;
             for (int z = 0; z < kBrickZ; ++z) {
@@ -68,13 +74,11 @@ bool PositionState::open(int bx, int by, int bz, const BrickWords (&words)[kPair
                 }
             }
             const std::uint32_t left = every_fourth(any_of_block(bits));
-            std::uint32_t* bound = open.bound[j] + i * kBlocksX;
-            for (int k = 0; k < kBlocksX; ++k) {
-                bound[k] = left >> k & 1 ? 0 : kDead;
+            for (int k = 0; k < kBlocksX; k += kQuad) {
+                std::copy_n(kBoundsOf[left >> k & (kQuads - 1)].data(), kQuad, bound[j] + i * kBlocksX + k);
             }
         }
     }
-    return true;
 }
 
 void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
@@ -124,9 +128,9 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     }
 }
 
-std::int64_t PositionState::bytes_for(const Extent& count) {
-    constexpr auto kBytes = static_cast<std::int64_t>(sizeof(OpenPair) + sizeof(std::int32_t));
-    return pair_count(brick_count(count)) * kBytes;
+std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
+    const std::size_t bytes = sizeof(std::int32_t) + (keeps ? sizeof(OpenPair) : 0);
+    return pair_count(brick_count(count)) * static_cast<std::int64_t>(bytes);
 }
 
 void PositionCache::make_room(std::int64_t bytes) {
@@ -139,7 +143,7 @@ void PositionCache::make_room(std::int64_t bytes) {
         const auto gone = std::min_element(entries_.begin(), entries_.end(), less_useful);
         bytes_ -= gone->second.bytes;
         for (PositionState& state : gone->second.states) {
-            if (spare_.size() < kSpareStates) spare_.push_back(std::move(state));
+            if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
         }
         entries_.erase(gone);
     }
@@ -149,7 +153,7 @@ void PositionCache::make_room(std::int64_t bytes) {
 void PositionCache::forget_all() {
     for (auto& [id, entry] : entries_) {
         for (PositionState& state : entry.states) {
-            if (spare_.size() < kSpareStates) spare_.push_back(std::move(state));
+            if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
         }
     }
     entries_.clear();
@@ -189,17 +193,17 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
         counts.push_back(tray.candidates(oriented.reach));
-        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back());
+        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back(), !shape.once);
     }
     fresh.bytes = fresh.state_bytes;
     make_room(fresh.bytes);
     for (const Extent& count : counts) {
         PositionState state;
-        if (!count.empty() && !spare_.empty()) {
+        if (!shape.once && !count.empty() && !spare_.empty()) {
             state = std::move(spare_.back());
             spare_.pop_back();
         }
-        state.reset(count, tray.extent());
+        state.reset(count, tray.extent(), !shape.once);
         fresh.states.push_back(std::move(state));
     }
     fresh.runs.resize(fresh.states.size());

@@ -34,13 +34,19 @@ using BrickWords = std::uint64_t[kBrickY * kBrickZ];
 struct alignas(64) OpenPair {
     BrickWords live[kPair];
     std::uint32_t bound[kBlocksY][kPair * kBlocksX];
+
+    /// `words` are live, and the bounds of their blocks are 0.
+    void set(const BrickWords (&words)[kPair]);
 };
 
 class PositionState {
   public:
     /// `count` candidate positions per axis, of at most `most`, for which room is made so that it serves any shape in
-    /// the same tray. Nothing is known.
-    void reset(const Extent& count, const Extent& most);
+    /// the same tray. Nothing is known. Not `keeps`: of pairs that are opened nothing will be kept, and there is no
+    /// room.
+    void reset(const Extent& count, const Extent& most, bool keeps);
+    bool keeps() const { return keeps_; }
+    std::size_t pairs_in_layer() const { return place_in(1); }
 
     const Extent& count() const { return count_; }
     const Extent& bricks() const { return bricks_; }
@@ -59,9 +65,9 @@ class PositionState {
     void candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const;
     /// Layers of positions in brick layer bz.
     int layers(int bz) const { return std::min(kBrickZ, count_.z - kBrickZ * bz); }
-    /// Of a fresh pair `words` are live, and the bounds of their blocks are 0. True if there are any. Pairs of
-    /// different brick layers may be opened by different threads at once.
-    bool open(int bx, int by, int bz, const BrickWords (&words)[kPair]);
+    /// Of a fresh pair, where keeps(); it is to be set. Pairs of different brick layers may be opened by different
+    /// threads at once.
+    OpenPair& open(int bx, int by, int bz);
     /// Nothing of a fresh pair is live. Likewise.
     void close(int bx, int by, int bz) { place_[pair(bx, by, bz)] = kNothing; }
 
@@ -73,7 +79,7 @@ class PositionState {
     /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
 
-    static std::int64_t bytes_for(const Extent& count);
+    static std::int64_t bytes_for(const Extent& count, bool keeps);
 
   private:
     /// Where brick layer bz's open pairs begin.
@@ -89,6 +95,7 @@ class PositionState {
 
     Extent count_, bricks_;
     int pairs_ = 0;  // along x
+    bool keeps_ = true;
     // Pairs lie in the order in which they were opened, one brick layer's after the other's: what never is takes no
     // memory from the system and no room in caches.
     std::unique_ptr<OpenPair[]> open_;
