@@ -27,8 +27,8 @@ struct OrientedShape {
     /// reaches into.
     std::shared_ptr<const BitGrid> fine{};
     /// All voxels here, those of dx and finer ones, are those of orientation `turned_from` of the shape turned like
-    /// that; -1: of none that comes before. Where the turn reverses an axis, that one is turned from none; where it
-    /// only exchanges axes, it may be.
+    /// that; -1: of none that comes before. Where the turn reverses an axis, that one follows from none; where it only
+    /// exchanges axes, from none or by a turn that reverses one.
     int turned_from = -1;
     AxisTurn turn{};
 };

@@ -274,7 +274,7 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
         const WidenedVoxels wide_then = turned(*wide, extent, turn);
         std::optional<Depths> depths;
-        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables, &depths);
+        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables, Workers(1), &depths);
         const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables);
         EXPECT_EQ(runs.widened.front().offset, wide_then.offset);
         EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent()), wide_then.voxels);
@@ -282,7 +282,7 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
         EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
-        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables);
+        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables, Workers(1));
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
         EXPECT_EQ(placed_cells(runs.fine_cells), placed_cells(made.fine_cells));
@@ -407,7 +407,7 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     tables.follow(tray, 0, false, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
-    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables);
+    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables, Workers(2));
     const std::size_t pieces = runs.widened.front().pieces.size(), core = runs.widened.front().core.size();
     ASSERT_GT(core, 0u);
     std::vector<std::int32_t> all;
@@ -453,7 +453,7 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
         TrayTables tables;
         tables.follow(tray, 0, false, Workers(1));
-        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables);
+        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables, Workers(2));
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
@@ -510,7 +510,7 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
     const OrientationRuns runs =
-        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables());
+        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables(), Workers(1));
     const SumLayout tables({210, 9, 8}, 1);
     for (const int range : {255, 65535}) {
         for (const int most : {1, 21, 150, 5000, 65535}) {

@@ -177,6 +177,7 @@ inline AxisTurn random_turn(RandomStream& random, bool reverses) {
 inline std::optional<OrientedShape> random_turned(RandomStream& random, const Shape& shape, int detail) {
     const std::size_t index = random.below(shape.orientations.size());
     const OrientedShape& from = shape.orientations[index];
+    if (from.turned_from >= 0 && !from.turn.reverses()) return std::nullopt;
     const AxisTurn turn = random_turn(random, from.turned_from < 0);
     const Extent fine = from.fine ? from.fine->extent() : from.solid->extent();
     OrientedShape result = from;

@@ -113,46 +113,49 @@ class CpuSearch final : public PlacementSearch {
         return open;
     }
 
-    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
-    /// and of the others from it. Turns that reverse an axis come before those that exchange axes, which follow from
-    /// them.
+    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels and
+    /// of the others from it; those that are reversed first, each with what follows by exchanging its axes.
     void make_runs_of(const Shape& shape, const Tray& tray, const std::vector<bool>& open, bool covers,
                       std::vector<OrientationRuns>& runs) const {
         const int detail = tray.detail();
         const bool deep = detail == 1 ? tables_.apart() : covers;
-        const auto count = std::ssize(shape.orientations);
-        const auto from = [&](std::size_t i) { return shape.orientations[i].turned_from; };
-        std::vector<int> turns(shape.orientations.size(), 0);  // one after the other, that lead to each
-        std::vector<bool> wanted(shape.orientations.size(), false);
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            if (from(i) >= 0) turns[i] = turns[static_cast<std::size_t>(from(i))] + 1;
-            if (!open[i] || !runs[i].of_class.empty()) continue;
-            wanted[i] = true;
-            for (int k = from(i); k >= 0 && runs[static_cast<std::size_t>(k)].of_class.empty();) {
-                wanted[static_cast<std::size_t>(k)] = true;
-                k = from(static_cast<std::size_t>(k));
+        const std::size_t count = shape.orientations.size();
+        const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
+        const auto is_root = [&](std::size_t i) { return shape.orientations[i].turned_from < 0; };
+        const auto is_exchanged = [&](std::size_t i) { return !is_root(i) && !shape.orientations[i].turn.reverses(); };
+        std::vector<bool> wanted(count, false);
+        const auto want = [&](std::size_t i) {
+            if (runs[i].of_class.empty()) wanted[i] = true;
+            return wanted[i];
+        };
+        std::vector<std::optional<Depths>> depths(count);  // of roots that others follow from
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!open[i]) continue;
+            for (std::size_t k = i; want(k) && !is_root(k);) {
+                k = from(k);
             }
         }
-        std::vector<std::optional<Depths>> depths(shape.orientations.size());  // of those that others follow from
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            if (!wanted[i] || !shape.orientations[i].turn.reverses()) continue;
-            const auto f = static_cast<std::size_t>(from(i));
-            if (!wanted[f] && !depths[f]) depths[f] = depths_of(shape.orientations[f], runs[f].solid, detail, deep);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!wanted[i]) continue;
+            if (is_root(i)) {
+                runs[i] = make_runs(shape.orientations[i], detail, deep, tables_, workers_, &depths[i]);
+            } else if (!is_exchanged(i) && !depths[from(i)]) {
+                depths[from(i)] = depths_of(shape.orientations[from(i)], runs[from(i)].solid, detail, deep);
+            }
         }
-        for (int round = 0; round <= std::ranges::max(turns); ++round) {
-            workers_.for_each(count, [&](std::int64_t i) {
-                const auto k = static_cast<std::size_t>(i);
-                if (!wanted[k] || turns[k] != round) return;
-                const OrientedShape& oriented = shape.orientations[k];
-                if (round == 0) {
-                    runs[k] = make_runs(oriented, detail, deep, tables_, &depths[k]);
-                    return;
-                }
-                const auto f = static_cast<std::size_t>(from(k));
-                const Extent& solid = shape.orientations[f].solid->extent();
-                runs[k] = turned(runs[f], oriented.turn, solid, detail, depths[f], tables_);
-            });
-        }
+        const auto turn = [&](std::size_t i) {
+            const OrientedShape& source = shape.orientations[from(i)];
+            runs[i] = turned(runs[from(i)], shape.orientations[i].turn, source.solid->extent(), detail,
+                             depths[from(i)], tables_);
+        };
+        workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
+            const auto first = static_cast<std::size_t>(i);
+            if (is_exchanged(first)) return;
+            if (wanted[first] && !is_root(first)) turn(first);
+            for (std::size_t k = first + 1; k < count; ++k) {
+                if (wanted[k] && is_exchanged(k) && from(k) == first) turn(k);
+            }
+        });
     }
 
     /// A task for each open orientation, none for the others.

@@ -359,29 +359,39 @@ std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, i
 }
 
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
-                          std::optional<Depths>* keep) {
+                          const Workers& workers, std::optional<Depths>* keep) {
     OrientationRuns result;
-    result.solid = fewest_runs(*shape.solid);
-    std::optional<Depths> depths = depths_of(shape, result.solid, detail, covers);
-    if (depths) {
-        result.least = depths->sums(result.solid);
-    } else {
-        result.least.assign(result.solid.runs.size(), 0);
-    }
-    add_cells(result, {}, shape.solid->extent(), depths, tables);
-    if (tables.walls()) result.walled = ordered_cover(*shape.solid, *shape.solid);
+    std::vector<std::size_t> distinct;  // classes
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
         while (shape.widened[same] != shape.widened[c])
             ++same;
-        if (same < c) {
-            result.of_class.push_back(result.of_class[same]);
-            continue;
-        }
-        result.of_class.push_back(static_cast<int>(result.widened.size()));
-        result.widened.push_back(pieces_of(*shape.widened[c], detail));
+        result.of_class.push_back(same < c ? result.of_class[same] : static_cast<int>(distinct.size()));
+        if (same == c) distinct.push_back(c);
     }
-    if (keep) *keep = std::move(depths);
+    result.widened.resize(distinct.size());
+    const auto add_solid = [&] {
+        result.solid = fewest_runs(*shape.solid);
+        std::optional<Depths> depths = depths_of(shape, result.solid, detail, covers);
+        if (depths) {
+            result.least = depths->sums(result.solid);
+        } else {
+            result.least.assign(result.solid.runs.size(), 0);
+        }
+        add_cells(result, {}, shape.solid->extent(), depths, tables);
+        if (keep) *keep = std::move(depths);
+    };
+    // What rho asks for takes about as long as one of the covers that a collision does.
+    workers.for_each(std::ssize(distinct) + 2, [&](std::int64_t i) {
+        if (i == 0) {
+            add_solid();
+        } else if (i == 1) {
+            if (tables.walls()) result.walled = ordered_cover(*shape.solid, *shape.solid);
+        } else {
+            const auto k = static_cast<std::size_t>(i - 2);
+            result.widened[k] = pieces_of(*shape.widened[distinct[k]], detail);
+        }
+    });
     return result;
 }
 

@@ -42,7 +42,7 @@ std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, i
 
 /// For searches in the tray that `tables` follow. `keep`, if given, becomes depths_of() the shape.
 OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
-                          std::optional<Depths>* keep = nullptr);
+                          const Workers& workers, std::optional<Depths>* keep = nullptr);
 
 /// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
 /// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
