@@ -38,35 +38,6 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
     spare_.assign(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_), 0);
 }
 
-int Forms::index(const Form& form) const {
-    if (form.level == 0) return 0;
-    switch (form.axes) {
-        case 1:
-        case 2:
-        case 4:
-            return 1 + form.axes / 2 * run_levels + form.level - 1;
-        case 3:
-            return 1 + 3 * run_levels + form.level - kFirstPlate;
-        default:
-            return 1 + 3 * run_levels + (form.axes - 4) * plates() + form.level - kFirstPlate;
-    }
-}
-
-BitTables::Spot BitTables::spot(int layer, const Form& form, const VoxelIndex& d) const {
-    const int s = detail_of(layer);
-    VoxelIndex coarse;
-    for (int i = 0; i < 3; ++i) {
-        coarse[i] = floor_div(d[i], s);
-    }
-    const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
-    return {table_number(layer, part, form), coarse + VoxelIndex{margin_, margin_, margin_}};
-}
-
-BitTables::Place BitTables::place(const Spot& spot) const {
-    const std::int64_t offset = column(spot.table, spot.at.x / 64, spot.at.z) - words_.data() + spot.at.y;
-    return {static_cast<std::int32_t>(offset), spot.at.x % 64};
-}
-
 VoxelBox BitTables::in_tables(const VoxelBox& voxels) const {
     const VoxelBox box = intersection(voxels, whole(grid_));
     if (box.empty()) return {};

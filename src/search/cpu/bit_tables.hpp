@@ -41,7 +41,19 @@ struct Forms {
     constexpr int plates() const { return last_plate - kFirstPlate + 1; }
     constexpr int count() const { return 1 + 3 * run_levels + (cubes ? 4 : 3) * plates(); }
     /// 0 .. count() - 1; of one of them.
-    int index(const Form& form) const;
+    int index(const Form& form) const {
+        if (form.level == 0) return 0;
+        switch (form.axes) {
+            case 1:
+            case 2:
+            case 4:
+                return 1 + form.axes / 2 * run_levels + form.level - 1;
+            case 3:
+                return 1 + 3 * run_levels + form.level - kFirstPlate;
+            default:
+                return 1 + 3 * run_levels + (form.axes - 4) * plates() + form.level - kFirstPlate;
+        }
+    }
     /// Calls visit(form) for all of them, each after those that its table is made from.
     template <class Visit>
     void for_each(const Visit& visit) const {
@@ -119,8 +131,19 @@ class BitTables {
     /// Where a piece of that form, one of forms_of(layer), with its corner at displacement d lies from a
     /// tile; d in the layer's own voxels, not before the margin on any axis.
     Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
-    Place place(const Spot& spot) const;
-    Spot spot(int layer, const Form& form, const VoxelIndex& d) const;
+    Place place(const Spot& spot) const {
+        const std::int64_t offset = column(spot.table, spot.at.x / 64, spot.at.z) - words_.data() + spot.at.y;
+        return {static_cast<std::int32_t>(offset), spot.at.x % 64};
+    }
+    Spot spot(int layer, const Form& form, const VoxelIndex& d) const {
+        const int s = detail_of(layer);
+        VoxelIndex coarse;
+        for (int i = 0; i < 3; ++i) {
+            coarse[i] = floor_div(d[i], s);
+        }
+        const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
+        return {table_number(layer, part, form), coarse + VoxelIndex{margin_, margin_, margin_}};
+    }
 
     int tables() const { return first_table(layers()); }
     /// Of a layer: those of all its parts one after the other, before those of the next layer.

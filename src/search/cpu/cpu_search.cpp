@@ -113,8 +113,8 @@ class CpuSearch final : public PlacementSearch {
         return open;
     }
 
-    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels and
-    /// of the others from it; those that are reversed first, each with what follows by exchanging its axes.
+    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
+    /// and of the others from it; those that are reversed first, each with what follows by exchanging its axes.
     void make_runs_of(const Shape& shape, const Tray& tray, const std::vector<bool>& open, bool covers,
                       std::vector<OrientationRuns>& runs) const {
         const int detail = tray.detail();
@@ -145,8 +145,8 @@ class CpuSearch final : public PlacementSearch {
         }
         const auto turn = [&](std::size_t i) {
             const OrientedShape& source = shape.orientations[from(i)];
-            runs[i] = turned(runs[from(i)], shape.orientations[i].turn, source.solid->extent(), detail,
-                             depths[from(i)], tables_);
+            runs[i] = turned(runs[from(i)], shape.orientations[i].turn, source.solid->extent(), detail, depths[from(i)],
+                             tables_);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);

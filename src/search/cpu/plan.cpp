@@ -524,29 +524,30 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
     std::size_t count = kLoadsPerBatch;
     for (const std::uint32_t i : order) {
         const Run& run = runs.runs[i];
-        for (int done = 0; done < run.length;) {
-            const int length = std::min(run.length - done, longest);
+        VoxelIndex at = run.start;
+        std::int32_t from = tables.offset(runs.axis, at);
+        for (int left = run.length; left > 0;) {
+            const int length = std::min(left, longest);
             if (length > room || count == kLoadsPerBatch) {
-                const auto at = static_cast<std::int32_t>(plan.loads.size());
-                plan.batches.push_back({at, at});
+                const auto begin = static_cast<std::int32_t>(plan.loads.size());
+                plan.batches.push_back({begin, begin});
                 room = together;
                 count = 0;
             }
-            VoxelIndex from = run.start;
-            from[runs.axis] += done;
-            VoxelIndex to = from;
-            to[runs.axis] += length;
+            const std::int32_t to = tables.further(runs.axis, at, from, length);
             // Of a run that is split, no part is known to hold the deep voxels.
             const std::uint32_t known = length == run.length ? orientation.least[i] : 0;
             const auto part = static_cast<std::uint16_t>(std::min(known, static_cast<std::uint32_t>(range)));
-            plan.loads.push_back({tables.offset(runs.axis, to), tables.offset(runs.axis, from), part});
+            plan.loads.push_back({to, from, part});
             plan.least += part;
             SumBatch& batch = plan.batches.back();
             batch.end = static_cast<std::int32_t>(plan.loads.size());
             batch.least = static_cast<std::uint16_t>(batch.least + part);
             room -= length;
             ++count;
-            done += length;
+            left -= length;
+            at[runs.axis] += length;
+            from = to;
         }
     }
     return plan;

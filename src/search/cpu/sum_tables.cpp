@@ -21,6 +21,7 @@ SumLayout::SumLayout(const Extent& grid, int block)
       shift_(std::countr_zero(static_cast<unsigned>(block))),
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
+      layer_(stride_ * (grid.y + 1)),
       table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
     if (block != 1 && block != kPooledBlock) throw InternalError("no sums are kept for blocks of that size");
     if (3 * table_ + stride_ + kOverrun > std::numeric_limits<std::int32_t>::max()) {

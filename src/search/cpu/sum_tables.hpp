@@ -41,6 +41,17 @@ class SumLayout {
     std::int32_t offset(int axis, const VoxelIndex& d) const {
         return static_cast<std::int32_t>(axis * table_ + row(d.y, d.z) + within(d.x));
     }
+    /// Where d + length e_axis lies, `from` being where d does.
+    std::int32_t further(int axis, const VoxelIndex& d, std::int32_t from, int length) const {
+        switch (axis) {
+            case 0:
+                return from + within(d.x + length) - within(d.x);
+            case 1:
+                return from + length * stride_;
+            default:
+                return from + length * layer_;
+        }
+    }
 
   protected:
     std::int64_t row(int y, int z) const { return (static_cast<std::int64_t>(z) * (grid_.y + 1) + y) * stride_; }
@@ -50,6 +61,7 @@ class SumLayout {
     int block_ = 1, shift_ = 0;  // block_ = 2^shift_
     int phase_ = 0;              // elements of one phase of a row
     int stride_ = 0;             // elements of a row
+    int layer_ = 0;              // elements of a layer
     std::int64_t table_ = 0;
 };
 

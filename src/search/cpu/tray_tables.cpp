@@ -15,8 +15,13 @@ BitTables tables_for(const Tray& tray, int margin) {
 }
 
 template <class T>
-Sums<T> make_sums(const Extent& grid, bool apart) {
-    return {{grid, 1, false}, {grid, TrayTables::kBlock, apart}};
+Sums<T> make_sums(const Extent& grid, bool apart, const Workers& workers) {
+    Sums<T> sums;
+    workers.for_each(2, [&](std::int64_t i) {  // the system takes its time to find so much memory
+        if (i == 0) sums.exact = {grid, 1, false};
+        if (i == 1) sums.coarse = {grid, TrayTables::kBlock, apart};
+    });
+    return sums;
 }
 
 void refresh_layer(BitTables& bits, CrowdTables& crowd, int layer, const std::vector<const BitGrid*>& parts,
@@ -72,14 +77,20 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     sums_ = {};
     minima_ = {};
     phi_ = {};
-    bits_ = tables_for(tray, margin);
     large_ = n.count() >= large_from_;
-    crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
     apart_ = apart;
-    sums_ = make_sums<std::uint16_t>(n, apart);
-    minima_ = BlockMinima(n, kBlock);
-    refresh_all(bits_, crowd_, tray, workers);
-    rebuild_phi(tray, workers);
+    // Bits and distances have nothing to do with each other.
+    workers.for_each(2, [&](std::int64_t i) {
+        if (i == 0) {
+            bits_ = tables_for(tray, margin);
+            crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
+            refresh_all(bits_, crowd_, tray, workers);
+        } else {
+            sums_ = make_sums<std::uint16_t>(n, apart, workers);
+            minima_ = BlockMinima(n, kBlock);
+            rebuild_phi(tray, workers);
+        }
+    });
     instance_ = tray.instance();
 }
 
@@ -116,9 +127,9 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
         box = whole(n);
         sums_ = {};  // makes room first
         if (to_be_narrow) {
-            sums_ = make_sums<std::uint8_t>(n, apart_);
+            sums_ = make_sums<std::uint8_t>(n, apart_, workers);
         } else {
-            sums_ = make_sums<std::uint16_t>(n, apart_);
+            sums_ = make_sums<std::uint16_t>(n, apart_, workers);
         }
     }
     const auto update = [&](auto& sums) {
@@ -139,7 +150,6 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
         const bool same_tray = tray.instance() == instance_;
         rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);
     } else if (tray.version() > version_) {
-        // Bits and distances have nothing to do with each other.
         workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
@@ -180,7 +190,7 @@ void TrayTables::check(const Tray& tray) const {
     require(most == phi_.most(), "greatest distance");
     const Workers one(1);
     visit_sums([&]<class T>(const Sums<T>& kept) {
-        Sums<T> sums = make_sums<T>(n, apart_);
+        Sums<T> sums = make_sums<T>(n, apart_, one);
         sums.update(phi_, whole(n), one);
         require(sums == kept, "prefix sums");
     });
