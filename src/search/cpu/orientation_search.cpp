@@ -382,7 +382,8 @@ class Pass {
         });
     }
 
-    /// Decides every position of the brick that could be the answer.
+    /// Decides every position of the brick that could be the answer. What was learnt of the others is for further
+    /// copies only.
     void Settle(const Survivor& survivor, int bz) {
         const auto& [bound_then, bx, by, open, sifted, near] = survivor;
         LookAtLimits(bz);
@@ -399,6 +400,7 @@ class Pass {
             LookAtLimits(bz);
             SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live + kBrickY * i, before, near, after);
         }
+        if (!state_.keeps()) return;
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(after[j], kBlocksX, open->bound[j] + half * kBlocksX);
         }
@@ -418,6 +420,7 @@ class Pass {
                 any |= free[y];
                 left |= live[y] & ~chosen[j];
             }
+            if (!state_.keeps()) continue;
             for (left = any_of_block(left); left != 0; left &= left - 1) {
                 const int i = std::countr_zero(left) / kBlock;
                 after[j][i] = std::min(after[j][i], before[j][i]);
@@ -428,6 +431,7 @@ class Pass {
         alignas(64) std::uint64_t close[kBrickY];
         RowSums sums[kBrickY];
         if (Weigh(bx, by, z, free, limit, close, sums, after)) Decide(begin, bx, by, z, sums, close, free, after);
+        if (!state_.keeps()) return;
         for (int y = 0; y < kBrickY; ++y) {
             live[y] &= free[y] | ~chosen[y / kBlock];
         }
@@ -505,7 +509,8 @@ class Pass {
         SumUp<false>(t_.plan.exact, stretches.all(), from, StopAbove(limit),
                      [&](const Stretch& row, const std::uint32_t* rho) {
                          const std::uint32_t within = row.lanes & AtMost(rho, most);
-                         for (std::uint32_t above = row.lanes & ~within; above != 0; above &= above - 1) {
+                         std::uint32_t above = state_.keeps() ? row.lanes & ~within : 0;
+                         for (; above != 0; above &= above - 1) {
                              const int i = std::countr_zero(above);
                              std::uint32_t& bound = bounds[row.y / kBlock][(row.x + i) / kBlock];
                              bound = std::min(bound, rho[i]);
