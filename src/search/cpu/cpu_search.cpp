@@ -43,7 +43,7 @@ class CpuSearch final : public PlacementSearch {
         if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
         const bool covers = covered(shape);
         tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
-        PositionCache::Entry& entry = positions_.at(shape, tray, tables_);
+        PositionCache::Entry& entry = positions_.at(shape, tray, tables_, workers_);
         SearchContext context{tables_, model, tray.reference_layers(), {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray, open, covers, entry.runs);

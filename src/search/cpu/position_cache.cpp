@@ -169,7 +169,8 @@ void PositionCache::count(Entry& entry) {
     bytes_ += entry.bytes;
 }
 
-PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables) {
+PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables,
+                                        const Workers& workers) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
         forget_all();
@@ -182,9 +183,10 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         entry.last_use = uses_;
         const VoxelBox changed = tables.changed_since(entry.version);
         if (!changed.empty()) {
-            for (std::size_t i = 0; i < entry.states.size(); ++i) {
-                entry.states[i].forget(changed, shape.orientations[i].solid->extent());
-            }
+            workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
+                const auto k = static_cast<std::size_t>(i);
+                entry.states[k].forget(changed, shape.orientations[k].solid->extent());
+            });
         }
         entry.version = tables.version();
         return entry;

@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/tray_tables.hpp"
 #include "search/shape.hpp"
@@ -123,7 +124,7 @@ class PositionCache {
 
     /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays
     /// until the next call.
-    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables);
+    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables, const Workers& workers);
 
     /// Counts the runs and plans that were made for an entry. It may be over the budget until the next call of at().
     void count(Entry& entry);
