@@ -453,7 +453,8 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
         TrayTables tables;
         tables.follow(tray, 0, false, Workers(1));
-        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables, Workers(2));
+        const OrientationRuns runs =
+            make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables, Workers(2));
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
