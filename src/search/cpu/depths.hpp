@@ -34,8 +34,7 @@ class Depths {
                static_cast<std::size_t>(x);
     }
 
-    Extent room_;  // the solid's, and a layer more along the runs' axis
-    int axis_;
+    Extent room_;                        // the solid's, and a layer more along the runs' axis
     std::size_t step_;                   // from a voxel to the next along it
     std::vector<std::uint32_t> before_;  // what lies before each voxel in its row along the axis, summed up
 };
