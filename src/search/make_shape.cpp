@@ -61,24 +61,26 @@ bool keeps_coarse_voxels(const AxisTurn& turn, const Extent& fine, int detail) {
 
 /// Says of each orientation which earlier one it follows from: best by an exchange of axes alone.
 void tell_turned(Shape& shape, const std::vector<Source>& sources, const std::vector<Mat3>& rotations, int detail) {
-    std::vector<std::size_t> firsts;  // that no other is exchanged into
+    std::vector<std::size_t> firsts;  // that others may be exchanged from
     for (std::size_t i = 0; i < sources.size(); ++i) {
         OrientedShape& oriented = shape.orientations[i];
         const Mat3& rotation = rotations[static_cast<std::size_t>(oriented.orientation)];
-        for (const bool reversing : {false, true}) {
+        const auto follow = [&](bool reversing) {
             for (const std::size_t first : firsts) {
                 const OrientedShape& from = shape.orientations[first];
-                if (oriented.turned_from >= 0 || sources[first].root != sources[i].root) continue;
-                if (reversing && from.turned_from >= 0) continue;
+                if (sources[first].root != sources[i].root || (reversing && from.is_turned())) continue;
                 const std::optional<AxisTurn> turn =
                     axis_turn(rotations[static_cast<std::size_t>(from.orientation)], rotation);
                 if (!turn || turn->reverses() != reversing) continue;
                 if (!keeps_coarse_voxels(*turn, from.fine->extent(), detail)) continue;
                 oriented.turned_from = static_cast<int>(first);
                 oriented.turn = *turn;
+                return;
             }
-        }
-        if (oriented.turned_from < 0 || oriented.turn.reverses()) firsts.push_back(i);
+        };
+        follow(false);
+        if (!oriented.is_turned()) follow(true);
+        if (!oriented.is_exchanged()) firsts.push_back(i);
     }
 }
 

@@ -31,6 +31,10 @@ struct OrientedShape {
     /// exchanges axes, from none or by a turn that reverses one.
     int turned_from = -1;
     AxisTurn turn{};
+
+    bool is_turned() const { return turned_from >= 0; }
+    /// By an exchange of axes alone.
+    bool is_exchanged() const { return is_turned() && !turn.reverses(); }
 };
 
 /// Whether best_placement() may answer with this candidate of orientation `index` of the shape (section 4.3). Asked

@@ -33,17 +33,6 @@ BitGrid permuted_bits(const BitGrid& original, const AxisOrder& order) {
     return result;
 }
 
-/// Widened grids made anew by `change`; those that classes shared stay shared.
-template <class Change>
-void change_widened(OrientedShape& shape, const Change& change) {
-    const auto before = shape.widened;
-    for (std::size_t c = 0; c < before.size(); ++c) {
-        shape.widened[c] = c > 0 && before[c] == before[c - 1]
-                               ? shape.widened[c - 1]
-                               : std::make_shared<const WidenedVoxels>(change(*before[c]));
-    }
-}
-
 Shape permuted_shape(const Shape& original, const AxisOrder& order) {
     Shape shape = original;
     shape.id += 1000;

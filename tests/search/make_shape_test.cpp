@@ -134,7 +134,7 @@ TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
             EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
             if (oriented.turned_from < 0) continue;
             const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
-            EXPECT_TRUE(from.turned_from < 0 || !oriented.turn.reverses());
+            EXPECT_TRUE(!from.is_turned() || (oriented.is_exchanged() && from.turn.reverses()));
             EXPECT_EQ(turned(*from.fine, oriented.turn), fine);
             EXPECT_EQ(turned(*from.solid, oriented.turn), *oriented.solid);
             EXPECT_EQ(turned(from.widened[0]->voxels, oriented.turn), wide.voxels);

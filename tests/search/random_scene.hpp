@@ -162,6 +162,17 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
     return shape;
 }
 
+/// Widened grids made anew by `change`; those that classes shared stay shared.
+template <class Change>
+void change_widened(OrientedShape& shape, const Change& change) {
+    const auto before = shape.widened;
+    for (std::size_t c = 0; c < before.size(); ++c) {
+        shape.widened[c] = c > 0 && before[c] == before[c - 1]
+                               ? shape.widened[c - 1]
+                               : std::make_shared<const WidenedVoxels>(change(*before[c]));
+    }
+}
+
 /// Exchanges, and where `reverses` reverses, some axes.
 inline AxisTurn random_turn(RandomStream& random, bool reverses) {
     AxisTurn turn;
@@ -177,8 +188,8 @@ inline AxisTurn random_turn(RandomStream& random, bool reverses) {
 inline std::optional<OrientedShape> random_turned(RandomStream& random, const Shape& shape, int detail) {
     const std::size_t index = random.below(shape.orientations.size());
     const OrientedShape& from = shape.orientations[index];
-    if (from.turned_from >= 0 && !from.turn.reverses()) return std::nullopt;
-    const AxisTurn turn = random_turn(random, from.turned_from < 0);
+    if (from.is_exchanged()) return std::nullopt;
+    const AxisTurn turn = random_turn(random, !from.is_turned());
     const Extent fine = from.fine ? from.fine->extent() : from.solid->extent();
     OrientedShape result = from;
     result.turned_from = static_cast<int>(index);
@@ -189,11 +200,7 @@ inline std::optional<OrientedShape> random_turned(RandomStream& random, const Sh
     }
     result.solid = std::make_shared<const BitGrid>(turned(*from.solid, turn));
     if (from.fine) result.fine = std::make_shared<const BitGrid>(turned(*from.fine, turn));
-    for (std::size_t c = 0; c < from.widened.size(); ++c) {
-        result.widened[c] = c > 0 && from.widened[c] == from.widened[c - 1]
-                                ? result.widened[c - 1]
-                                : std::make_shared<const WidenedVoxels>(turned(*from.widened[c], fine, turn));
-    }
+    change_widened(result, [&](const WidenedVoxels& wide) { return turned(wide, fine, turn); });
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -121,39 +122,35 @@ class CpuSearch final : public PlacementSearch {
         const bool deep = detail == 1 ? tables_.apart() : covers;
         const std::size_t count = shape.orientations.size();
         const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
-        const auto is_root = [&](std::size_t i) { return shape.orientations[i].turned_from < 0; };
-        const auto is_exchanged = [&](std::size_t i) { return !is_root(i) && !shape.orientations[i].turn.reverses(); };
-        std::vector<bool> wanted(count, false);
-        const auto want = [&](std::size_t i) {
-            if (runs[i].of_class.empty()) wanted[i] = true;
-            return wanted[i];
-        };
-        std::vector<std::optional<Depths>> depths(count);  // of roots that others follow from
+        const std::vector<OrientedShape>& all = shape.orientations;
+        std::vector<bool> wanted(count, false);  // with what they follow from
         for (std::size_t i = 0; i < count; ++i) {
             if (!open[i]) continue;
-            for (std::size_t k = i; want(k) && !is_root(k);) {
-                k = from(k);
+            for (std::size_t k = i; runs[k].of_class.empty(); k = from(k)) {
+                wanted[k] = true;
+                if (!all[k].is_turned()) break;
             }
         }
+        if (std::ranges::none_of(wanted, std::identity{})) return;  // as for nearly all copies
+        std::vector<std::optional<Depths>> depths(count);           // of those that others are reversed from
         for (std::size_t i = 0; i < count; ++i) {
-            if (!wanted[i]) continue;
-            if (is_root(i)) {
-                runs[i] = make_runs(shape.orientations[i], detail, deep, tables_, workers_, &depths[i]);
-            } else if (!is_exchanged(i) && !depths[from(i)]) {
-                depths[from(i)] = depths_of(shape.orientations[from(i)], runs[from(i)].solid, detail, deep);
+            if (!wanted[i] || all[i].is_exchanged()) continue;
+            if (!all[i].is_turned()) {
+                runs[i] = make_runs(all[i], detail, deep, tables_, workers_, &depths[i]);
+            } else if (!depths[from(i)]) {
+                depths[from(i)] = depths_of(all[from(i)], runs[from(i)].solid, detail, deep);
             }
         }
         const auto turn = [&](std::size_t i) {
-            const OrientedShape& source = shape.orientations[from(i)];
-            runs[i] = turned(runs[from(i)], shape.orientations[i].turn, source.solid->extent(), detail, depths[from(i)],
-                             tables_);
+            runs[i] =
+                turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], tables_);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);
-            if (is_exchanged(first)) return;
-            if (wanted[first] && !is_root(first)) turn(first);
+            if (all[first].is_exchanged()) return;
+            if (wanted[first] && all[first].is_turned()) turn(first);
             for (std::size_t k = first + 1; k < count; ++k) {
-                if (wanted[k] && is_exchanged(k) && from(k) == first) turn(k);
+                if (wanted[k] && all[k].is_exchanged() && from(k) == first) turn(k);
             }
         });
     }

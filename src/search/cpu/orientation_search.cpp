@@ -214,17 +214,18 @@ class Pass {
         if (state_.is_dead(bx, by, bz)) return;
         const std::uint32_t limit = LaneLimit(most_);
         const bool fresh = state_.is_fresh(bx, by, bz);
+        OpenPair* open = fresh ? nullptr : &state_.open_pair(bx, by, bz);
         std::uint32_t near[kBlocksY], room[kBlocksY];
         std::uint32_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
             room[j] = fresh ? Room(bx, by, j) : 0;
-            near[j] = fresh ? room[j] : PairAtMost(state_.open_pair(bx, by, bz).bound[j], limit);
+            near[j] = fresh ? room[j] : PairAtMost(open->bound[j], limit);
             if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j]);
             any |= near[j];
         }
         if (any == 0) return;
-        SiftedPair pair{bx, by, nullptr, {}, {near[0], near[1]}};
-        pair.open = fresh ? Sift(bx, by, bz, room, pair.sifted) : &state_.open_pair(bx, by, bz);
+        SiftedPair pair{bx, by, open, {}, {near[0], near[1]}};
+        if (fresh) pair.open = Sift(bx, by, bz, room, pair.sifted);
         if (pair.open != nullptr) sifted_.push_back(pair);
     }
 

@@ -1,7 +1,6 @@
 #include "search/cpu/position_cache.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "search/cpu/block_bits.hpp"
@@ -14,18 +13,6 @@ constexpr std::size_t kSpareStates = 64;
 Extent brick_count(const Extent& count) {
     return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY, (count.z + kBrickZ - 1) / kBrickZ};
 }
-
-/// The bounds of four blocks, by which of them have candidates.
-constexpr int kQuad = 4, kQuads = 1 << kQuad;
-constexpr auto kBoundsOf = [] {
-    std::array<std::array<std::uint32_t, kQuad>, kQuads> bounds{};
-    for (std::size_t left = 0; left < kQuads; ++left) {
-        for (std::size_t k = 0; k < kQuad; ++k) {
-            bounds[left][k] = left >> k & 1 ? 0 : kDead;
-        }
-    }
-    return bounds;
-}();
 
 int pairs_along_x(const Extent& bricks) { return (bricks.x + kPair - 1) / kPair; }
 std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
@@ -74,8 +61,8 @@ void OpenPair::set(const BrickWords (&words)[kPair]) {
                 }
             }
             const std::uint32_t left = every_fourth(any_of_block(bits));
-            for (int k = 0; k < kBlocksX; k += kQuad) {
-                std::copy_n(kBoundsOf[left >> k & (kQuads - 1)].data(), kQuad, bound[j] + i * kBlocksX + k);
+            for (int k = 0; k < kBlocksX; ++k) {
+                bound[j][i * kBlocksX + k] = left >> k & 1 ? 0 : kDead;
             }
         }
     }
@@ -115,7 +102,7 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
             for (int x = touched.lo.x / kBlock; x < end;) {
                 const int bx = x / kBlocksX / kPair * kPair, by = y / kBlocksY;
                 const int next = std::min(end, (bx + kPair) * kBlocksX);
-                if (!is_fresh(bx, by, z) && !is_dead(bx, by, z)) {
+                if (is_open(bx, by, z)) {
                     std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
                     for (; x < next; ++x) {
                         std::uint32_t& bound = row[x - bx * kBlocksX];
@@ -133,6 +120,12 @@ std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
     return pair_count(brick_count(count)) * static_cast<std::int64_t>(bytes);
 }
 
+void PositionCache::spare_states_of(Entry& entry) {
+    for (PositionState& state : entry.states) {
+        if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
+    }
+}
+
 void PositionCache::make_room(std::int64_t bytes) {
     while (bytes_ + bytes > budget_ && !entries_.empty()) {
         const auto less_useful = [](const auto& a, const auto& b) {
@@ -142,9 +135,7 @@ void PositionCache::make_room(std::int64_t bytes) {
         };
         const auto gone = std::min_element(entries_.begin(), entries_.end(), less_useful);
         bytes_ -= gone->second.bytes;
-        for (PositionState& state : gone->second.states) {
-            if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
-        }
+        spare_states_of(gone->second);
         entries_.erase(gone);
     }
 }
@@ -152,9 +143,7 @@ void PositionCache::make_room(std::int64_t bytes) {
 /// Also what takes no room: that nothing fitted the last tray says nothing of the next.
 void PositionCache::forget_all() {
     for (auto& [id, entry] : entries_) {
-        for (PositionState& state : entry.states) {
-            if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
-        }
+        spare_states_of(entry);
     }
     entries_.clear();
     bytes_ = 0;

@@ -57,7 +57,8 @@ class PositionState {
     /// costs nothing, and of most others nothing is written but that they are dead.
     bool is_fresh(int bx, int by, int bz) const { return place_[pair(bx, by, bz)] == kFresh; }
     bool is_dead(int bx, int by, int bz) const { return place_[pair(bx, by, bz)] == kNothing; }
-    /// Of brick bx's pair, which is neither.
+    bool is_open(int bx, int by, int bz) const { return place_[pair(bx, by, bz)] >= 0; }
+    /// Of brick bx's pair, which is open.
     OpenPair& open_pair(int bx, int by, int bz) {
         return open_[place_in(bz) + static_cast<std::size_t>(place_[pair(bx, by, bz)])];
     }
@@ -132,6 +133,7 @@ class PositionCache {
     std::int64_t bytes() const { return bytes_; }
 
   private:
+    void spare_states_of(Entry& entry);
     void make_room(std::int64_t bytes);
     void forget_all();
 

@@ -132,15 +132,10 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
             sums_ = make_sums<std::uint16_t>(n, apart_, workers);
         }
     }
-    const auto update = [&](auto& sums) {
-        // Of each what can be done at once is little.
-        workers.for_each(3, [&](std::int64_t i) {
-            if (i == 0) sums.exact.update(phi_, box, workers);
-            if (i == 1) sums.coarse.update(phi_, box, workers);
-            if (i == 2) minima_.update(phi_, changed, workers);
-        });
-    };
-    std::visit(update, sums_);
+    workers.for_each(2, [&](std::int64_t i) {
+        if (i == 0) std::visit([&](auto& sums) { sums.update(phi_, box, workers); }, sums_);
+        if (i == 1) minima_.update(phi_, changed, workers);
+    });
 }
 
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {

@@ -24,8 +24,9 @@ struct Sums {
     SumTables<T> exact, coarse;
 
     void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
-        exact.update(phi, changed, workers);
-        coarse.update(phi, changed, workers);
+        workers.for_each(2, [&](std::int64_t i) {  // of either little can be done at once
+            i == 0 ? exact.update(phi, changed, workers) : coarse.update(phi, changed, workers);
+        });
     }
     std::int64_t bytes() const { return exact.bytes() + coarse.bytes(); }
     bool operator==(const Sums&) const = default;
