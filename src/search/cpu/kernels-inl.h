@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -189,6 +190,17 @@ HWY_INLINE void SumLanes(const T* low, const T* high, const SumLoad* loads, cons
 
 #else
 
+/// All lanes together.
+template <class D>
+HWY_INLINE std::uint64_t OrOfLanes(D d, hn::Vec<D> v) {
+    if constexpr (hn::MaxLanes(d) == 1) {
+        return hn::GetLane(v);
+    } else {
+        const hn::Half<D> half;
+        return OrOfLanes(half, hn::Or(hn::LowerHalf(half, v), hn::UpperHalf(half, v)));
+    }
+}
+
 template <int kLayers>
 HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next, std::ptrdiff_t up,
                            const LookupPlan& plan, std::size_t begin, std::size_t end,
@@ -213,21 +225,48 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
         for (std::size_t v = 0; v < kVectors; ++v) {
             left[v] = hn::LoadU(d, row(v));
         }
-        for (std::size_t b = begin; b < end; ++b) {
-            V any = left[0];
-            for (std::size_t v = 1; v < kVectors; ++v) {
-                any = hn::Or(any, left[v]);
+        // Clears what a group finds in the words from `at` on alone, whose bits shifted() brings to their places.
+        const auto look_up = [&](const LookupGroup& group, const std::uint64_t* at, const auto& shifted) {
+            V words[kVectors];
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                words[v] = hn::Zero(d);
             }
-            if (hn::AllTrue(d, hn::Eq(any, hn::Zero(d)))) break;
-            for (std::int32_t g = batches[b].begin; g < batches[b].end; ++g) {
-                const LookupGroup& group = groups[g];
-                if (group.shift == 0) {
-                    for (std::int32_t i = group.begin; i < group.end; ++i) {
-                        const std::uint64_t* at = tile + j + offsets[i];
-                        for (std::size_t v = 0; v < kVectors; ++v) {
-                            left[v] = hn::AndNot(hn::LoadU(d, at + word[v]), left[v]);
-                        }
-                    }
+            for (std::int32_t i = group.begin; i < group.end; ++i) {
+                for (std::size_t v = 0; v < kVectors; ++v) {
+                    words[v] = hn::Or(words[v], hn::LoadU(d, at + offsets[i] + word[v]));
+                }
+            }
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                left[v] = hn::AndNot(shifted(words[v]), left[v]);
+            }
+        };
+        for (std::size_t b = begin; b < end; ++b) {
+            V some = left[0];
+            for (std::size_t v = 1; v < kVectors; ++v) {
+                some = hn::Or(some, left[v]);
+            }
+            const std::uint64_t any = OrOfLanes(d, some);
+            if (any == 0) break;
+            const LookupGroup* HWY_RESTRICT group = groups + batches[b].begin;
+            const LookupGroup* const last = groups + batches[b].end;
+            // What is left is mostly a few bits close together, which one word of the two tells of.
+            if (last[-1].shift <= static_cast<std::uint64_t>(std::countl_zero(any))) {
+                for (; group != last; ++group) {
+                    const V down = hn::Set(d, group->shift);
+                    look_up(*group, tile + j, [&](V words) { return hn::Shr(words, down); });
+                }
+                continue;
+            }
+            if (group->shift >= 64 - static_cast<std::uint64_t>(std::countr_zero(any))) {
+                for (; group != last; ++group) {
+                    const V rest = hn::Set(d, 64 - group->shift);
+                    look_up(*group, tile + next + j, [&](V words) { return hn::Shl(words, rest); });
+                }
+                continue;
+            }
+            for (; group != last; ++group) {
+                if (group->shift == 0) {
+                    look_up(*group, tile + j, [](V words) { return words; });
                     continue;
                 }
                 V low[kVectors], high[kVectors];
@@ -235,14 +274,14 @@ HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
                     low[v] = hn::Zero(d);
                     high[v] = hn::Zero(d);
                 }
-                for (std::int32_t i = group.begin; i < group.end; ++i) {
+                for (std::int32_t i = group->begin; i < group->end; ++i) {
                     const std::uint64_t* at = tile + j + offsets[i];
                     for (std::size_t v = 0; v < kVectors; ++v) {
                         low[v] = hn::Or(low[v], hn::LoadU(d, at + word[v]));
                         high[v] = hn::Or(high[v], hn::LoadU(d, at + word[v] + next));
                     }
                 }
-                const V down = hn::Set(d, group.shift);
+                const V down = hn::Set(d, group->shift);
                 const V rest = hn::Sub(hn::Set(d, std::uint64_t{64}), down);
                 for (std::size_t v = 0; v < kVectors; ++v) {
                     left[v] = hn::AndNot(hn::Or(hn::Shr(low[v], down), hn::Shl(high[v], rest)), left[v]);
