@@ -16,6 +16,9 @@
 namespace spectralpack {
 namespace {
 
+/// Of sums with more, quads leave too little out for what they cost: their bounds take more loads than rho itself does to
+/// pass the limit.
+constexpr std::size_t kFewLoads = 128;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
@@ -45,10 +48,14 @@ class CpuSearch final : public PlacementSearch {
         const bool covers = covered(shape);
         tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_, workers_);
-        SearchContext context{tables_, model, tray.reference_layers(), {}};
+        SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray, open, covers, entry.runs);
         std::vector<std::optional<OrientationTask>> searches = plan_searches(shape, open, entry, context);
+        if (tables_.narrow() && have_few_loads(searches)) {
+            tables_.follow_quads(workers_);
+            context.quads = &tables_.quads();
+        }
         if (!search_all(searches, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
@@ -168,12 +175,18 @@ class CpuSearch final : public PlacementSearch {
             OrientationPlan& plan = entry.plans[k];
             if (!as_planned) plan = {};
             if (!open[k]) return;
-            if (plan.exact.loads.empty()) plan = make_plan(entry.runs[k], tables_);
+            if (plan.fine.loads.empty()) plan = make_plan(entry.runs[k], tables_);
             searches[k].emplace(make_task(context, entry.states[k], entry.runs[k], plan, static_cast<int>(i),
                                           shape.orientations[k], entry.hits > 0, shape.admits));
         });
         positions_.count(entry);
         return searches;
+    }
+
+    static bool have_few_loads(const std::vector<std::optional<OrientationTask>>& searches) {
+        return std::ranges::all_of(searches, [](const std::optional<OrientationTask>& search) {
+            return !search || search->plan.fine.loads.size() <= kFewLoads;
+        });
     }
 
     /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.

@@ -154,6 +154,25 @@ void NarrowRow(std::uint8_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT
 }
 
 template <class T>
+HWY_INLINE void RaiseRowOf(T* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::uint16_t floor,
+                           std::uint16_t most, std::size_t count) {
+    const auto room = static_cast<std::uint16_t>(most - floor);
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = static_cast<T>(std::min(from[i], room) + floor);
+    }
+}
+
+void RaiseRow(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+              std::size_t count) {
+    RaiseRowOf(out, from, floor, most, count);
+}
+
+void RaiseRowOfBytes(std::uint8_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+                     std::size_t count) {
+    RaiseRowOf(out, from, floor, most, count);
+}
+
+template <class T>
 HWY_INLINE void DealLeastOf(T* HWY_RESTRICT out, std::size_t stride, const std::uint16_t* HWY_RESTRICT from,
                             std::uint16_t floor, std::uint16_t most, std::size_t count) {
     const hn::CappedTag<std::uint16_t, 8> d;
@@ -273,6 +292,8 @@ HWY_EXPORT(LowerBytes);
 HWY_EXPORT(AddRows);
 HWY_EXPORT(AddByteRows);
 HWY_EXPORT(NarrowRow);
+HWY_EXPORT(RaiseRow);
+HWY_EXPORT(RaiseRowOfBytes);
 HWY_EXPORT(DealLeastOfFourBytes);
 HWY_EXPORT(PrefixSumsOfBytes);
 HWY_EXPORT(PrefixSumsOfBytesDealt);
@@ -306,6 +327,16 @@ void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, s
 
 void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(NarrowRow)(out, from, count);
+}
+
+void raise_row(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+               std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(RaiseRow)(out, from, floor, most, count);
+}
+
+void raise_row(std::uint8_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+               std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(RaiseRowOfBytes)(out, from, floor, most, count);
 }
 
 void deal_least_of_four(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,

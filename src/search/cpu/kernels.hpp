@@ -32,6 +32,12 @@ void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b
 /// out[i] = the least of rows[k][i] - floor, the difference modulo 2^16.
 void min_of_four(std::uint16_t* out, const std::uint16_t* const (&rows)[4], std::uint16_t floor, std::size_t count);
 
+/// out[i] = min(from[i] + floor, most), where that is no overflow.
+void raise_row(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+               std::size_t count);
+void raise_row(std::uint8_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
+               std::size_t count);  ///< modulo 2^8
+
 /// The least of every four neighbours, dealt out to four rows: out[k stride + i] = min(from[4 i + k + {0, 1, 2, 3}]) +
 /// floor, at most `most`, for i in [0, count). Reads up to from[4 count + 3].
 void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,

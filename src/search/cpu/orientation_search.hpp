@@ -18,6 +18,7 @@ struct SearchContext {
     const TrayTables& tables;
     CostModel model;
     int reference_layers = 0;
+    const SumTables<std::uint8_t>* quads = nullptr;  ///< to be asked before single positions; null: none
     Incumbent incumbent;
 };
 

@@ -559,8 +559,9 @@ OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables)
     tables.visit_sums([&]<class T>(const Sums<T>& sums) {
         constexpr int kRange = SumTables<T>::kRange, kMostPooled = SumTables<T>::kMostPooled;
         const int most = tables.phi().most();
-        plan.exact = plan_sum(runs, order, sums.exact, kRange, most);
-        plan.coarse = plan_sum(runs, order, sums.coarse, kRange, tables.apart() ? kMostPooled : most);
+        const int most_pooled = tables.apart() ? kMostPooled : most;
+        plan.fine = plan_sum(runs, order, sums.exact, kRange, std::max(most, most_pooled));
+        plan.coarse = plan_sum(runs, order, sums.coarse, kRange, most_pooled);
     });
     plan.collision = plan_collision(runs, tables, plan.coarse.loads.size());
     return plan;
@@ -581,7 +582,7 @@ std::int64_t bytes_of(const OrientationPlan& plan) {
          {&plan.collision.of_positions, &plan.collision.of_blocks, &plan.collision.of_stacks}) {
         bytes += bytes_of(lookups->offsets) + bytes_of(lookups->groups) + bytes_of(lookups->batches);
     }
-    for (const SumPlan* sums : {&plan.exact, &plan.coarse}) {
+    for (const SumPlan* sums : {&plan.fine, &plan.coarse}) {
         bytes += bytes_of(sums->loads) + bytes_of(sums->batches);
     }
     return bytes;

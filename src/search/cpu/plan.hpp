@@ -126,7 +126,8 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
 /// in of which there were none.
 struct OrientationPlan {
     CollisionPlan collision;
-    SumPlan exact, coarse;
+    SumPlan fine;    ///< of single positions and of quads
+    SumPlan coarse;  ///< of blocks
 };
 OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables);
 

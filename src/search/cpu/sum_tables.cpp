@@ -30,17 +30,24 @@ SumLayout::SumLayout(const Extent& grid, int block)
 }
 
 template <class T>
-SumTables<T>::SumTables(const Extent& grid, int block, bool apart) : SumLayout(grid, block), apart_(apart) {
+SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
+    : SumLayout(grid, window.x), window_(window), apart_(apart) {
+    if (window != kVoxel && window != kQuad && window != kBlock) throw InternalError("no sums are kept for such windows");
     values_.assign(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun), 0);
-    if (block > 1 || sizeof(T) == 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
+    if (window != kVoxel || sizeof(T) == 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
 }
 
 template <class T>
 const T* SumTables<T>::pooled_row(const DistanceGrid& phi, int y, int z) const {
     if constexpr (sizeof(T) > 1) {
-        if (block_ == 1) return phi.row(y, z);
+        if (window_ == kVoxel) return phi.row(y, z);
     }
     return pooled_.data() + row(y, z);
+}
+
+template <class T>
+std::uint16_t SumTables<T>::most() const {
+    return apart_ ? kMostPooled : kNone;
 }
 
 /// Copies what lies in `box`.
@@ -68,15 +75,30 @@ void SumTables<T>::sum_along(T* out, const T* from, int x) const {
                       static_cast<std::size_t>(phase_ - first));
 }
 
+/// Pools what lies in `box`.
+template <class T>
+void SumTables<T>::pool_quads(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
+    const auto width = static_cast<std::size_t>(box.hi.x - box.lo.x);
+    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<std::uint16_t> least(width);
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
+            for (int y = box.lo.y; y < box.hi.y; ++y) {
+                const auto beside = [&](int dy, int dz) {
+                    return phi.row(std::min(y + dy, grid_.y - 1), std::min(z + dz, grid_.z - 1)) + box.lo.x;
+                };
+                min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
+                raise_row(pooled_.data() + row(y, z) + box.lo.x, least.data(), floor(), most(), width);
+            }
+        }
+    });
+}
+
 /// Pools what lies in `box`, whose rows begin and end with a block (which may end beyond the grid).
 template <class T>
-void SumTables<T>::pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
+void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
     const Extent& n = grid_;
     const auto width = static_cast<std::size_t>(std::min(n.x, box.hi.x + block_ - 1) - box.lo.x);
     const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
-    // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
-    const std::uint16_t floor = apart_ ? 1 : 0;
-    const std::uint16_t most = apart_ ? kMostPooled : kNone;
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
         std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
         // Beyond the grid nothing counts.
@@ -85,13 +107,13 @@ void SumTables<T>::pool(const DistanceGrid& phi, const VoxelBox& box, const Work
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = 0; y < rows; ++y) {
                 const auto above = [&](int dz) { return phi.row(box.lo.y + y, std::min(z + dz, n.z - 1)) + box.lo.x; };
-                min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor, width);
+                min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor(), width);
             }
             for (int y = 0; y < box.hi.y - box.lo.y; ++y) {
                 const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
                 min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
                 deal_least_of_four(pooled_.data() + row(box.lo.y + y, z) + box.lo.x / block_,
-                                   static_cast<std::size_t>(phase_), least.data(), floor, most,
+                                   static_cast<std::size_t>(phase_), least.data(), floor(), most(),
                                    static_cast<std::size_t>((box.hi.x - box.lo.x) / block_));
             }
         }
@@ -103,12 +125,14 @@ void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, cons
     VoxelBox box = intersection(changed, whole(grid_));
     if (box.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::max(0, box.lo[axis] - (block_ - 1));
+        box.lo[axis] = std::max(0, box.lo[axis] - (window_[axis] - 1));
     }
     if (block_ > 1) {
         box.lo.x = box.lo.x / block_ * block_;
         box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
-        pool(phi, box, workers);
+        pool_blocks(phi, box, workers);
+    } else if (window_ == kQuad) {
+        pool_quads(phi, box, workers);
     } else {
         narrow(phi, box);
     }

@@ -1,21 +1,20 @@
 #pragma once
-/// Prefix sums of phi, or of phi pooled over blocks, along each axis, so that the sum over a run of
+/// Prefix sums of phi, or of phi pooled over several positions, along each axis, so that the sum over a run of
 /// voxels is the difference of two loads whatever its length.
 ///
 /// Elements are T, 16 bits or, of values that are small, bytes; b is their bits.
-/// With block size P (1 or 4), phi_P(X) = min of phi(X + d) over d in [0, P)^3 with X + d in
-/// the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
+/// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in W
+/// with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
-/// Invariant: table a at X = sum of phi_P(X - i e_a) over 1 <= i <= X_a, modulo 2^b.
+/// Invariant: table a at X = sum of phi_W(X - i e_a) over 1 <= i <= X_a, modulo 2^b.
 /// Differences are exact as long as the true sum is below 2^b; plan.cpp splits what is not.
 ///
-/// phi_P bounds rho from below on a whole block of positions: for every candidate q + d with d in
-/// [0, P)^3,
-///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_P(x + q),
-/// because x + q + d lies in the grid and is one of the voxels phi_P(x + q) is the least of (apart:
+/// phi_W bounds rho from below on a whole window of positions: for every candidate q + d with d in W,
+///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_W(x + q),
+/// because x + q + d lies in the grid and is one of the voxels phi_W(x + q) is the least of (apart:
 /// a free q + d has phi > 0 there, so that voxel is among those that count).
-/// Positions are then only asked for at multiples of P, so that an element X lies at (X % P) *
-/// phase + X / P of its row: consecutive blocks are consecutive in memory.
+/// Blocks are only asked for at multiples of P, so that an element X lies at (X % P) * phase + X / P of its row:
+/// consecutive blocks are consecutive in memory. Quads lie as single voxels do, so that the same loads serve both.
 
 #include <cstdint>
 #include <limits>
@@ -30,7 +29,7 @@ namespace spectralpack {
 class SumLayout {
   public:
     SumLayout() = default;
-    /// `block`: 1 or kPooledBlock. Throws ResourceError when an offset would not fit 31 bits.
+    /// `block`: 1 or kPooledBlock, the window's along x. Throws ResourceError when an offset would not fit 31 bits.
     SumLayout(const Extent& grid, int block);
 
     static constexpr int kPooledBlock = 4;
@@ -70,8 +69,10 @@ template <class T>
 class SumTables : public SumLayout {
   public:
     SumTables() = default;
-    /// Not right before the first update().
-    SumTables(const Extent& grid, int block, bool apart);
+    /// `window`: kVoxel, kQuad or kBlock. Not right before the first update().
+    SumTables(const Extent& grid, const Extent& window, bool apart);
+
+    static constexpr Extent kVoxel{1, 1, 1}, kQuad{1, 2, 2}, kBlock{kPooledBlock, kPooledBlock, kPooledBlock};
 
     /// No pooled value is above it where `apart`. Of bytes: runs of 12 voxels and less are not split.
     static constexpr int kMostPooled = sizeof(T) == 1 ? 21 : 64;
@@ -92,12 +93,18 @@ class SumTables : public SumLayout {
   private:
     const T* pooled_row(const DistanceGrid& phi, int y, int z) const;
     void sum_along(T* out, const T* from, int x) const;
-    void pool(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
+    void pool_quads(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
+    void pool_blocks(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
     void narrow(const DistanceGrid& phi, const VoxelBox& box);
 
+    // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
+    std::uint16_t floor() const { return apart_ ? 1 : 0; }
+    std::uint16_t most() const;
+
+    Extent window_ = kVoxel;
     bool apart_ = false;
     std::vector<T> values_;
-    std::vector<T> pooled_;  // phi_P, laid out as a table; empty where phi is it, in as many bits
+    std::vector<T> pooled_;  // phi_W, laid out as a table; empty where phi is it, in as many bits
 };
 
 }  // namespace spectralpack

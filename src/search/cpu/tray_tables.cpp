@@ -18,8 +18,8 @@ template <class T>
 Sums<T> make_sums(const Extent& grid, bool apart, const Workers& workers) {
     Sums<T> sums;
     workers.for_each(2, [&](std::int64_t i) {  // the system takes its time to find so much memory
-        if (i == 0) sums.exact = {grid, 1, false};
-        if (i == 1) sums.coarse = {grid, TrayTables::kBlock, apart};
+        if (i == 0) sums.exact = {grid, SumTables<T>::kVoxel, false};
+        if (i == 1) sums.coarse = {grid, SumTables<T>::kBlock, apart};
     });
     return sums;
 }
@@ -75,6 +75,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     bits_ = {};
     crowd_ = {};
     sums_ = {};
+    quads_.reset();
     minima_ = {};
     phi_ = {};
     large_ = n.count() >= large_from_;
@@ -126,16 +127,27 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
         const Extent& n = phi_.extent();
         box = whole(n);
         sums_ = {};  // makes room first
+        quads_.reset();
         if (to_be_narrow) {
             sums_ = make_sums<std::uint8_t>(n, apart_, workers);
         } else {
             sums_ = make_sums<std::uint16_t>(n, apart_, workers);
         }
     }
+    quads_behind_ = hull(quads_behind_, box);
     workers.for_each(2, [&](std::int64_t i) {
         if (i == 0) std::visit([&](auto& sums) { sums.update(phi_, box, workers); }, sums_);
         if (i == 1) minima_.update(phi_, changed, workers);
     });
+}
+
+void TrayTables::follow_quads(const Workers& workers) {
+    if (!quads_) {
+        quads_.emplace(phi_.extent(), SumTables<std::uint8_t>::kQuad, apart_);
+        quads_behind_ = whole(phi_.extent());
+    }
+    quads_->update(phi_, quads_behind_, workers);
+    quads_behind_ = {};
 }
 
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
@@ -164,7 +176,7 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 
 std::int64_t TrayTables::bytes() const {
     return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() +
-           std::visit([](const auto& sums) { return sums.bytes(); }, sums_);
+           std::visit([](const auto& sums) { return sums.bytes(); }, sums_) + (quads_ ? quads_->bytes() : 0);
 }
 
 void TrayTables::check(const Tray& tray) const {
@@ -189,6 +201,11 @@ void TrayTables::check(const Tray& tray) const {
         sums.update(phi_, whole(n), one);
         require(sums == kept, "prefix sums");
     });
+    if (quads_ && quads_behind_.empty()) {
+        SumTables<std::uint8_t> quads(n, SumTables<std::uint8_t>::kQuad, apart_);
+        quads.update(phi_, whole(n), one);
+        require(quads == *quads_, "prefix sums over quads");
+    }
     BlockMinima minima(n, kBlock);
     minima.update(phi_, whole(n), one);
     require(minima == minima_, "block minima");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -57,6 +58,10 @@ class TrayTables {
         std::visit(visit, sums_);
     }
     bool narrow() const { return std::holds_alternative<Sums<std::uint8_t>>(sums_); }
+    /// Of phi pooled over quads of positions. Not followed unless asked to: only solids of few runs ask for it.
+    const SumTables<std::uint8_t>& quads() const { return *quads_; }
+    /// Brings quads() to the version of the rest; where narrow() only.
+    void follow_quads(const Workers& workers);
     const BlockMinima& minima() const { return minima_; }
 
     /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
@@ -99,6 +104,8 @@ class TrayTables {
     CrowdTables crowd_;
     DistanceGrid phi_;
     std::variant<Sums<std::uint16_t>, Sums<std::uint8_t>> sums_;
+    std::optional<SumTables<std::uint8_t>> quads_;
+    VoxelBox quads_behind_;  // outside of it they are right
     BlockMinima minima_;
     bool apart_ = true;
     std::vector<bool> class_used_;
