@@ -274,15 +274,15 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
         const WidenedVoxels wide_then = turned(*wide, extent, turn);
         std::optional<Depths> depths;
-        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables, Workers(1), &depths);
-        const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables);
+        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
+        const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables.frame());
         EXPECT_EQ(runs.widened.front().offset, wide_then.offset);
         EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent()), wide_then.voxels);
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
         EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
-        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables, Workers(1));
+        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables.frame(), Workers(1));
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
         EXPECT_EQ(placed_cells(runs.fine_cells), placed_cells(made.fine_cells));
@@ -323,11 +323,12 @@ template <class T>
 void expect_sums_of_every_run() {
     RandomStream random(5);
     for (int round = 0; round < 12; ++round) {
-        const int block = round % 3 == 0 ? 1 : SumLayout::kPooledBlock;
-        const bool apart = round % 3 == 2;
+        const Extent windows[] = {SumTables<T>::kVoxel, SumTables<T>::kQuad, SumTables<T>::kBlock};
+        const Extent& window = windows[round % 3];
+        const bool apart = round % 3 > 0 && round % 2 > 0;
         const Extent n = random_extent(random, {5, 4, 3}, {70, 19, 23});
         DistanceGrid phi(n, Ceiling::closed);
-        SumTables<T> tables(n, block, apart);
+        SumTables<T> tables(n, window, apart);
         tables.update(phi, whole(n), Workers(1));
         for (int step = 0; step < 5; ++step) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
@@ -336,7 +337,7 @@ void expect_sums_of_every_run() {
         }
         const auto pooled = [&](const VoxelIndex& v) {
             int least = apart ? SumTables<T>::kMostPooled : phi.most();
-            for_each_voxel({block, block, block}, [&](int x, int y, int z) {
+            for_each_voxel(window, [&](int x, int y, int z) {
                 const VoxelIndex w = v + VoxelIndex{x, y, z};
                 if (!n.contains(w) || (apart && phi.at(w.x, w.y, w.z) == 0)) return;
                 least = std::min<int>(least, phi.at(w.x, w.y, w.z));
@@ -376,6 +377,7 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     const auto follow = [&](bool narrow) {
         for (TrayTables* each : {&tables, &words}) {
             each->follow(tray, 0, true, Workers(2));
+            if (each->narrow()) each->follow_quads(Workers(2));
             EXPECT_NO_THROW(each->check(tray));
         }
         EXPECT_EQ(tables.narrow(), narrow);
@@ -407,7 +409,7 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     tables.follow(tray, 0, false, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
-    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables, Workers(2));
+    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables.frame(), Workers(2));
     const std::size_t pieces = runs.widened.front().pieces.size(), core = runs.widened.front().core.size();
     ASSERT_GT(core, 0u);
     std::vector<std::int32_t> all;
@@ -454,7 +456,7 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         TrayTables tables;
         tables.follow(tray, 0, false, Workers(1));
         const OrientationRuns runs =
-            make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables, Workers(2));
+            make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables.frame(), Workers(2));
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
@@ -511,7 +513,7 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
     const OrientationRuns runs =
-        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables(), Workers(1));
+        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables().frame(), Workers(1));
     const SumLayout tables({210, 9, 8}, 1);
     for (const int range : {255, 65535}) {
         for (const int most : {1, 21, 150, 5000, 65535}) {

@@ -7,10 +7,12 @@
 
 namespace spectralpack {
 
-BlockMinima::BlockMinima(const Extent& grid, int block)
+BlockLayout::BlockLayout(const Extent& grid, int block)
     : blocks_{(grid.x + block - 1) / block, (grid.y + block - 1) / block, (grid.z + block - 1) / block},
-      block_(block),
-      values_(static_cast<std::size_t>(blocks_.count() + 2 * blocks_.x) + kOverrun, 0) {}
+      block_(block) {}
+
+BlockMinima::BlockMinima(const Extent& grid, int block)
+    : BlockLayout(grid, block), values_(static_cast<std::size_t>(blocks_.count() + 2 * blocks_.x) + kOverrun, 0) {}
 
 void BlockMinima::update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
     const VoxelBox box = intersection(changed, whole(phi.extent()));

@@ -9,10 +9,29 @@
 
 namespace spectralpack {
 
-class BlockMinima {
+/// Where in the minima what lies.
+class BlockLayout {
+  public:
+    BlockLayout() = default;
+    /// Blocks of block^3 voxels from the grid's corner on.
+    BlockLayout(const Extent& grid, int block);
+
+    bool operator==(const BlockLayout&) const = default;
+
+    int block() const { return block_; }
+    std::int64_t offset(const VoxelIndex& block) const {
+        return (static_cast<std::int64_t>(block.z) * blocks_.y + block.y) * blocks_.x + block.x;
+    }
+
+  protected:
+    Extent blocks_;
+    int block_ = 1;
+};
+
+class BlockMinima : public BlockLayout {
   public:
     BlockMinima() = default;
-    /// Blocks of block^3 voxels from the grid's corner on. Not right before the first update().
+    /// Not right before the first update().
     BlockMinima(const Extent& grid, int block);
 
     /// Makes the minima right after phi changed within `changed`.
@@ -20,10 +39,6 @@ class BlockMinima {
 
     bool operator==(const BlockMinima&) const = default;
 
-    int block() const { return block_; }
-    std::int64_t offset(const VoxelIndex& block) const {
-        return (static_cast<std::int64_t>(block.z) * blocks_.y + block.y) * blocks_.x + block.x;
-    }
     /// Of a block in the grid, or of the row behind the last; kOverrun values from there on may be read.
     const std::uint16_t* at(const VoxelIndex& block) const { return values_.data() + offset(block); }
     static constexpr int kOverrun = 64;
@@ -31,8 +46,6 @@ class BlockMinima {
     std::int64_t bytes() const { return static_cast<std::int64_t>(values_.size() * 2); }
 
   private:
-    Extent blocks_;
-    int block_ = 1;
     std::vector<std::uint16_t> values_;
 };
 

@@ -103,12 +103,12 @@ std::vector<Cell> cells_of(const Runs& solid, const Extent& extent, int edge, in
 
 }  // namespace
 
-CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& minima, int most, int edge,
+CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockLayout& blocks, int most, int edge,
                     std::size_t most_cells, const TurnedDepths* depths) {
     CellPlan plan;
     // Sums are kept in 32 bits.
     if (solid.voxels * most > std::numeric_limits<std::int32_t>::max()) return plan;
-    const int block = minima.block();
+    const int block = blocks.block();
     std::vector<Cell> cells = cells_of(solid, extent, edge, block, depths);
     while (cells.size() > most_cells) {
         edge *= 2;
@@ -119,7 +119,7 @@ CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& 
         plan.least += cell.depth;
         const std::int64_t drop = (cell.distance + cell.depth + cell.voxels - 1) / cell.voxels;
         const VoxelIndex at{cell.centre.x / block, cell.centre.y / block, cell.centre.z / block};
-        plan.cells.push_back({at, minima.offset(at), static_cast<std::uint32_t>(cell.voxels),
+        plan.cells.push_back({at, blocks.offset(at), static_cast<std::uint32_t>(cell.voxels),
                               static_cast<std::uint16_t>(std::min<std::int64_t>(drop, 65535))});
     }
     return plan;

@@ -32,7 +32,7 @@ struct CellPlan {
 /// rho(q) >= least + sum of weight * max(0, v - drop), v being the minimum of the block of c + q. `edge` is a power of
 /// two and no less than a block's. `depths`: the solid's, null where they say nothing. `most`: no phi is above it.
 /// O(voxels).
-CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockMinima& minima, int most, int edge,
+CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockLayout& blocks, int most, int edge,
                     std::size_t most_cells, const TurnedDepths* depths);
 
 }  // namespace spectralpack

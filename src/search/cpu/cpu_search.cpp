@@ -16,9 +16,9 @@
 namespace spectralpack {
 namespace {
 
-/// Of sums with more, quads leave too little out for what they cost: their bounds take more loads than rho itself does to
-/// pass the limit.
-constexpr std::size_t kFewLoads = 128;
+/// Quads are asked about solids of that many runs at most. Of others their bounds take more loads than rho itself does to
+/// pass the limit, and steps around sums count for little.
+constexpr std::size_t kFewRuns = 128;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
@@ -45,17 +45,19 @@ class CpuSearch final : public PlacementSearch {
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
         if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
-        const bool covers = covered(shape);
-        tables_.follow(tray, overhang(shape, tray.detail()), covers && tray.detail() == 1, workers_);
+        std::vector<OrientationRuns> runs = follow(tray, shape);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_, workers_);
+        if (!runs.empty()) entry.runs = std::move(runs);
         SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
-        make_runs_of(shape, tray, open, covers, entry.runs);
-        std::vector<std::optional<OrientationTask>> searches = plan_searches(shape, open, entry, context);
-        if (tables_.narrow() && have_few_loads(searches)) {
-            tables_.follow_quads(workers_);
-            context.quads = &tables_.quads();
-        }
+        make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
+        const bool by_quads = tables_.narrow() && have_few(entry.runs);
+        std::vector<std::optional<OrientationTask>> searches;
+        workers_.for_each(2, [&](std::int64_t i) {
+            if (i == 0) searches = plan_searches(shape, open, entry, context);
+            if (i == 1 && by_quads) tables_.follow_quads(workers_);
+        });
+        if (by_quads) context.quads = &tables_.quads();
         if (!search_all(searches, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
@@ -111,6 +113,28 @@ class CpuSearch final : public PlacementSearch {
         return known->second;
     }
 
+    /// Brings the tables to the tray's version, and as that leaves threads idle, makes the runs of a new part meanwhile;
+    /// none where there may be runs of it already, or the tables start afresh.
+    std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
+        const int margin = overhang(shape, tray.detail());
+        const bool apart = covered(shape) && tray.detail() == 1;
+        std::vector<OrientationRuns> runs;
+        if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin, apart)) {
+            tables_.follow(tray, margin, apart, workers_);
+            return runs;
+        }
+        runs.resize(shape.orientations.size());
+        std::vector<bool> open;
+        for (const OrientedShape& oriented : shape.orientations) {
+            open.push_back(!tray.candidates(oriented.reach).empty());
+        }
+        workers_.for_each(2, [&, frame = tables_.frame()](std::int64_t i) {
+            if (i == 0) tables_.follow(tray, margin, apart, workers_);
+            if (i == 1) make_runs_of(shape, tray.detail(), open, frame, runs);
+        });
+        return runs;
+    }
+
     /// Which orientations have candidates left.
     static std::vector<bool> open_orientations(const Shape& shape, const Tray& tray, PositionCache::Entry& entry) {
         std::vector<bool> open(shape.orientations.size());
@@ -123,10 +147,9 @@ class CpuSearch final : public PlacementSearch {
 
     /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
     /// and of the others from it; those that are reversed first, each with what follows by exchanging its axes.
-    void make_runs_of(const Shape& shape, const Tray& tray, const std::vector<bool>& open, bool covers,
-                      std::vector<OrientationRuns>& runs) const {
-        const int detail = tray.detail();
-        const bool deep = detail == 1 ? tables_.apart() : covers;
+    void make_runs_of(const Shape& shape, int detail, const std::vector<bool>& open, const TrayTables::Frame& frame,
+                      std::vector<OrientationRuns>& runs) {
+        const bool deep = detail == 1 ? frame.apart : covered(shape);
         const std::size_t count = shape.orientations.size();
         const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
         const std::vector<OrientedShape>& all = shape.orientations;
@@ -143,14 +166,14 @@ class CpuSearch final : public PlacementSearch {
         for (std::size_t i = 0; i < count; ++i) {
             if (!wanted[i] || all[i].is_exchanged()) continue;
             if (!all[i].is_turned()) {
-                runs[i] = make_runs(all[i], detail, deep, tables_, workers_, &depths[i]);
+                runs[i] = make_runs(all[i], detail, deep, frame, workers_, &depths[i]);
             } else if (!depths[from(i)]) {
                 depths[from(i)] = depths_of(all[from(i)], runs[from(i)].solid, detail, deep);
             }
         }
         const auto turn = [&](std::size_t i) {
             runs[i] =
-                turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], tables_);
+                turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], frame);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);
@@ -183,10 +206,9 @@ class CpuSearch final : public PlacementSearch {
         return searches;
     }
 
-    static bool have_few_loads(const std::vector<std::optional<OrientationTask>>& searches) {
-        return std::ranges::all_of(searches, [](const std::optional<OrientationTask>& search) {
-            return !search || search->plan.fine.loads.size() <= kFewLoads;
-        });
+    static bool have_few(const std::vector<OrientationRuns>& runs) {
+        return std::ranges::all_of(
+            runs, [](const OrientationRuns& of) { return of.solid.runs.size() <= kFewRuns; });
     }
 
     /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.

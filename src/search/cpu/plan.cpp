@@ -332,14 +332,14 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
 void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const std::optional<Depths>& depths,
-               const TrayTables& tables) {
+               const TrayTables::Frame& frame) {
     std::optional<TurnedDepths> here;
     if (depths) here.emplace(*depths, turn, solid);
     const auto cells = [&](int edge, std::size_t most) {
-        return plan_cells(runs.solid, solid, tables.minima(), tables.phi().most(), edge, most, here ? &*here : nullptr);
+        return plan_cells(runs.solid, solid, frame.blocks, frame.most, edge, most, here ? &*here : nullptr);
     };
     runs.cells = cells(2 * TrayTables::kBlock, kMostCells);
-    if (tables.large() && runs.solid.runs.size() >= kRunsWorthCells) {
+    if (frame.large && runs.solid.runs.size() >= kRunsWorthCells) {
         runs.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
     }
 }
@@ -358,7 +358,7 @@ std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, i
     return Depths(core, runs_along(core, solid.axis));
 }
 
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables::Frame& frame,
                           const Workers& workers, std::optional<Depths>* keep) {
     OrientationRuns result;
     std::vector<std::size_t> distinct;  // classes
@@ -378,7 +378,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         } else {
             result.least.assign(result.solid.runs.size(), 0);
         }
-        add_cells(result, {}, shape.solid->extent(), depths, tables);
+        add_cells(result, {}, shape.solid->extent(), depths, frame);
         if (keep) *keep = std::move(depths);
     };
     // What rho asks for takes about as long as one of the covers that a collision does.
@@ -386,7 +386,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         if (i == 0) {
             add_solid();
         } else if (i == 1) {
-            if (tables.walls()) result.walled = ordered_cover(*shape.solid, *shape.solid);
+            if (frame.walls) result.walled = ordered_cover(*shape.solid, *shape.solid);
         } else {
             const auto k = static_cast<std::size_t>(i - 2);
             result.widened[k] = pieces_of(*shape.widened[distinct[k]], detail);
@@ -396,7 +396,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
 }
 
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
-                       const std::optional<Depths>& depths, const TrayTables& tables) {
+                       const std::optional<Depths>& depths, const TrayTables::Frame& frame) {
     OrientationRuns result;
     result.solid.axis = static_cast<int>(std::ranges::find(turn.order, runs.solid.axis) - turn.order.begin());
     result.solid.voxels = runs.solid.voxels;
@@ -417,7 +417,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
     result.walled = turned(runs.walled, turn, solid);
     if (turn.reverses()) {
         const Extent& n = solid;
-        add_cells(result, turn, {n[turn.order[0]], n[turn.order[1]], n[turn.order[2]]}, depths, tables);
+        add_cells(result, turn, {n[turn.order[0]], n[turn.order[1]], n[turn.order[2]]}, depths, frame);
         return result;
     }
     result.cells = runs.cells;
@@ -425,7 +425,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
     for (CellPlan* plan : {&result.cells, &result.fine_cells}) {
         for (SolidCell& cell : plan->cells) {
             cell.block = {cell.block[turn.order[0]], cell.block[turn.order[1]], cell.block[turn.order[2]]};
-            cell.offset = tables.minima().offset(cell.block);
+            cell.offset = frame.blocks.offset(cell.block);
         }
     }
     return result;

@@ -40,15 +40,15 @@ struct OrientationRuns {
 /// `covers`, covers_solid() of the whole shape, is false.
 std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers);
 
-/// For searches in the tray that `tables` follow. `keep`, if given, becomes depths_of() the shape.
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables& tables,
+/// For searches in a tray of that frame. `keep`, if given, becomes depths_of() the shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables::Frame& frame,
                           const Workers& workers, std::optional<Depths>* keep = nullptr);
 
 /// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
 /// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
 /// whose `depths`, if any, are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
-                       const std::optional<Depths>& depths, const TrayTables& tables);
+                       const std::optional<Depths>& depths, const TrayTables::Frame& frame);
 
 /// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with
 /// s = 1 phi >= 1 on every voxel of the solid.

@@ -50,6 +50,13 @@ void refresh_all(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Wo
     refresh_layer(bits, crowd, bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()), workers);
 }
 
+bool any_removed(const Tray& tray, std::uint64_t since) {
+    for (std::uint64_t v = since; v < tray.version(); ++v) {
+        if (!tray.journal()[v].added) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void TrayTables::note_occupied(const Tray& tray) {
@@ -103,11 +110,9 @@ void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
 }
 
 void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
-    for (std::uint64_t v = version_; v < tray.version(); ++v) {
-        if (!tray.journal()[v].added) {
-            rebuild_phi(tray, workers);
-            return;
-        }
+    if (any_removed(tray, version_)) {
+        rebuild_phi(tray, workers);
+        return;
     }
     VoxelBox all;
     for (std::uint64_t v = version_; v < tray.version(); ++v) {
@@ -150,9 +155,17 @@ void TrayTables::follow_quads(const Workers& workers) {
     quads_behind_ = {};
 }
 
+bool TrayTables::starts_afresh(const Tray& tray, int margin, bool apart) const {
+    return tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
+           tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
+}
+
+bool TrayTables::only_adds(const Tray& tray, int margin, bool apart) const {
+    return !starts_afresh(tray, margin, apart) && !any_removed(tray, version_);
+}
+
 void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
-    const bool afresh = tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
-                        tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
+    const bool afresh = starts_afresh(tray, margin, apart);
     if (afresh) {
         const bool same_tray = tray.instance() == instance_;
         rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);

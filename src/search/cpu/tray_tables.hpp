@@ -45,6 +45,8 @@ class TrayTables {
     /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
     /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
+    /// True when that would only add what came in, so that frame() stays right.
+    bool only_adds(const Tray& tray, int margin, bool apart) const;
 
     const BitTables& bits() const { return bits_; }
     /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids.
@@ -63,6 +65,14 @@ class TrayTables {
     /// Brings quads() to the version of the rest; where narrow() only.
     void follow_quads(const Workers& workers);
     const BlockMinima& minima() const { return minima_; }
+
+    /// What runs are made for; right as long as objects only come in.
+    struct Frame {
+        BlockLayout blocks;  ///< of minima()
+        int most = 0;        ///< no phi is above it
+        bool large = false, walls = false, apart = false;
+    };
+    Frame frame() const { return {minima_, phi_.most(), large_, walls_, apart_}; }
 
     /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
     bool apart() const { return apart_; }
@@ -90,6 +100,7 @@ class TrayTables {
     void check(const Tray& tray) const;
 
   private:
+    bool starts_afresh(const Tray& tray, int margin, bool apart) const;
     void rebuild(const Tray& tray, int margin, bool apart, const Workers& workers);
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
