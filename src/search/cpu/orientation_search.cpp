@@ -248,16 +248,21 @@ class Pass {
     void BoundPairs(int bz) {
         const std::uint32_t limit = LaneLimit(most_);
         unknown_.clear();
-        for (SiftedPair& pair : sifted_) {
-            auto& bound = pair.open->bound;
+        // By rows of blocks, since those of one lie in few cache lines.
+        for (auto first = sifted_.begin(); first != sifted_.end();) {
+            const auto last = std::find_if(first, sifted_.end(), [&](const SiftedPair& p) { return p.by != first->by; });
             for (int j = 0; j < kBlocksY; ++j) {
-                const int y = pair.by * kBlocksY + j;
-                pair.near[j] = Close(pair.bx, y, bz, pair.near[j], bound[j]);
-                if (pair.near[j] == 0) continue;
-                for_each_stretch(pair.near[j] & Unknown(bound[j]), [&](int x, std::uint32_t lanes) {
-                    unknown_.push_back({pair.bx * kBlocksX + x, y, lanes, bound[j] + x});
-                });
+                const int y = first->by * kBlocksY + j;
+                for (auto pair = first; pair != last; ++pair) {
+                    std::uint32_t* bound = pair->open->bound[j];
+                    pair->near[j] = Close(pair->bx, y, bz, pair->near[j], bound);
+                    if (pair->near[j] == 0) continue;
+                    for_each_stretch(pair->near[j] & Unknown(bound), [&](int x, std::uint32_t lanes) {
+                        unknown_.push_back({pair->bx * kBlocksX + x, y, lanes, bound + x});
+                    });
+                }
             }
+            first = last;
         }
         context_.tables.visit_sums([&](const auto& tables) {
             SumUp<true>(
