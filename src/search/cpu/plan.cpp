@@ -24,6 +24,7 @@ constexpr std::size_t kOfStacks = 16;      // look-ups
 constexpr int kLeastOfStacks = 4;          // voxels of a piece
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 constexpr std::size_t kMostCells = 1600;   // asked of nearly all blocks
+constexpr int kCrowd = 21;                 // where no phi is above it, little lies in the open
 constexpr std::size_t kMostFineCells = std::size_t{1} << 20;
 constexpr std::size_t kRunsWorthCells = 200;  // with fewer, sums cost little more than fine cells
 
@@ -333,6 +334,7 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
 void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const std::optional<Depths>& depths,
                const TrayTables::Frame& frame) {
+    if (!frame.large && frame.most <= kCrowd) return;
     std::optional<TurnedDepths> here;
     if (depths) here.emplace(*depths, turn, solid);
     const auto cells = [&](int edge, std::size_t most) {
