@@ -30,10 +30,10 @@ std::int64_t memory_of_reference(const EngineNeed&, const Workers&) { return 0; 
 constexpr bool kHasReference = false;
 #endif
 
-/// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel); bits
-/// dilated in all forms for each part of each gap class, each class as a whole and the walls, and twice more for each
-/// part on the way; margins round up; a bit of the crowd tables for 64 of those. For ways out the fine voxels' rows
-/// dilated, of one tray.
+/// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel; less where
+/// they are of bytes, those over quads included); bits dilated in all forms for each part of each gap class, each class
+/// as a whole and the walls, and twice more for each part on the way; margins round up; a bit of the crowd tables for
+/// 64 of those. For ways out the fine voxels' rows dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product(

@@ -274,7 +274,8 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
         const WidenedVoxels wide_then = turned(*wide, extent, turn);
         std::optional<Depths> depths;
-        const OrientationRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
+        const OrientationRuns before =
+            make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
         const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables.frame());
         EXPECT_EQ(runs.widened.front().offset, wide_then.offset);
         EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent()), wide_then.voxels);

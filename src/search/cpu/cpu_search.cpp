@@ -16,8 +16,8 @@
 namespace spectralpack {
 namespace {
 
-/// Quads are asked about solids of that many runs at most. Of others their bounds take more loads than rho itself does to
-/// pass the limit, and steps around sums count for little.
+/// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
+/// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
@@ -113,8 +113,8 @@ class CpuSearch final : public PlacementSearch {
         return known->second;
     }
 
-    /// Brings the tables to the tray's version, and as that leaves threads idle, makes the runs of a new part meanwhile;
-    /// none where there may be runs of it already, or the tables start afresh.
+    /// Brings the tables to the tray's version. As that alone leaves threads idle, the runs of a new part are made
+    /// meanwhile and returned: none where there may be some already, or where the tables start afresh.
     std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
         const int margin = overhang(shape, tray.detail());
         const bool apart = covered(shape) && tray.detail() == 1;
@@ -172,8 +172,7 @@ class CpuSearch final : public PlacementSearch {
             }
         }
         const auto turn = [&](std::size_t i) {
-            runs[i] =
-                turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], frame);
+            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], frame);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);
@@ -206,9 +205,9 @@ class CpuSearch final : public PlacementSearch {
         return searches;
     }
 
+    /// True when quads are worth asking.
     static bool have_few(const std::vector<OrientationRuns>& runs) {
-        return std::ranges::all_of(
-            runs, [](const OrientationRuns& of) { return of.solid.runs.size() <= kFewRuns; });
+        return std::ranges::all_of(runs, [](const OrientationRuns& of) { return of.solid.runs.size() <= kFewRuns; });
     }
 
     /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.

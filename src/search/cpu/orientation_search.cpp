@@ -250,7 +250,8 @@ class Pass {
         unknown_.clear();
         // By rows of blocks, since those of one lie in few cache lines.
         for (auto first = sifted_.begin(); first != sifted_.end();) {
-            const auto last = std::find_if(first, sifted_.end(), [&](const SiftedPair& p) { return p.by != first->by; });
+            const auto last =
+                std::find_if(first, sifted_.end(), [&](const SiftedPair& p) { return p.by != first->by; });
             for (int j = 0; j < kBlocksY; ++j) {
                 const int y = first->by * kBlocksY + j;
                 for (auto pair = first; pair != last; ++pair) {
@@ -386,8 +387,8 @@ class Pass {
         return LaneLimit(t_.for_copy ? least + least / kBeyond : least);
     }
 
-    /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). from(stretch) is the
-    /// element of its table that the plan's offsets count from.
+    /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). from(stretch) is
+    /// the element of its table that the plan's offsets count from.
     template <bool kOfEach, class AnyStretch, class From, class Each>
     static void SumUp(const SumPlan& plan, std::span<const AnyStretch> stretches, const From& from,
                       std::uint32_t stop_above, const Each& each) {
@@ -414,8 +415,11 @@ class Pass {
         alignas(64) Bounds after;
         for (int j = 0; j < kBlocksY; ++j) {
             std::copy_n(open->bound[j] + half * kBlocksX, kBlocksX, before[j]);
-            std::fill_n(after[j], kBlocksX, kDead);
-            if (chosen) std::copy_n(chosen->bound[j], kBlocksX, after[j]);
+            if (chosen) {
+                std::copy_n(chosen->bound[j], kBlocksX, after[j]);
+            } else {
+                std::fill_n(after[j], kBlocksX, kDead);
+            }
         }
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
@@ -424,8 +428,7 @@ class Pass {
             if (chosen) {
                 std::copy_n(chosen->free + kBrickY * i, kBrickY, asked);
             } else {
-                const bool any = Choose(limits_[i], live, before, near, asked, after);
-                if (!any) continue;
+                Choose(limits_[i], live, before, near, asked, after);
             }
             SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live, asked, after);
         }
@@ -435,25 +438,22 @@ class Pass {
         }
     }
 
-    /// `free`: of a tile's `live` positions those of near blocks whose bounds are within the limit; `after` the bounds of
-    /// the others. False for none.
-    bool Choose(std::int64_t limit, const std::uint64_t* live, const Bounds& before, const std::uint16_t* near,
+    /// `free` become those of a tile's `live` positions whose blocks are near and within the limit; `after` is lowered
+    /// to the bounds of the others' blocks.
+    void Choose(std::int64_t limit, const std::uint64_t* live, const Bounds& before, const std::uint16_t* near,
                 std::uint64_t* free, Bounds& after) const {
-        std::uint64_t any = 0;
         for (int j = 0; j < kBlocksY; ++j) {
             const std::uint64_t chosen = limit >= 0 ? widened(AtMost(before[j], LaneLimit(limit)) & near[j]) : 0;
             std::uint64_t left = 0;
             for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
                 free[y] = live[y] & chosen;
-                any |= free[y];
                 left |= live[y] & ~chosen;
             }
             if (state_.keeps()) LowerBounds(any_of_block(left), before[j], after[j]);
         }
-        return any != 0;
     }
 
-    /// Blocks of which a position has its lowest bit set in `blocks`.
+    /// Lowers `after` to `before` for the blocks whose lowest bits are set in `blocks`.
     static void LowerBounds(std::uint64_t blocks, const std::uint32_t* before, std::uint32_t* after) {
         for (; blocks != 0; blocks &= blocks - 1) {
             const int i = std::countr_zero(blocks) / kBlock;
@@ -461,8 +461,9 @@ class Pass {
         }
     }
 
-    /// Chooses what is to be settled of all that is left of brick layer bz: of blocks within the limit the positions
-    /// whose quads are. A quad has a sum for four positions, which rules out nineteen in twenty of those that blocks left.
+    /// Chooses what is to be settled of all survivors of brick layer bz: the positions that are in a block and in a
+    /// quad within the limit. One sum for the four positions of a quad rules out nineteen in twenty of those that
+    /// blocks left.
     void ChooseByQuads(int bz) {
         chosen_.resize(survivors_.size());
         quads_.clear();
@@ -492,6 +493,7 @@ class Pass {
             });
     }
 
+    /// Chooses of one what is in blocks within the limit, and lists its quads.
     void ChooseByBlocks(const Survivor& survivor, int bz, Chosen& chosen) {
         const int half = survivor.bx % kPair;
         const std::uint64_t* live = survivor.open->live[half];
@@ -513,14 +515,14 @@ class Pass {
             for (int y = 0; y < kBrickY; y += kQuad) {
                 std::uint64_t *rows = chosen.free + kBrickY * z + y, *above = rows + kBrickY;
                 for_each_stretch(rows[0] | rows[1] | above[0] | above[1], [&](int x, std::uint32_t lanes) {
-                    quads_.push_back({kBrickX * survivor.bx + x, kBrickY * survivor.by + y, kBrickZ * bz + z, lanes, rows,
-                                      chosen.bound[y / kBlock]});
+                    quads_.push_back({kBrickX * survivor.bx + x, kBrickY * survivor.by + y, kBrickZ * bz + z, lanes,
+                                      rows, chosen.bound[y / kBlock]});
                 });
             }
         }
     }
 
-    /// Settles what is `asked` about of a tile.
+    /// Settles the positions of a tile that are `asked` about.
     void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit, std::uint64_t* live,
                     const std::uint64_t* asked, Bounds& after) {
         if (std::all_of(asked, asked + kBrickY, [](std::uint64_t word) { return word == 0; })) return;

@@ -83,7 +83,7 @@ struct LookupPlan {
     std::vector<std::int32_t> offsets;
     std::vector<LookupGroup> groups;
     struct Batch {
-        std::int32_t begin = 0, end = 0;  ///< groups
+        std::int32_t begin = 0, end = 0;  ///< groups, by shift; there is one
         std::int32_t lookups = 0;
     };
     std::vector<Batch> batches;

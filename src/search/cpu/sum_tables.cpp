@@ -32,7 +32,8 @@ SumLayout::SumLayout(const Extent& grid, int block)
 template <class T>
 SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
     : SumLayout(grid, window.x), window_(window), apart_(apart) {
-    if (window != kVoxel && window != kQuad && window != kBlock) throw InternalError("no sums are kept for such windows");
+    if (window != kVoxel && window != kQuad && window != kBlock)
+        throw InternalError("no sums are kept for such windows");
     values_.assign(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun), 0);
     if (window != kVoxel || sizeof(T) == 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
 }

@@ -3,8 +3,8 @@
 /// voxels is the difference of two loads whatever its length.
 ///
 /// Elements are T, 16 bits or, of values that are small, bytes; b is their bits.
-/// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in W
-/// with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
+/// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in
+/// W with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
 /// Invariant: table a at X = sum of phi_W(X - i e_a) over 1 <= i <= X_a, modulo 2^b.
 /// Differences are exact as long as the true sum is below 2^b; plan.cpp splits what is not.

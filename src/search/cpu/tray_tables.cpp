@@ -156,8 +156,8 @@ void TrayTables::follow_quads(const Workers& workers) {
 }
 
 bool TrayTables::starts_afresh(const Tray& tray, int margin, bool apart) const {
-    return tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) ||
-           tray.version() < version_ || tray.version() - version_ > kRebuildAfter;
+    return tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) || tray.version() < version_ ||
+           tray.version() - version_ > kRebuildAfter;
 }
 
 bool TrayTables::only_adds(const Tray& tray, int margin, bool apart) const {
