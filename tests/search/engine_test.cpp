@@ -91,6 +91,38 @@ TEST_P(EngineTest, AnswersTheDefinitionInLongRows) {
     }
 }
 
+/// In which an engine may look at parts of words only.
+TEST_P(EngineTest, AnswersTheDefinitionInGapsOfLongRows) {
+    VerifyingSearch search = make_verified();
+    int placed = 0;
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        const Extent n{between(random, 70, 150), between(random, 3, 6), between(random, 2, 5)};
+        Tray tray(box_tray(n));
+        const int gap = between(random, 8, 60), from = between(random, 0, n.x - gap);
+        BitGrid rest = random_bits(random, n, 60);
+        for_each_voxel(n, [&](int x, int y, int z) {
+            if (x < from || x >= from + gap) rest.set(x, y, z);
+        });
+        tray.add({std::make_shared<const BitGrid>(std::move(rest)), {}});
+        for (std::uint64_t i = 0; i < 6; ++i) {
+            const Extent e{between(random, gap / 3, gap), between(random, 1, n.y / 2), between(random, 1, n.z)};
+            const auto solid = std::make_shared<const BitGrid>(random_bits(random, e, 3));
+            if (solid->none()) continue;
+            const Shape shape{1 + 10 * seed + i, 0, {plain_shape(solid)}};
+            CostModel model;
+            model.height_penalty = one_in(random, 2) ? 4 : 0;
+            SearchResult result;
+            ASSERT_NO_THROW(result = search.best_placement(tray, shape, model, {}));
+            if (!result.best) continue;
+            tray.add({solid, result.best->position});
+            ++placed;
+        }
+    }
+    EXPECT_GT(placed, 60);
+}
+
 TEST_P(EngineTest, AnswersTheDefinitionWithWideGaps) {
     SceneLimits limits;
     limits.most = {8, 7, 6};
