@@ -91,40 +91,51 @@ void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, st
     }
 }
 
-template <class T>
-HWY_INLINE void AddRowsOf(T* out, const T* a, const T* b, std::size_t rows, std::size_t step, std::size_t b_step,
-                          std::size_t count) {
+template <bool kAdd, class T>
+HWY_INLINE void CombineRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step,
+                            std::ptrdiff_t b_step, std::size_t count) {
     const hn::ScalableTag<T> wide;
     const hn::CappedTag<T, 16 / sizeof(T)> narrow;
-    const auto add = [&](auto d, std::size_t i) {
-        hn::StoreU(hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i)), d, out + i);
+    const auto combine = [&](auto d, std::size_t i) {
+        const auto left = hn::LoadU(d, a + i), right = hn::LoadU(d, b + i);
+        hn::StoreU(kAdd ? hn::Add(left, right) : hn::Sub(left, right), d, out + i);
     };
     for (; rows > 0; --rows, out += step, a += step, b += b_step) {
         std::size_t i = 0;
         for (; i + hn::Lanes(wide) <= count; i += hn::Lanes(wide)) {
-            add(wide, i);
+            combine(wide, i);
         }
         for (; i + hn::Lanes(narrow) <= count; i += hn::Lanes(narrow)) {
-            add(narrow, i);
+            combine(narrow, i);
         }
         if (i < count && count >= hn::Lanes(narrow)) {
-            add(narrow, count - hn::Lanes(narrow));  // some of them once more
+            combine(narrow, count - hn::Lanes(narrow));  // some of them once more
             continue;
         }
         for (; i < count; ++i) {
-            add(hn::CappedTag<T, 1>(), i);
+            combine(hn::CappedTag<T, 1>(), i);
         }
     }
 }
 
-void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-             std::size_t b_step, std::size_t count) {
-    AddRowsOf(out, a, b, rows, step, b_step, count);
+void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::ptrdiff_t step,
+             std::ptrdiff_t b_step, std::size_t count) {
+    CombineRows<true>(out, a, b, rows, step, b_step, count);
 }
 
-void AddByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
-                 std::size_t b_step, std::size_t count) {
-    AddRowsOf(out, a, b, rows, step, b_step, count);
+void AddByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::ptrdiff_t step,
+                 std::ptrdiff_t b_step, std::size_t count) {
+    CombineRows<true>(out, a, b, rows, step, b_step, count);
+}
+
+void SubtractRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows,
+                  std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
+    CombineRows<false>(out, a, b, rows, step, b_step, count);
+}
+
+void SubtractByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
+                      std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
+    CombineRows<false>(out, a, b, rows, step, b_step, count);
 }
 
 /// Lanes of 16 bits from and to elements of 16 bits or of the lower eight of them.
@@ -291,6 +302,8 @@ HWY_EXPORT(LowerRow);
 HWY_EXPORT(LowerBytes);
 HWY_EXPORT(AddRows);
 HWY_EXPORT(AddByteRows);
+HWY_EXPORT(SubtractRows);
+HWY_EXPORT(SubtractByteRows);
 HWY_EXPORT(NarrowRow);
 HWY_EXPORT(RaiseRow);
 HWY_EXPORT(RaiseRowOfBytes);
@@ -315,14 +328,24 @@ void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, s
     HWY_DYNAMIC_DISPATCH(LowerBytes)(row, from, by, count);
 }
 
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-              std::size_t b_step, std::size_t count) {
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::ptrdiff_t step,
+              std::ptrdiff_t b_step, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(AddRows)(out, a, b, rows, step, b_step, count);
 }
 
-void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
-              std::size_t b_step, std::size_t count) {
+void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::ptrdiff_t step,
+              std::ptrdiff_t b_step, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(AddByteRows)(out, a, b, rows, step, b_step, count);
+}
+
+void subtract_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows,
+                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(SubtractRows)(out, a, b, rows, step, b_step, count);
+}
+
+void subtract_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
+                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
+    HWY_DYNAMIC_DISPATCH(SubtractByteRows)(out, a, b, rows, step, b_step, count);
 }
 
 void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count) {

@@ -17,11 +17,18 @@ bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count)
 void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count);
 
 /// out[i] = a[i] + b[i] modulo 2^16, i in [0, count), for `rows` rows one after the other, `step` from one of out and
-/// of a to the next, `b_step` of b: what is written to a row of out may be what the next row reads of a.
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::size_t step,
-              std::size_t b_step, std::size_t count);
-void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::size_t step,
-              std::size_t b_step, std::size_t count);  ///< modulo 2^8
+/// of a to the next, `b_step` of b: what is written to a row of out may be what the next row reads of a. Steps may be
+/// negative.
+void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::ptrdiff_t step,
+              std::ptrdiff_t b_step, std::size_t count);
+void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::ptrdiff_t step,
+              std::ptrdiff_t b_step, std::size_t count);  ///< modulo 2^8
+
+/// Likewise out[i] = a[i] - b[i].
+void subtract_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows,
+                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count);
+void subtract_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
+                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count);
 
 /// out[i] = from[i] modulo 2^8.
 void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count);

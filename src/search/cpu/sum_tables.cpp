@@ -153,33 +153,80 @@ void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, cons
             visit(p * phase_ + first, static_cast<std::size_t>(count));
         }
     };
-    const auto step = static_cast<std::size_t>(stride_);
-    const auto from_step = static_cast<std::size_t>(pooled_.empty() ? phi.stride() : stride_);
+    const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
+    // Only differences along an axis count: what lies on one side of the change may stay as it is, and the other side,
+    // the shorter one, is brought in line with it.
+    const bool behind = grid_.y - box.lo.y <= box.hi.y, above = grid_.z - box.lo.z <= box.hi.z;
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        const auto rows = static_cast<std::size_t>(grid_.y - box.lo.y);
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
                 sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x);
             }
-            T* out = along_y + row(box.lo.y, z);
-            const T* from = pooled_row(phi, box.lo.y, z);
+            const int y = behind ? box.lo.y : box.hi.y - 1;
+            T* out = along_y + row(y, z);
+            const T* from = pooled_row(phi, y, z);
             for_each_stretch([&](int i, std::size_t length) {
-                add_rows(out + stride_ + i, out + i, from + i, rows, step, from_step, length);
+                if (behind) {
+                    add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step, from_step,
+                             length);
+                } else {
+                    subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step, -from_step,
+                                  length);
+                }
             });
         }
     });
     workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t up = row(0, 1);
-        for (int z = box.lo.z; z < grid_.z; ++z) {
-            const int y = box.lo.y + static_cast<int>(begin);
+        const int y = box.lo.y + static_cast<int>(begin);
+        const auto rows = static_cast<std::size_t>(end - begin);
+        const auto for_layer = [&](int z) {
             T* out = along_z + row(y, z);
             const T* from = pooled_row(phi, y, z);
             for_each_stretch([&](int i, std::size_t length) {
-                add_rows(out + up + i, out + i, from + i, static_cast<std::size_t>(end - begin), step, from_step,
-                         length);
+                if (above) {
+                    add_rows(out + up + i, out + i, from + i, rows, step, from_step, length);
+                } else {
+                    subtract_rows(out + i, out + up + i, from + i, rows, step, from_step, length);
+                }
             });
+        };
+        if (above) {
+            for (int z = box.lo.z; z < grid_.z; ++z) {
+                for_layer(z);
+            }
+        } else {
+            for (int z = box.hi.z - 1; z >= 0; --z) {
+                for_layer(z);
+            }
         }
     });
+}
+
+template <class T>
+bool SumTables<T>::same_sums(const SumTables& other) const {
+    if (!SumLayout::operator==(other) || window_ != other.window_ || apart_ != other.apart_ ||
+        pooled_ != other.pooled_) {
+        return false;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        VoxelIndex v;
+        for (v.z = 0; v.z < grid_.z + (axis == 2); ++v.z) {
+            for (v.y = 0; v.y < grid_.y + (axis == 1); ++v.y) {
+                for (v.x = 0; v.x < grid_.x + (axis == 0); ++v.x) {
+                    VoxelIndex first = v;
+                    first[axis] = 0;
+                    const auto here = static_cast<std::size_t>(offset(axis, v));
+                    const auto there = static_cast<std::size_t>(offset(axis, first));
+                    if (static_cast<T>(values_[here] - values_[there]) !=
+                        static_cast<T>(other.values_[here] - other.values_[there])) {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+    return true;
 }
 
 template class SumTables<std::uint16_t>;

@@ -6,8 +6,8 @@
 /// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in
 /// W with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
-/// Invariant: table a at X = sum of phi_W(X - i e_a) over 1 <= i <= X_a, modulo 2^b.
-/// Differences are exact as long as the true sum is below 2^b; plan.cpp splits what is not.
+/// Invariant: table a at X less table a at Y = sum of phi_W(X - i e_a) over 1 <= i <= X_a - Y_a, modulo 2^b, for any X
+/// and Y < X on a line along axis a. Exact as long as the true sum is below 2^b; plan.cpp splits what is not.
 ///
 /// phi_W bounds rho from below on a whole window of positions: for every candidate q + d with d in W,
 ///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_W(x + q),
@@ -82,7 +82,8 @@ class SumTables : public SumLayout {
     /// Makes the tables right after phi changed within `changed`.
     void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers);
 
-    bool operator==(const SumTables&) const = default;
+    /// True when every run's sum is the same. O(voxels).
+    bool same_sums(const SumTables& other) const;
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + pooled_.size()) * sizeof(T)); }
 
