@@ -321,8 +321,28 @@ class Pass {
             if (!left[i]) std::fill_n(live[i], kBrickY * kBrickZ, std::uint64_t{0});
         }
         OpenPair& open = state_.keeps() ? state_.open(bx, by, bz) : for_now_[sifted_.size()];
-        open.set(live);
+        SetLive(live, open);
         return &open;
+    }
+
+    /// `words` are live, and the bounds of their blocks are 0.
+    static void SetLive(const BrickWords (&words)[kPair], OpenPair& open) {
+        for (int i = 0; i < kPair; ++i) {
+            std::copy_n(words[i], kBrickY * kBrickZ, open.live[i]);
+            for (int j = 0; j < kBlocksY; ++j) {
+                std::uint64_t bits = 0;
+                for (int z = 0; z < kBrickZ; ++z) {
+                    for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
+                        bits |= words[i][kBrickY * z + y];
+                    }
+                }
+                const std::uint32_t left = every_fourth(any_of_block(bits));
+                std::uint32_t* bound = open.bound[j] + i * kBlocksX;
+                for (std::uint32_t k = 0; k < kBlocksX; ++k) {
+                    bound[k] = left >> k & 1 ? 0 : kDead;
+                }
+            }
+        }
     }
 
     /// The candidates of a brick in its `alive` blocks, but for stacks that are found to collide as one. False where
@@ -354,30 +374,39 @@ class Pass {
     std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        if (plan.batches.empty()) return 0;
+        const std::size_t all = std::min(t_.plan.collision.sift, plan.batches.size());
+        const std::size_t first = std::min(CollisionPlan::kForAllLayers, all);
+        const std::size_t some = std::min(CollisionPlan::kLeastSift, all);
         std::uint64_t before[kBrickY];  // of any layer that has candidates
         std::copy_n(live, kBrickY, before);
-        BlockTiles<kBrickZ>(bits.tile(bx, kBrickY * by, kBrickZ * bz), bits.next(), bits.up(), plan, 0,
-                            std::min(CollisionPlan::kForAllLayers, plan.batches.size()), live);
-        std::size_t least = t_.plan.collision.sift;
+        const std::uint64_t* lowest = bits.tile(bx, kBrickY * by, kBrickZ * bz);
+        BlockTiles<kBrickZ>(lowest, bits.next(), bits.up(), plan, 0, first, live);
+        std::size_t least = all;
         for (int i = 0; i < kBrickZ; ++i) {
             std::uint64_t* tile = live + kBrickY * i;
-            Block(CollisionPlan::kForAllLayers, CollisionPlan::kLeastSift, bx, by, kBrickZ * bz + i, tile);
+            const std::uint64_t* at = lowest + i * bits.up();
+            BlockTile(at, bits.next(), plan, first, some, tile);
+            if (some == all) continue;
             if (std::equal(tile, tile + kBrickY, before)) {
-                least = CollisionPlan::kLeastSift;  // in the open, where most of it would be in vain
+                least = some;  // in the open, where most of it would be in vain
             } else {
-                Block(CollisionPlan::kLeastSift, t_.plan.collision.sift, bx, by, kBrickZ * bz + i, tile);
+                BlockTile(at, bits.next(), plan, some, all, tile);
             }
         }
-        return std::min(least, plan.batches.size());
+        return least;
+    }
+
+    /// BlockTiles() of one tile, for many callers.
+    static HWY_NOINLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t next, const LookupPlan& plan,
+                                       std::size_t begin, std::size_t end, std::uint64_t* words) {
+        BlockTiles<1>(tile, next, 0, plan, begin, end, words);
     }
 
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
-        BlockTiles<1>(bits.tile(bx, kBrickY * by, z), bits.next(), bits.up(), plan, begin,
-                      std::min(end, plan.batches.size()), words);
+        BlockTile(bits.tile(bx, kBrickY * by, z), bits.next(), plan, begin, std::min(end, plan.batches.size()), words);
     }
 
     /// What sums have to be above to be given up. Copies are likely to be followed by copies, for which the limit is a
@@ -411,6 +440,9 @@ class Pass {
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
         const int half = bx % kPair;
+        if (chosen && !state_.keeps() && std::ranges::all_of(chosen->free, [](std::uint64_t word) { return word == 0; })) {
+            return;
+        }
         alignas(64) Bounds before;
         alignas(64) Bounds after;
         for (int j = 0; j < kBlocksY; ++j) {

@@ -49,25 +49,6 @@ OpenPair& PositionState::open(int bx, int by, int bz) {
     return open_pair(bx, by, bz);
 }
 
-void OpenPair::set(const BrickWords (&words)[kPair]) {
-    constexpr int kBlock = TrayTables::kBlock;
-    for (int i = 0; i < kPair; ++i) {
-        std::copy_n(words[i], kBrickY * kBrickZ, live[i]);
-        for (int j = 0; j < kBlocksY; ++j) {
-            std::uint64_t bits = 0;
-            for (int z = 0; z < kBrickZ; ++z) {
-                for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
-                    bits |= words[i][kBrickY * z + y];
-                }
-            }
-            const std::uint32_t left = every_fourth(any_of_block(bits));
-            for (int k = 0; k < kBlocksX; ++k) {
-                bound[j][i * kBlocksX + k] = left >> k & 1 ? 0 : kDead;
-            }
-        }
-    }
-}
-
 void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
     std::vector<bool> left(place_.size(), false);
     for (const VoxelBox& box : positions) {

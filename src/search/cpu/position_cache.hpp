@@ -35,9 +35,6 @@ using BrickWords = std::uint64_t[kBrickY * kBrickZ];
 struct alignas(64) OpenPair {
     BrickWords live[kPair];
     std::uint32_t bound[kBlocksY][kPair * kBlocksX];
-
-    /// `words` are live, and the bounds of their blocks are 0.
-    void set(const BrickWords (&words)[kPair]);
 };
 
 class PositionState {
