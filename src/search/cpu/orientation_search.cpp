@@ -440,7 +440,8 @@ class Pass {
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
         const int half = bx % kPair;
-        if (chosen && !state_.keeps() && std::ranges::all_of(chosen->free, [](std::uint64_t word) { return word == 0; })) {
+        if (chosen && !state_.keeps() &&
+            std::ranges::all_of(chosen->free, [](std::uint64_t word) { return word == 0; })) {
             return;
         }
         alignas(64) Bounds before;
