@@ -77,10 +77,9 @@ void phi_and_sums(benchmark::State& state) {
     const Extent& n = scene.tray.extent();
     DistanceGrid before(n, Ceiling::closed);
     before.add(scene.tray.omega_place(), {}, one);
-    using Sums = SumTables<std::uint16_t>;
-    const Extent windows[] = {Sums::kVoxel, Sums::kVoxel, Sums::kQuad, Sums::kBlock};
+    const Extent windows[] = {SumLayout::kVoxel, SumLayout::kVoxel, SumLayout::kQuad, SumLayout::kBlock};
     const auto which = static_cast<std::size_t>(state.range(0));  // 0: phi alone
-    Sums sums(n, windows[which], which > 1);
+    SumTables<std::uint16_t> sums(n, windows[which], which > 1);
     for (auto _ : state) {
         state.PauseTiming();
         DistanceGrid phi = before;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "random_scene.hpp"
 #include "search/cpu/kernels.hpp"

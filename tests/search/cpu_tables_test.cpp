@@ -324,7 +324,7 @@ template <class T>
 void expect_sums_of_every_run() {
     RandomStream random(5);
     for (int round = 0; round < 24; ++round) {
-        const Extent windows[] = {SumTables<T>::kVoxel, SumTables<T>::kQuad, SumTables<T>::kBlock};
+        const Extent windows[] = {SumLayout::kVoxel, SumLayout::kQuad, SumLayout::kBlock};
         const Extent& window = windows[round % 3];
         const bool apart = round % 3 > 0 && round % 2 > 0;
         const Extent n = random_extent(random, {5, 4, 3}, {70, 19, 23});

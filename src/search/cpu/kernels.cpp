@@ -158,12 +158,6 @@ HWY_INLINE void StoreLanes(D d, hn::Vec<D> v, std::uint8_t* to) {
     hn::StoreU(hn::DemoteTo(bytes, hn::BitCast(as_signed, hn::And(v, hn::Set(d, std::uint16_t{255})))), bytes, to);
 }
 
-void NarrowRow(std::uint8_t* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        out[i] = static_cast<std::uint8_t>(from[i]);
-    }
-}
-
 template <class T>
 HWY_INLINE void RaiseRowOf(T* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::uint16_t floor,
                            std::uint16_t most, std::size_t count) {
@@ -304,7 +298,6 @@ HWY_EXPORT(AddRows);
 HWY_EXPORT(AddByteRows);
 HWY_EXPORT(SubtractRows);
 HWY_EXPORT(SubtractByteRows);
-HWY_EXPORT(NarrowRow);
 HWY_EXPORT(RaiseRow);
 HWY_EXPORT(RaiseRowOfBytes);
 HWY_EXPORT(DealLeastOfFourBytes);
@@ -346,10 +339,6 @@ void subtract_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16
 void subtract_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
                    std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
     HWY_DYNAMIC_DISPATCH(SubtractByteRows)(out, a, b, rows, step, b_step, count);
-}
-
-void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(NarrowRow)(out, from, count);
 }
 
 void raise_row(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,

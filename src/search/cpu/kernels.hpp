@@ -30,9 +30,6 @@ void subtract_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16
 void subtract_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
                    std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count);
 
-/// out[i] = from[i] modulo 2^8.
-void narrow_row(std::uint8_t* out, const std::uint16_t* from, std::size_t count);
-
 /// out[i] = min(a[i], b[i]); out may be a.
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
 

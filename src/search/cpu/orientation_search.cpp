@@ -20,7 +20,8 @@ namespace spectralpack {
 namespace HWY_NAMESPACE {
 
 constexpr int kBlock = TrayTables::kBlock;
-constexpr int kQuad = 2;  // positions of a quad along y and z
+constexpr int kQuad = SumLayout::kQuad.y;  // positions of a quad along y and along z
+static_assert(SumLayout::kQuad == Extent{1, kQuad, kQuad} && kQuad == 2);
 // Bricks are looked at in pairs, whose blocks are what cells are asked for at once; a brick's are a stretch.
 static_assert(kPair * kBlocksX == kLanes && kBlocksX == kStretch);
 static_assert(kBrickZ <= BitTables::kTileLayers);
@@ -63,9 +64,10 @@ class Pass {
                 std::sort(survivors_.begin(), survivors_.end(),
                           [](const Survivor& a, const Survivor& b) { return a.bound < b.bound; });
             }
+            chosen_.resize(survivors_.size());
             if (context_.quads != nullptr) ChooseByQuads(bz);
             for (std::size_t i = 0; i < survivors_.size(); ++i) {
-                Settle(survivors_[i], bz, context_.quads != nullptr ? &chosen_[i] : nullptr);
+                Settle(survivors_[i], bz, chosen_[i]);
             }
         }
     }
@@ -433,56 +435,43 @@ class Pass {
         }
     }
 
-    /// Decides every position of the brick that could be the answer, of what is `chosen` already where that is given.
-    /// What was learnt of the others is for further copies only.
-    void Settle(const Survivor& survivor, int bz, const Chosen* chosen) {
+    /// Decides every position of the brick that could be the answer, of those that quads have `chosen` where they are
+    /// asked. What was learnt of the others is for further copies only.
+    void Settle(const Survivor& survivor, int bz, Chosen& chosen) {
         const auto& [bound_then, bx, by, open, sifted, near] = survivor;
         LookAtLimits(bz);
         if (most_ < 0 || bound_then > LaneLimit(most_)) return;
+        if (context_.quads == nullptr) ChooseByBlocks(survivor, chosen);
         const int half = bx % kPair;
-        if (chosen && !state_.keeps() &&
-            std::ranges::all_of(chosen->free, [](std::uint64_t word) { return word == 0; })) {
-            return;
-        }
-        alignas(64) Bounds before;
-        alignas(64) Bounds after;
-        for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(open->bound[j] + half * kBlocksX, kBlocksX, before[j]);
-            if (chosen) {
-                std::copy_n(chosen->bound[j], kBlocksX, after[j]);
-            } else {
-                std::fill_n(after[j], kBlocksX, kDead);
-            }
-        }
         for (int i = 0; i < kBrickZ; ++i) {
             LookAtLimits(bz);
-            std::uint64_t* live = open->live[half] + kBrickY * i;
-            alignas(64) std::uint64_t asked[kBrickY];
-            if (chosen) {
-                std::copy_n(chosen->free + kBrickY * i, kBrickY, asked);
-            } else {
-                Choose(limits_[i], live, before, near, asked, after);
-            }
-            SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], live, asked, after);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_[i], open->live[half] + kBrickY * i,
+                       chosen.free + kBrickY * i, chosen.bound);
         }
         if (!state_.keeps()) return;
         for (int j = 0; j < kBlocksY; ++j) {
-            std::copy_n(after[j], kBlocksX, open->bound[j] + half * kBlocksX);
+            std::copy_n(chosen.bound[j], kBlocksX, open->bound[j] + half * kBlocksX);
         }
     }
 
-    /// `free` become those of a tile's `live` positions whose blocks are near and within the limit; `after` is lowered
-    /// to the bounds of the others' blocks.
-    void Choose(std::int64_t limit, const std::uint64_t* live, const Bounds& before, const std::uint16_t* near,
-                std::uint64_t* free, Bounds& after) const {
+    /// Chooses of a brick the positions whose blocks are near and within their layer's limit.
+    void ChooseByBlocks(const Survivor& survivor, Chosen& chosen) const {
+        const int half = survivor.bx % kPair;
         for (int j = 0; j < kBlocksY; ++j) {
-            const std::uint64_t chosen = limit >= 0 ? widened(AtMost(before[j], LaneLimit(limit)) & near[j]) : 0;
+            const std::uint32_t* before = survivor.open->bound[j] + half * kBlocksX;
             std::uint64_t left = 0;
-            for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
-                free[y] = live[y] & chosen;
-                left |= live[y] & ~chosen;
+            for (int z = 0; z < kBrickZ; ++z) {
+                const std::int64_t limit = limits_[z];
+                const std::uint64_t within =
+                    limit >= 0 ? widened(AtMost(before, LaneLimit(limit)) & survivor.near[j]) : 0;
+                const std::uint64_t* live = survivor.open->live[half] + kBrickY * z;
+                for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
+                    chosen.free[kBrickY * z + y] = live[y] & within;
+                    left |= live[y] & ~within;
+                }
             }
-            if (state_.keeps()) LowerBounds(any_of_block(left), before[j], after[j]);
+            std::fill_n(chosen.bound[j], kBlocksX, kDead);
+            if (state_.keeps()) LowerBounds(any_of_block(left), before, chosen.bound[j]);
         }
     }
 
@@ -498,10 +487,10 @@ class Pass {
     /// quad within the limit. One sum for the four positions of a quad rules out nineteen in twenty of those that
     /// blocks left.
     void ChooseByQuads(int bz) {
-        chosen_.resize(survivors_.size());
         quads_.clear();
         for (std::size_t i = 0; i < survivors_.size(); ++i) {
-            ChooseByBlocks(survivors_[i], bz, chosen_[i]);
+            ChooseByBlocks(survivors_[i], chosen_[i]);
+            ListQuads(survivors_[i], bz, chosen_[i]);
         }
         SumUp<true>(
             t_.plan.fine, std::span<const StretchOfQuads>(quads_),
@@ -526,24 +515,7 @@ class Pass {
             });
     }
 
-    /// Chooses of one what is in blocks within the limit, and lists its quads.
-    void ChooseByBlocks(const Survivor& survivor, int bz, Chosen& chosen) {
-        const int half = survivor.bx % kPair;
-        const std::uint64_t* live = survivor.open->live[half];
-        for (int j = 0; j < kBlocksY; ++j) {
-            const std::uint32_t* before = survivor.open->bound[j] + half * kBlocksX;
-            const std::uint64_t within = widened(AtMost(before, LaneLimit(most_)) & survivor.near[j]);
-            std::uint64_t left = 0;
-            for (int z = 0; z < kBrickZ; ++z) {
-                const std::uint64_t wanted = limits_[z] >= 0 ? within : 0;
-                for (int y = kBrickY * z + kBlock * j; y < kBrickY * z + kBlock * (j + 1); ++y) {
-                    chosen.free[y] = live[y] & wanted;
-                    left |= live[y] & ~wanted;
-                }
-            }
-            std::fill_n(chosen.bound[j], kBlocksX, kDead);
-            if (state_.keeps()) LowerBounds(any_of_block(left), before, chosen.bound[j]);
-        }
+    void ListQuads(const Survivor& survivor, int bz, Chosen& chosen) {
         for (int z = 0; z < kBrickZ; z += kQuad) {
             for (int y = 0; y < kBrickY; y += kQuad) {
                 std::uint64_t *rows = chosen.free + kBrickY * z + y, *above = rows + kBrickY;
@@ -675,7 +647,7 @@ class Pass {
     std::unique_ptr<OpenPair[]> for_now_;  // those of sifted_, where the state does not keep them
     std::vector<UnknownBlocks> unknown_;
     std::vector<Survivor> survivors_;
-    std::vector<Chosen> chosen_;  // of each of them, where quads are asked
+    std::vector<Chosen> chosen_;  // of each of them
     std::vector<StretchOfQuads> quads_;
     std::vector<Found> found_;
     std::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row

@@ -57,8 +57,8 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     if constexpr (sizeof(T) == 1) {
         for (int z = box.lo.z; z < box.hi.z; ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
-                narrow_row(pooled_.data() + row(y, z) + box.lo.x, phi.row(y, z) + box.lo.x,
-                           static_cast<std::size_t>(box.hi.x - box.lo.x));
+                raise_row(pooled_.data() + row(y, z) + box.lo.x, phi.row(y, z) + box.lo.x, 0, kNone,
+                          static_cast<std::size_t>(box.hi.x - box.lo.x));
             }
         }
     }

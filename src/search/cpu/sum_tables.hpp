@@ -33,6 +33,8 @@ class SumLayout {
     SumLayout(const Extent& grid, int block);
 
     static constexpr int kPooledBlock = 4;
+    /// Windows.
+    static constexpr Extent kVoxel{1, 1, 1}, kQuad{1, 2, 2}, kBlock{kPooledBlock, kPooledBlock, kPooledBlock};
 
     bool operator==(const SumLayout&) const = default;
 
@@ -71,8 +73,6 @@ class SumTables : public SumLayout {
     SumTables() = default;
     /// `window`: kVoxel, kQuad or kBlock. Not right before the first update().
     SumTables(const Extent& grid, const Extent& window, bool apart);
-
-    static constexpr Extent kVoxel{1, 1, 1}, kQuad{1, 2, 2}, kBlock{kPooledBlock, kPooledBlock, kPooledBlock};
 
     /// No pooled value is above it where `apart`. Of bytes: runs of 12 voxels and less are not split.
     static constexpr int kMostPooled = sizeof(T) == 1 ? 21 : 64;

@@ -18,8 +18,8 @@ template <class T>
 Sums<T> make_sums(const Extent& grid, bool apart, const Workers& workers) {
     Sums<T> sums;
     workers.for_each(2, [&](std::int64_t i) {  // the system takes its time to find so much memory
-        if (i == 0) sums.exact = {grid, SumTables<T>::kVoxel, false};
-        if (i == 1) sums.coarse = {grid, SumTables<T>::kBlock, apart};
+        if (i == 0) sums.exact = {grid, SumLayout::kVoxel, false};
+        if (i == 1) sums.coarse = {grid, SumLayout::kBlock, apart};
     });
     return sums;
 }
@@ -148,7 +148,7 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
 
 void TrayTables::follow_quads(const Workers& workers) {
     if (!quads_) {
-        quads_.emplace(phi_.extent(), SumTables<std::uint8_t>::kQuad, apart_);
+        quads_.emplace(phi_.extent(), SumLayout::kQuad, apart_);
         quads_behind_ = whole(phi_.extent());
     }
     quads_->update(phi_, quads_behind_, workers);
@@ -215,7 +215,7 @@ void TrayTables::check(const Tray& tray) const {
         require(sums.same_sums(kept), "prefix sums");
     });
     if (quads_ && quads_behind_.empty()) {
-        SumTables<std::uint8_t> quads(n, SumTables<std::uint8_t>::kQuad, apart_);
+        SumTables<std::uint8_t> quads(n, SumLayout::kQuad, apart_);
         quads.update(phi_, whole(n), one);
         require(quads.same_sums(*quads_), "prefix sums over quads");
     }
