@@ -17,8 +17,9 @@
 #include <cstdint>
 
 #include "search/cpu/cells.hpp"
-#include "search/cpu/plan.hpp"
+#include "search/cpu/lookup_plan.hpp"
 #include "search/cpu/stretches.hpp"
+#include "search/cpu/sum_plan.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace spectralpack {

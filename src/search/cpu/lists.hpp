@@ -1,0 +1,105 @@
+#pragma once
+/// Lists that plans are made of: the orders in which they are walked, and what they take.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace spectralpack {
+
+/// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
+/// from another start, so that each stretch of about `stretch` is spread over all and yet walks
+/// memory in one direction.
+template <class Visit>
+void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit) {
+    const std::size_t strides = (count + stretch - 1) / stretch;
+    std::size_t size = 1;
+    while (size < strides)
+        size *= 2;
+    for (std::size_t i = 0; i < size; ++i) {
+        std::size_t start = 0;  // i with its bits reversed: consecutive starts lie far apart
+        for (std::size_t bit = 1; bit < size; bit *= 2) {
+            if (i & bit) start += size / 2 / bit;
+        }
+        if (start >= strides) continue;
+        for (std::size_t k = start; k < count; k += strides) {
+            visit(k);
+        }
+    }
+}
+
+/// The items that `order` names, in its order.
+template <class T>
+std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
+    std::vector<T> result;
+    result.reserve(order.size());
+    for (const std::uint32_t i : order) {
+        result.push_back(items[i]);
+    }
+    return result;
+}
+
+/// Indices of `items`: what `level` rates highest comes first (levels 0 .. levels - 1); among equals, bunches of
+/// `bunch` neighbours, as for_each_spread() spreads them.
+template <class T, class Level>
+std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t levels, std::size_t stretch,
+                                    std::size_t bunch, const Level& level) {
+    const auto shelf_of = [&](const T& item) { return levels - 1 - static_cast<std::size_t>(level(item)); };
+    std::vector<std::size_t> end(levels + 1, 0);
+    for (const T& item : items) {
+        ++end[shelf_of(item) + 1];
+    }
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<std::uint32_t> shelved(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        shelved[end[shelf_of(items[i])]++] = static_cast<std::uint32_t>(i);
+    }
+    std::vector<std::uint32_t> result;
+    result.reserve(items.size());
+    for (std::size_t shelf = 0, begin = 0; shelf < levels; begin = end[shelf++]) {
+        const auto from = shelved.begin() + static_cast<std::ptrdiff_t>(begin);
+        const std::size_t count = end[shelf] - begin;
+        for_each_spread((count + bunch - 1) / bunch, stretch, [&](std::size_t i) {
+            result.insert(result.end(), from + static_cast<std::ptrdiff_t>(i * bunch),
+                          from + static_cast<std::ptrdiff_t>(std::min(count, (i + 1) * bunch)));
+        });
+    }
+    return result;
+}
+
+/// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
+/// direction. Of those that have the axes from `first` on in common the order is right already. By counting, an axis at
+/// a time: O(items + extents).
+template <class T, class Voxel>
+std::vector<std::uint32_t> by_place(const std::vector<T>& items, int first, const Voxel& voxel) {
+    std::vector<std::uint32_t> order(items.size()), before(items.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<std::uint32_t> begin;
+    for (int axis = first; axis < 3; ++axis) {
+        const auto place = [&](const T& item) { return static_cast<std::size_t>(voxel(item)[axis]); };
+        std::size_t last = 0;
+        for (const T& item : items) {
+            last = std::max(last, place(item));
+        }
+        begin.assign(last + 2, 0);
+        for (const T& item : items) {
+            ++begin[place(item) + 1];
+        }
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        before.swap(order);
+        for (const std::uint32_t i : before) {
+            order[begin[place(items[i])]++] = i;
+        }
+    }
+    return order;
+}
+
+/// What a list holds, in bytes.
+template <class T>
+std::int64_t bytes_of(const std::vector<T>& list) {
+    return static_cast<std::int64_t>(list.capacity() * sizeof(T));
+}
+
+}  // namespace spectralpack

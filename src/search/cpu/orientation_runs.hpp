@@ -1,0 +1,62 @@
+#pragma once
+/// A shape's orientation as the engine asks about it, whatever the tray holds: runs and depths for rho, pieces for
+/// collisions, cells. Made from voxels once for a part; its turned orientations follow.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "search/cpu/cells.hpp"
+#include "search/cpu/cover.hpp"
+#include "search/cpu/depths.hpp"
+#include "search/cpu/runs.hpp"
+#include "search/cpu/tray_tables.hpp"
+#include "search/shape.hpp"
+
+namespace spectralpack {
+
+/// An orientation's voxels as runs.
+struct OrientationRuns {
+    Runs solid;
+    /// For each of them, what phi sums up to at least where the solid is free; all 0 where that says nothing.
+    std::vector<std::uint32_t> least;
+    /// A+g in pieces. With s > 1 its voxels of dx / s are not all covered: what lies in voxels of dx that are filled
+    /// altogether, the core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
+    struct Widened {
+        std::vector<Piece> pieces;
+        VoxelIndex offset;
+        std::vector<Piece> core;
+        VoxelIndex core_offset;
+    };
+    std::vector<Widened> widened;  ///< the distinct ones
+    std::vector<int> of_class;     ///< into `widened`, for each gap class
+    std::vector<Piece> walled;     ///< A in pieces; none where the tray has no walls of its own
+    CellPlan cells;                ///< for the tables of one tray
+    CellPlan fine_cells;           ///< none where sums cost little more
+};
+
+/// Depths in the solid, `solid` being its runs, of the voxels that the tray's other objects keep off; none where
+/// `covers`, covers_solid() of the whole shape, is false.
+std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers);
+
+/// For searches in a tray of that frame. `keep`, if given, becomes depths_of() the shape.
+OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables::Frame& frame,
+                          const Workers& workers, std::optional<Depths>* keep = nullptr);
+
+/// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
+/// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
+/// whose `depths`, if any, are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
+OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
+                       const std::optional<Depths>& depths, const TrayTables::Frame& frame);
+
+/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with
+/// s = 1 phi >= 1 on every voxel of the solid.
+bool covers_solid(const Shape& shape);
+
+/// Voxels of dx by which the widened shapes reach beyond the solid on any side.
+int overhang(const Shape& shape, int detail);
+
+/// Of what they hold in lists, about.
+std::int64_t bytes_of(const OrientationRuns& runs);
+
+}  // namespace spectralpack

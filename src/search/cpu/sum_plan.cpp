@@ -1,0 +1,64 @@
+#include "search/cpu/sum_plan.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "search/cpu/lists.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr int kSumRange = 65535;                            // what 16 bits hold
+constexpr std::size_t kLoadsPerBatch = 24;                  // between two looks at the limit
+constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, which share cache lines
+
+}  // namespace
+
+std::vector<std::uint32_t> order_of_loads(const Runs& runs) {
+    return by_level(runs.runs, 33, 1, kLoadsPerBunch,
+                    [](const Run& run) { return std::bit_width(static_cast<unsigned>(run.length)); });
+}
+
+SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint32_t>& order, const SumLayout& tables,
+                 int range, int most) {
+    const Runs& runs = orientation.solid;
+    SumPlan plan;
+    plan.loads.reserve(order.size());
+    const int longest = range / std::max(1, most);
+    const int together = kSumRange / std::max(1, most);  // voxels of a batch
+    int room = 0;                                        // that it can still take
+    std::size_t count = kLoadsPerBatch;
+    for (const std::uint32_t i : order) {
+        const Run& run = runs.runs[i];
+        VoxelIndex at = run.start;
+        std::int32_t from = tables.offset(runs.axis, at);
+        for (int left = run.length; left > 0;) {
+            const int length = std::min(left, longest);
+            if (length > room || count == kLoadsPerBatch) {
+                const auto begin = static_cast<std::int32_t>(plan.loads.size());
+                plan.batches.push_back({begin, begin});
+                room = together;
+                count = 0;
+            }
+            const std::int32_t to = tables.further(runs.axis, at, from, length);
+            // Of a run that is split, no part is known to hold the deep voxels.
+            const std::uint32_t known = length == run.length ? orientation.least[i] : 0;
+            const auto part = static_cast<std::uint16_t>(std::min(known, static_cast<std::uint32_t>(range)));
+            plan.loads.push_back({to, from, part});
+            plan.least += part;
+            SumBatch& batch = plan.batches.back();
+            batch.end = static_cast<std::int32_t>(plan.loads.size());
+            batch.least = static_cast<std::uint16_t>(batch.least + part);
+            room -= length;
+            ++count;
+            left -= length;
+            at[runs.axis] += length;
+            from = to;
+        }
+    }
+    return plan;
+}
+
+std::int64_t bytes_of(const SumPlan& plan) { return bytes_of(plan.loads) + bytes_of(plan.batches); }
+
+}  // namespace spectralpack
