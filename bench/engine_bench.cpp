@@ -80,12 +80,15 @@ void phi_and_sums(benchmark::State& state) {
     const Extent windows[] = {SumLayout::kVoxel, SumLayout::kVoxel, SumLayout::kQuad, SumLayout::kBlock};
     const auto which = static_cast<std::size_t>(state.range(0));  // 0: phi alone
     SumTables<std::uint16_t> sums(n, windows[which], which > 1);
+    sums.follow(before, n.z, one);
     for (auto _ : state) {
         state.PauseTiming();
         DistanceGrid phi = before;
         state.ResumeTiming();
         const VoxelBox changed = phi.add(*scene.object, kPlace, one);
-        if (which > 0) sums.update(phi, changed, one);
+        if (which == 0) continue;
+        sums.note(changed);
+        sums.follow(phi, n.z, one);
     }
 }
 BENCHMARK(phi_and_sums)->DenseRange(0, 3)->Unit(benchmark::kMicrosecond);

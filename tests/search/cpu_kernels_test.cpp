@@ -34,6 +34,11 @@ void LookUp(const BitTables& bits, const LookupPlan& plan, const std::uint64_t* 
     }
 }
 
+std::uint32_t AskCells(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit, std::uint32_t stop_above,
+                       std::uint32_t lanes, std::uint32_t& bound) {
+    return spectralpack::HWY_NAMESPACE::WithinLimit(minima, plan, limit, stop_above, lanes, bound);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace spectralpack::test
 HWY_AFTER_NAMESPACE();
@@ -42,6 +47,7 @@ HWY_AFTER_NAMESPACE();
 namespace spectralpack::test {
 
 HWY_EXPORT(LookUp);
+HWY_EXPORT(AskCells);
 
 namespace {
 
@@ -104,6 +110,57 @@ TEST(Kernels, LookUpsClearWhatCollidesWhereverThatIsInItsWord) {
     }
     EXPECT_GT(cleared, 1000);
     EXPECT_GT(left, 1000);
+}
+
+TEST(Kernels, CellsTellWhichBlocksAreNearAndHowFarTheyAreIfNoneIs) {
+    RandomStream random(9);
+    int near = 0, far = 0;
+    for (int round = 0; round < 400; ++round) {
+        CellPlan plan;
+        plan.least = between(random, 0, 50);
+        for (int i = between(random, 1, 30); i > 0; --i) {
+            plan.cells.push_back({{},
+                                  between(random, 0, 60),
+                                  static_cast<std::uint32_t>(between(random, 1, 64)),
+                                  static_cast<std::uint16_t>(between(random, 0, 9))});
+        }
+        std::vector<std::uint16_t> minima(60 + 32 + BlockMinima::kOverrun);
+        for (std::uint16_t& value : minima) {
+            value = static_cast<std::uint16_t>(between(random, 0, 40));
+        }
+        const auto limit = static_cast<std::uint32_t>(between(random, 0, 4000));
+        const auto stop_above = limit + static_cast<std::uint32_t>(between(random, 0, 1000));
+        const auto lanes =
+            static_cast<std::uint32_t>(random.below(3) == 0 ? 1u << random.below(32) : random.below(1u << 31));
+        if (lanes == 0) continue;
+        std::uint32_t expected = 0, least = ~0u;
+        for (int i = 0; i < 32; ++i) {
+            if ((lanes >> i & 1) == 0) continue;
+            auto rho = static_cast<std::uint32_t>(plan.least);
+            for (const SolidCell& cell : plan.cells) {
+                const std::uint16_t value = minima[static_cast<std::size_t>(cell.offset + i)];
+                rho += cell.weight * static_cast<std::uint32_t>(std::max(value, cell.drop) - cell.drop);
+            }
+            if (rho <= limit) expected |= 1u << i;
+            least = std::min(least, rho);
+        }
+        ++(expected != 0 ? near : far);
+        for (const std::string& name : instruction_sets()) {
+            use_instruction_set(name);
+            std::uint32_t bound = 1'000'000;
+            EXPECT_EQ(HWY_DYNAMIC_DISPATCH(AskCells)(minima.data(), plan, limit, stop_above, lanes, bound), expected)
+                << name;
+            if (expected != 0) {
+                EXPECT_EQ(bound, 1'000'000u);
+            } else {
+                EXPECT_LE(bound, least);
+                EXPECT_GT(bound, std::min(plan.least > limit ? limit : stop_above, least - 1));
+            }
+        }
+        use_instruction_set("");
+    }
+    EXPECT_GT(near, 50);
+    EXPECT_GT(far, 50);
 }
 
 }  // namespace

@@ -330,7 +330,14 @@ void expect_sums_of_every_run() {
         const Extent n = random_extent(random, {5, 4, 3}, {70, 19, 23});
         DistanceGrid phi(n, Ceiling::closed);
         SumTables<T> tables(n, window, apart);
-        tables.update(phi, whole(n), Workers(1));
+        int top = 0;
+        const auto follow = [&](int threads) {
+            if (between(random, 0, 2) == 0) top = std::max(top, between(random, 0, n.z));
+            tables.follow(phi, between(random, 0, top), Workers(threads));  // never falls
+            tables.follow(phi, top, Workers(threads));
+            EXPECT_EQ(tables.top(), top);
+        };
+        follow(1);
         for (int step = 0; step < 5; ++step) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
             const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y), between(random, 0, n.z)};
@@ -341,8 +348,11 @@ void expect_sums_of_every_run() {
                 if (phi.at(x, y, z) == before.at(x, y, z)) return;
                 changed = hull(changed, VoxelBox{{x, y, z}, {x + 1, y + 1, z + 1}});
             });
-            tables.update(phi, changed, Workers(2));
+            tables.note(changed);
+            if (between(random, 0, 3) > 0) follow(2);
         }
+        if (round % 2 == 0 || top == 0) top = n.z;
+        follow(2);
         const auto pooled = [&](const VoxelIndex& v) {
             int least = apart ? SumTables<T>::kMostPooled : phi.most();
             for_each_voxel(window, [&](int x, int y, int z) {
@@ -354,9 +364,9 @@ void expect_sums_of_every_run() {
         };
         for (int question = 0; question < 500; ++question) {
             const int axis = between(random, 0, 2);
-            VoxelIndex from{between(random, 0, n.x - 1), between(random, 0, n.y - 1), between(random, 0, n.z - 1)};
+            VoxelIndex from{between(random, 0, n.x - 1), between(random, 0, n.y - 1), between(random, 0, top - 1)};
             VoxelIndex to = from;
-            to[axis] = between(random, from[axis], n[axis]);
+            to[axis] = between(random, from[axis], axis == 2 ? top : n[axis]);
             int expected = 0;
             for (VoxelIndex v = from; v[axis] < to[axis]; ++v[axis]) {
                 expected += pooled(v);
@@ -392,8 +402,16 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
         EXPECT_FALSE(words.narrow());
     };
     follow(false);
+    for (TrayTables* each : {&tables, &words}) {
+        EXPECT_EQ(each->top(), 0);
+        each->raise(20, Workers(2));
+        EXPECT_EQ(each->top(), 20);
+        EXPECT_NO_THROW(each->check(tray));
+    }
     const auto middle = stand(29);
     follow(true);
+    tables.raise(1000, Workers(2));
+    EXPECT_EQ(tables.top(), 60);
     stand(10);
     follow(true, false);
     const auto last = stand(45);

@@ -24,25 +24,7 @@ std::shared_ptr<const BitGrid> full_box(const Extent& extent) {
     return std::make_shared<const BitGrid>(std::move(box));
 }
 
-/// `solid` unwidened against every gap class, at 1 mm voxels.
-OrientedShape plain_shape(std::shared_ptr<const BitGrid> solid, int gap_classes = 1) {
-    const Extent& e = solid->extent();
-    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}});
-    return {0,
-            {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)},
-            {},
-            std::move(solid),
-            {static_cast<std::size_t>(gap_classes), wide}};
-}
-
 Shape one_box(std::uint64_t id, const Extent& extent) { return {id, 0, {plain_shape(full_box(extent))}}; }
-
-TraySetup box_tray(const Extent& n) {
-    TraySetup setup;
-    setup.voxel_size = 1;
-    setup.size = {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
-    return setup;
-}
 
 /// Asks for every shape of the scene, and for free positions with and without an object.
 void ask_everything(VerifyingSearch& search, Scene& scene, RandomStream& random) {
@@ -89,6 +71,39 @@ TEST_P(EngineTest, AnswersTheDefinitionInLongRows) {
         SCOPED_TRACE(axis);
         check_random_scenes(make_verified(), long_scene(axis), 8);
     }
+}
+
+/// Layer after layer fills up, of which the lowest that has room wins: what an engine knows of a layer, of places that
+/// were nearly as good and of how far up it has to look serves the next copy.
+TEST_P(EngineTest, AnswersTheDefinitionForCopiesUnderASteepPenalty) {
+    VerifyingSearch search = make_verified();
+    int placed = 0;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        Tray tray(box_tray({between(random, 20, 70), between(random, 6, 10), between(random, 16, 28)}));
+        std::vector<Shape> shapes;
+        for (std::uint64_t id = 0; id < 2; ++id) {
+            Shape shape{2 * seed + id + 1, 0, {}};
+            for (int k = 0; k < 3; ++k) {
+                const Extent e = random_extent(random, {2, 2, 2}, {9, 5, 5});
+                shape.orientations.push_back(plain_shape(std::make_shared<BitGrid>(random_solid(random, e))));
+            }
+            shapes.push_back(std::move(shape));
+        }
+        for (int copy = 0; copy < 30; ++copy) {
+            const Shape& shape = shapes[copy % 8 == 7 ? 1 : 0];
+            CostModel model;
+            model.height_penalty = copy % 10 == 9 ? 4 : copy % 10 > 5 ? 1e5 : 1e8;  // now and then more layers can win
+            SearchResult result;
+            ASSERT_NO_THROW(result = search.best_placement(tray, shape, model, {}));
+            if (!result.best) continue;
+            const auto index = static_cast<std::size_t>(result.best->index);
+            tray.add({shape.orientations[index].solid, result.best->position});
+            ++placed;
+        }
+    }
+    EXPECT_GT(placed, 120);
 }
 
 /// In which an engine may look at parts of words only.

@@ -265,6 +265,24 @@ inline TraySetup random_setup(RandomStream& random, const SceneLimits& limits) {
     return setup;
 }
 
+/// `solid` unwidened against every gap class, at 1 mm voxels.
+inline OrientedShape plain_shape(std::shared_ptr<const BitGrid> solid, int gap_classes = 1) {
+    const Extent& e = solid->extent();
+    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}});
+    return {0,
+            {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)},
+            {},
+            std::move(solid),
+            {static_cast<std::size_t>(gap_classes), wide}};
+}
+
+inline TraySetup box_tray(const Extent& n) {
+    TraySetup setup;
+    setup.voxel_size = 1;
+    setup.size = {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+    return setup;
+}
+
 /// p = 0, 4, 1e8 or something between, measured at the bottom or at the top.
 inline CostModel random_model(RandomStream& random) {
     CostModel model;

@@ -34,8 +34,9 @@ BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers
     if (words > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
-    words_.assign(static_cast<std::size_t>(words), 0);
-    spare_.assign(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_), 0);
+    words_ = ZeroedVector<Word>(static_cast<std::size_t>(words));
+    spare_ =
+        ZeroedVector<Word>(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_));
 }
 
 VoxelBox BitTables::in_tables(const VoxelBox& voxels) const {

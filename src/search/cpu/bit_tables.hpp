@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/zeroed.hpp"
 #include "voxel/split.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -201,8 +202,8 @@ class BitTables {
     int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;
-    std::vector<Word> words_;
-    std::vector<Word> spare_;  // tables on the way to plates and cubes
+    ZeroedVector<Word> words_;
+    ZeroedVector<Word> spare_;  // tables on the way to plates and cubes
 };
 
 }  // namespace spectralpack

@@ -19,6 +19,7 @@ namespace {
 /// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
 /// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
+constexpr std::size_t kMostSeeds = 8;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
@@ -52,15 +53,17 @@ class CpuSearch final : public PlacementSearch {
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
         const bool by_quads = tables_.narrow() && have_few(entry.runs);
-        std::vector<std::optional<OrientationTask>> searches;
+        std::vector<OrientationTask> searches;
         workers_.for_each(2, [&](std::int64_t i) {
             if (i == 0) searches = plan_searches(shape, open, entry, context);
             if (i == 1 && by_quads) tables_.follow_quads(workers_);
         });
         if (by_quads) context.quads = &tables_.quads();
-        if (!search_all(searches, stop)) return {std::nullopt, true};
+        sow(entry.seeds, searches);
+        if (!search_all(searches, context, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
+        if (!shape.once) entry.seeds = seeds_after(context.incumbent, entry.seeds);
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
         return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
@@ -184,23 +187,25 @@ class CpuSearch final : public PlacementSearch {
         });
     }
 
-    /// A task for each open orientation, none for the others.
-    std::vector<std::optional<OrientationTask>> plan_searches(const Shape& shape, const std::vector<bool>& open,
-                                                              PositionCache::Entry& entry, SearchContext& context) {
+    /// A task for each open orientation.
+    std::vector<OrientationTask> plan_searches(const Shape& shape, const std::vector<bool>& open,
+                                               PositionCache::Entry& entry, SearchContext& context) {
         const bool as_planned =
             entry.planned_classes == tables_.occupied_classes() && entry.planned_narrow == tables_.narrow();
         entry.planned_narrow = tables_.narrow();
         entry.planned_classes = tables_.occupied_classes();
-        std::vector<std::optional<OrientationTask>> searches(open.size());
-        workers_.for_each(std::ssize(searches), [&](std::int64_t i) {
+        workers_.for_each(std::ssize(open), [&](std::int64_t i) {
             const auto k = static_cast<std::size_t>(i);
             OrientationPlan& plan = entry.plans[k];
             if (!as_planned) plan = {};
-            if (!open[k]) return;
-            if (plan.fine.loads.empty()) plan = make_plan(entry.runs[k], tables_);
-            searches[k].emplace(make_task(context, entry.states[k], entry.runs[k], plan, static_cast<int>(i),
-                                          shape.orientations[k], entry.hits > 0, shape.admits));
+            if (open[k] && plan.fine.loads.empty()) plan = make_plan(entry.runs[k], tables_);
         });
+        std::vector<OrientationTask> searches;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            if (!open[k]) continue;
+            searches.push_back(make_task(context, entry.states[k], entry.runs[k], entry.plans[k], static_cast<int>(k),
+                                         shape.orientations[k], entry.hits > 0, shape.admits));
+        }
         positions_.count(entry);
         return searches;
     }
@@ -210,26 +215,90 @@ class CpuSearch final : public PlacementSearch {
         return std::ranges::all_of(runs, [](const OrientationRuns& of) { return of.solid.runs.size() <= kFewRuns; });
     }
 
-    /// Low layers of all orientations first: with a steep height penalty they rule out the rest. False: stopped.
-    bool search_all(std::vector<std::optional<OrientationTask>>& searches, const StopToken& stop) const {
+    /// Offers the seeds that are still free, so that there is something to beat from the start.
+    static void sow(const std::vector<Placed>& seeds, std::vector<OrientationTask>& searches) {
+        for (const Placed& seed : seeds) {
+            const auto search = std::ranges::find(searches, seed.index, &OrientationTask::index);
+            if (search != searches.end()) search_position(*search, seed.position);
+        }
+    }
+
+    /// Places that the next copy may take: those that lost in this search, then earlier ones.
+    static std::vector<Placed> seeds_after(const Incumbent& incumbent, const std::vector<Placed>& before) {
+        std::vector<Placed> seeds = incumbent.beaten();
+        for (const Placed& seed : before) {
+            if (seeds.size() >= kMostSeeds) break;
+            const auto same = [&](const Placed& s) { return s.index == seed.index && s.position == seed.position; };
+            if (std::ranges::none_of(seeds, same)) seeds.push_back(seed);
+        }
+        return seeds;
+    }
+
+    /// Searches brick layer after brick layer of all orientations, as far up as the answer can lie: with a steep height
+    /// penalty low layers rule out the rest, for which the tables need not follow the tray. False: stopped.
+    bool search_all(std::vector<OrientationTask>& searches, SearchContext& context, const StopToken& stop) {
+        std::vector<int> searched(searches.size(), 0);  // brick layers
+        for (;;) {
+            const std::vector<int> before = searched;
+            for (std::size_t i = 0; i < searches.size(); ++i) {
+                searched[i] = std::max(searched[i], layers_below(tables_.top(), searches[i]));
+            }
+            if (!search_between(searches, before, searched, stop)) return false;
+            int top = 0;
+            for (std::size_t i = 0; i < searches.size(); ++i) {
+                top = std::max(top, top_for(searches[i], searched[i], context));
+            }
+            if (top == 0) return true;
+            tables_.raise(top, workers_);
+        }
+    }
+
+    /// How many of the orientation's brick layers ask nothing of sums above layer `top`.
+    int layers_below(int top, const OrientationTask& search) const {
+        const int bricks = search.state.bricks().z;
+        if (top >= tables_.phi().extent().z) return bricks;
+        return std::clamp((top - search.layers + 1) / kBrickZ, 0, bricks);
+    }
+
+    /// The top of the sums that the answer can take, if it lies in the orientation's brick layers from `searched` on; 0
+    /// if it cannot.
+    int top_for(const OrientationTask& search, int searched, const SearchContext& context) const {
+        const int count = search.state.count().z;
+        const std::optional<Placed> best = context.incumbent.get();
+        if (kBrickZ * searched >= count) return 0;
+        if (!best) return std::max(2 * tables_.top(), search.layers + kBrickZ - 1);
+        // The cost grows with height.
+        int below = kBrickZ * searched, above = count;
+        const auto can_win = [&](int z) {
+            return proximity_limit(context.model, z, search.layers, context.reference_layers, best, search.index) >= 0;
+        };
+        if (!can_win(below)) return 0;
+        while (above - below > 1) {
+            const int middle = (below + above) / 2;
+            (can_win(middle) ? below : above) = middle;
+        }
+        return kBrickZ * (below / kBrickZ + 1) - 1 + search.layers;
+    }
+
+    /// The brick layers from `begin` to `end` of each orientation. False: stopped.
+    bool search_between(std::vector<OrientationTask>& searches, const std::vector<int>& begin,
+                        const std::vector<int>& end, const StopToken& stop) const {
         struct Task {
             OrientationTask* search;
             int begin, end;
         };
-        std::vector<OrientationTask*> order;
-        int most_layers = 0;
-        for (std::optional<OrientationTask>& search : searches) {
-            if (!search) continue;
-            order.push_back(&*search);
-            most_layers = std::max(most_layers, search->state.bricks().z);
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < searches.size(); ++i) {
+            if (begin[i] < end[i]) order.push_back(i);
         }
         // Those that read the same sums one after the other.
-        std::ranges::stable_sort(order, {}, [](const OrientationTask* search) { return search->solid.axis; });
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i].solid.axis; });
         std::vector<Task> tasks;
-        for (int begin = 0; begin < most_layers; begin += kLayersPerTask) {
-            for (OrientationTask* search : order) {
-                const int layers = search->state.bricks().z;
-                if (begin < layers) tasks.push_back({search, begin, std::min(layers, begin + kLayersPerTask)});
+        const int most = searches.empty() ? 0 : *std::ranges::max_element(end);
+        for (int first = 0; first < most; first += kLayersPerTask) {
+            for (const std::size_t i : order) {
+                const int from = std::max(begin[i], first), to = std::min(end[i], first + kLayersPerTask);
+                if (from < to) tasks.push_back({&searches[i], from, to});
             }
         }
         std::atomic<bool> stopped{false};

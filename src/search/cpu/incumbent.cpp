@@ -15,6 +15,11 @@ bool better(const Placed& a, const Placed& b) {
 
 void Incumbent::offer(const Placed& found) {
     const std::lock_guard lock(mutex_);
+    if (best_) beaten_.push_back(better(found, *best_) ? *best_ : found);
+    if (beaten_.size() == 2 * kBeaten) {
+        std::ranges::nth_element(beaten_, beaten_.begin() + kBeaten, better);
+        beaten_.resize(kBeaten);
+    }
     if (best_ && !better(found, *best_)) return;
     best_ = found;
     generation_.fetch_add(1, std::memory_order_release);
@@ -28,6 +33,14 @@ bool Incumbent::improved_by(const Placed& found) const {
 std::optional<Placed> Incumbent::get() const {
     const std::lock_guard lock(mutex_);
     return best_;
+}
+
+std::vector<Placed> Incumbent::beaten() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<Placed> best = beaten_;
+    std::ranges::sort(best, better);
+    best.resize(std::min(best.size(), kBeaten));
+    return best;
 }
 
 std::int64_t proximity_limit(const CostModel& model, int z, int layers, int reference_layers,

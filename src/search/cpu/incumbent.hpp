@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "search/cost.hpp"
 #include "voxel/grid.hpp"
@@ -33,10 +34,15 @@ class Incumbent {
     /// Grows with every change: a copy taken at this generation is still current.
     std::uint64_t generation() const { return generation_.load(std::memory_order_acquire); }
     std::optional<Placed> get() const;
+    /// The best of those that were offered and lost, at most kBeaten, best first.
+    std::vector<Placed> beaten() const;
 
   private:
+    static constexpr std::size_t kBeaten = 8;
+
     mutable std::mutex mutex_;
     std::optional<Placed> best_;
+    std::vector<Placed> beaten_;
     std::atomic<std::uint64_t> generation_{0};
 };
 

@@ -49,15 +49,21 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
 }
 
 /// Bit i: i is one of `lanes`, and cells do not show that rho is above `limit` in block i of those from `minima` on. i
-/// in [0, 32).
+/// in [0, 32). Where no bit is set, `bound` falls to what rho is at least in all of `lanes`: unless the solid's depths
+/// alone are above the limit, cells are asked until that is above `stop_above`, which is not below the limit.
 HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan& plan, std::uint32_t limit,
-                                     std::uint32_t lanes) {
-    if (plan.least > limit) return 0;
-    const std::uint32_t room = limit - static_cast<std::uint32_t>(plan.least);
+                                     std::uint32_t stop_above, std::uint32_t lanes, std::uint32_t& bound) {
+    const auto least = static_cast<std::uint32_t>(std::min<std::int64_t>(plan.least, kSumLimit));
+    if (least > limit) {
+        bound = std::min(bound, least);
+        return 0;
+    }
+    const std::uint32_t room = limit - least;
     constexpr std::size_t kCellsPerLook = 8;
     // Cells come to less than 2^31 (plan_cells), so lanes that are not wanted start above the room and stay there.
     constexpr std::uint32_t kNotWanted = 0x80000000u;
     if (room >= kNotWanted) return lanes;
+    const std::uint32_t enough = std::min(stop_above - least, kNotWanted - 1);
     alignas(64) std::uint32_t start[kLanes];
     for (int i = 0; i < kLanes; ++i) {
         start[i] = lanes >> i & 1 ? 0 : kNotWanted;
@@ -75,7 +81,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
         }
         bool alive = false;
         for (int i = 0; i < kLanes; ++i) {
-            alive |= sums[i] <= room;
+            alive |= sums[i] <= enough;
         }
         if (!alive) break;
     }
@@ -83,6 +89,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
     for (int i = 0; i < kLanes; ++i) {
         bits |= static_cast<std::uint32_t>(sums[i] <= room) << i;
     }
+    if (bits == 0) bound = std::min(bound, least + *std::min_element(sums, sums + kLanes));
     return bits;
 #else
     const hn::CappedTag<std::uint32_t, kLanes> d32;
@@ -93,7 +100,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
     for (std::size_t v = 0; v < kVectors; ++v) {
         sums[v] = hn::LoadU(d32, start + v * kStep);
     }
-    const auto most = hn::Set(d32, room);
+    const auto most = hn::Set(d32, room), far = hn::Set(d32, enough);
     for (std::size_t begin = 0; begin < plan.cells.size();) {
         const std::size_t end = std::min(plan.cells.size(), begin + kCellsPerLook);
         for (; begin < end; ++begin) {
@@ -107,7 +114,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
         }
         auto done = hn::MaskFromVec(hn::Not(hn::Zero(d32)));
         for (std::size_t v = 0; v < kVectors; ++v) {
-            done = hn::And(done, hn::Gt(sums[v], most));
+            done = hn::And(done, hn::Gt(sums[v], far));
         }
         if (hn::AllTrue(d32, done)) break;
     }
@@ -116,6 +123,13 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
         std::uint8_t part[8] = {};
         hn::StoreMaskBits(d32, hn::Gt(sums[v], most), part);
         above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << (v * kStep);
+    }
+    if (above == ~0u) {
+        auto nearest = sums[0];
+        for (std::size_t v = 1; v < kVectors; ++v) {
+            nearest = hn::Min(nearest, sums[v]);
+        }
+        bound = std::min(bound, least + hn::GetLane(hn::MinOfLanes(d32, nearest)));
     }
     return ~above;
 #endif

@@ -243,8 +243,7 @@ HWY_INLINE void PrefixSumsOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, st
 }
 
 template <class T>
-HWY_INLINE void PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride,
-                                  std::size_t count) {
+HWY_INLINE T PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride, std::size_t count) {
     std::size_t i = 0;
     T sum = out[0];
 #if HWY_TARGET != HWY_SCALAR
@@ -272,17 +271,19 @@ HWY_INLINE void PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT fro
             sum = static_cast<T>(sum + from[at]);
         }
     }
+    return sum;
 }
 
 void PrefixSums(std::uint16_t* out, const std::uint16_t* from, std::size_t count) { PrefixSumsOf(out, from, count); }
 void PrefixSumsOfBytes(std::uint8_t* out, const std::uint8_t* from, std::size_t count) {
     PrefixSumsOf(out, from, count);
 }
-void PrefixSumsDealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
-    PrefixSumsDealtOf(out, from, stride, count);
+std::uint16_t PrefixSumsDealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
+    return PrefixSumsDealtOf(out, from, stride, count);
 }
-void PrefixSumsOfBytesDealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
-    PrefixSumsDealtOf(out, from, stride, count);
+std::uint8_t PrefixSumsOfBytesDealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride,
+                                    std::size_t count) {
+    return PrefixSumsDealtOf(out, from, stride, count);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -360,8 +361,8 @@ void prefix_sums(std::uint8_t* out, const std::uint8_t* from, std::size_t count)
     HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytes)(out, from, count);
 }
 
-void prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytesDealt)(out, from, stride, count);
+std::uint8_t prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytesDealt)(out, from, stride, count);
 }
 
 void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
@@ -381,8 +382,8 @@ void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t coun
     HWY_DYNAMIC_DISPATCH(PrefixSums)(out, from, count);
 }
 
-void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(PrefixSumsDealt)(out, from, stride, count);
+std::uint16_t prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(PrefixSumsDealt)(out, from, stride, count);
 }
 
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count) {

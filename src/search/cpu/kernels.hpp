@@ -53,9 +53,10 @@ void deal_least_of_four(std::uint8_t* out, std::size_t stride, const std::uint16
 void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count);
 void prefix_sums(std::uint8_t* out, const std::uint8_t* from, std::size_t count);  ///< modulo 2^8
 
-/// The same of a row dealt out to four (element 4 i + k at k stride + i), for i in [0, count), from out[0] on.
-void prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count);
-void prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count);
+/// The same of a row dealt out to four (element 4 i + k at k stride + i), for i in [0, count), from out[0] on. Returns
+/// the sum of all: what comes next.
+std::uint16_t prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count);
+std::uint8_t prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count);
 
 /// out[i] &= from[i].
 void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count);

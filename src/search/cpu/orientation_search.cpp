@@ -39,17 +39,19 @@ class Pass {
         for (int bz = begin; bz < end; ++bz) {
             limits_.look(bz);
             if (limits_.most() < 0) continue;
+            state_.require_bounds(bz, limits_.layers());
             sifted_.clear();
             for (int by = 0; by < state_.bricks().y; ++by) {
                 if (by % kCrowdBricksY == 0) sifter_.LookAtCrowd(by / kCrowdBricksY, bz);
                 for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
                     limits_.look(bz);
-                    SiftPair(bx, by, bz);
+                    if (state_.least_bound(bx, by, bz) <= LaneLimit(limits_.most())) SiftPair(bx, by, bz);
                 }
             }
             limits_.look(bz);
             BoundPairs(bz);
-            settler_.SettleAll(bz, survivors_);
+            state_.restrict_bounds(bz, settler_.SettleAll(bz, survivors_));
+            if (limits_.steep()) state_.look_for_dead_layers(bz);
         }
     }
 
@@ -70,9 +72,10 @@ class Pass {
 
     /// Which of a pair's row of blocks are near enough to something that rho could stay within the limit, as far as the
     /// whole solid in large cells tells.
-    std::uint32_t Near(int bx, int block_y, int bz, std::uint32_t blocks) {
+    /// Where there are none, `bound` falls to what rho is at least in all of them.
+    std::uint32_t Near(int bx, int block_y, int bz, std::uint32_t blocks, std::uint32_t& bound) {
         if (!near_.asks()) return blocks;
-        const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks);
+        const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks, bound);
         near_.learn(near == blocks);
         return near;
     }
@@ -89,32 +92,48 @@ class Pass {
         if (t_.fine_cells.cells.empty() || blocks == 0) return blocks;
         const std::uint32_t unknown = blocks & Unknown(bound);
         if (unknown == 0 || !close_.asks()) return blocks;
-        const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown);
+        std::uint32_t of_all = kDead;
+        const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown, of_all);
         // A sum takes as long however few of its lanes are wanted, so few that are left are no great gain.
         close_.learn(3 * std::popcount(close) > std::popcount(unknown));
         return close | (blocks & ~unknown);
     }
 
-    std::uint32_t Within(const CellPlan& cells, int bx, int block_y, int bz, std::uint32_t blocks) const {
+    std::uint32_t Within(const CellPlan& cells, int bx, int block_y, int bz, std::uint32_t blocks,
+                         std::uint32_t& bound) const {
         return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, LaneLimit(limits_.most()),
-                           blocks);
+                           StopAbove(limits_.most(), t_.for_copy), blocks, bound);
+    }
+
+    /// The least of a pair's bounds that are above the limit.
+    static std::uint32_t LeastAbove(const OpenPair& open, std::uint32_t limit) {
+        std::uint32_t least = kDead;
+        for (const auto& row : open.bound) {
+            for (const std::uint32_t bound : row) {
+                if (bound > limit) least = std::min(least, bound);
+            }
+        }
+        return least;
     }
 
     /// Sifts two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
-        if (state_.is_dead(bx, by, bz)) return;
         const std::uint32_t limit = LaneLimit(limits_.most());
         const bool fresh = state_.is_fresh(bx, by, bz);
         OpenPair* open = fresh ? nullptr : &state_.open_pair(bx, by, bz);
         std::uint32_t near[kBlocksY], room[kBlocksY];
-        std::uint32_t any = 0;
+        std::uint32_t any = 0, bound = kDead;  // of all blocks, if none is near
         for (int j = 0; j < kBlocksY; ++j) {
             room[j] = fresh ? sifter_.Room(bx, by, j) : 0;
             near[j] = fresh ? room[j] : PairAtMost(open->bound[j], limit);
-            if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j]);
+            if (near[j] != 0) near[j] = Near(bx, by * kBlocksY + j, bz, near[j], bound);
             any |= near[j];
         }
-        if (any == 0) return;
+        if (any == 0) {
+            if (!fresh) bound = std::min(bound, LeastAbove(*open, limit));
+            state_.set_least_bound(bx, by, bz, std::min(bound, kSumLimit));
+            return;
+        }
         SiftedPair pair{bx, by, open, {}, {near[0], near[1]}};
         if (fresh) pair.open = Open(bx, by, bz, room, pair.sifted);
         if (pair.open != nullptr) sifted_.push_back(pair);
@@ -178,8 +197,10 @@ class Pass {
     /// is how many batches each brick went through.
     OpenPair* Open(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], std::size_t (&sifted)[kPair]) {
         alignas(64) BrickWords live[kPair];
-        if (!sifter_.Sift(bx, by, bz, room, live, sifted)) {
-            state_.close(bx, by, bz);
+        // Where nothing is kept, nothing is wanted of layers that cannot win.
+        const int all = state_.layers(bz), layers = state_.keeps() ? all : std::min(all, limits_.layers());
+        if (!sifter_.Sift(bx, by, bz, layers, room, live, sifted)) {
+            if (layers == all) state_.close(bx, by, bz);
             return nullptr;
         }
         OpenPair& open = state_.keeps() ? state_.open(bx, by, bz) : for_now_[sifted_.size()];
@@ -222,6 +243,11 @@ class Pass {
 
 void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }
 
+void SearchPosition(OrientationTask& task, const VoxelIndex& position) {
+    LayerLimits limits(task);
+    Settler(task, limits).SettleOne(position);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace spectralpack
 HWY_AFTER_NAMESPACE();
@@ -230,6 +256,7 @@ HWY_AFTER_NAMESPACE();
 namespace spectralpack {
 
 HWY_EXPORT(SearchLayers);
+HWY_EXPORT(SearchPosition);
 
 OrientationTask make_task(SearchContext& context, PositionState& state, const OrientationRuns& runs,
                           const OrientationPlan& plan, int index, const OrientedShape& shape, bool for_copy,
@@ -247,6 +274,10 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
 }
 
 void search_layers(OrientationTask& task, int begin, int end) { HWY_DYNAMIC_DISPATCH(SearchLayers)(task, begin, end); }
+
+void search_position(OrientationTask& task, const VoxelIndex& position) {
+    HWY_DYNAMIC_DISPATCH(SearchPosition)(task, position);
+}
 
 std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
     const DistanceGrid& phi = tables.phi();

@@ -43,6 +43,9 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
 /// answer. Different ranges may run on different threads.
 void search_layers(OrientationTask& task, int begin, int end);
 
+/// Offers one candidate, if it is free and could be the answer.
+void search_position(OrientationTask& task, const VoxelIndex& position);
+
 /// rho(q), whatever its size; voxels outside the grid count nothing. O(voxels).
 std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q);
 

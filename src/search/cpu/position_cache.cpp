@@ -25,7 +25,11 @@ void PositionState::reset(const Extent& count, const Extent& most, bool keeps) {
     bricks_ = brick_count(count);
     pairs_ = pairs_along_x(bricks_);
     place_.assign(static_cast<std::size_t>(pair_count(bricks_)), kFresh);
+    least_.assign(place_.size(), 0);
     opened_.assign(static_cast<std::size_t>(bricks_.z), 0);
+    bounded_.assign(static_cast<std::size_t>(bricks_.z), kBrickZ);
+    dead_layers_.assign(static_cast<std::size_t>(bricks_.z), 0);
+    looks_.assign(static_cast<std::size_t>(bricks_.z), Patience());
     if (count.empty() || !keeps) return;
     const auto room = static_cast<std::size_t>(pair_count(brick_count(most)));
     if (room_ < room) {
@@ -63,12 +67,34 @@ void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
         }
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
-        if (!left[i] && place_[i] == kFresh) place_[i] = kNothing;
+        if (!left[i] && place_[i] == kFresh) close(i);
     }
 }
 
 bool PositionState::all_dead() const {
     return std::ranges::all_of(place_, [](std::int32_t place) { return place == kNothing; });
+}
+
+void PositionState::look_for_dead_layers(int bz) {
+    const auto layer = static_cast<std::size_t>(bz);
+    if (!keeps_ || !looks_[layer].asks()) return;
+    const std::size_t first = place_in(bz), end = place_in(bz + 1);
+    std::uint64_t live[kBrickZ] = {};
+    for (std::size_t i = first; i < end; ++i) {
+        if (place_[i] == kFresh) return;
+        if (place_[i] == kNothing) continue;
+        for (const BrickWords& words : open_[first + static_cast<std::size_t>(place_[i])].live) {
+            for (int k = 0; k < kBrickY * kBrickZ; ++k) {
+                live[k / kBrickY] |= words[k];
+            }
+        }
+    }
+    std::uint8_t dead = 0;
+    for (int z = 0; z < kBrickZ; ++z) {
+        if (live[z] == 0) dead |= static_cast<std::uint8_t>(1 << z);
+    }
+    looks_[layer].learn(dead == dead_layers_[layer]);
+    dead_layers_[layer] = dead;
 }
 
 void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
@@ -83,6 +109,7 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
             for (int x = touched.lo.x / kBlock; x < end;) {
                 const int bx = x / kBlocksX / kPair * kPair, by = y / kBlocksY;
                 const int next = std::min(end, (bx + kPair) * kBlocksX);
+                if (!is_dead(bx, by, z)) set_least_bound(bx, by, z, 0);
                 if (is_open(bx, by, z)) {
                     std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
                     for (; x < next; ++x) {
@@ -96,8 +123,31 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     }
 }
 
+void PositionState::require_bounds(int bz, int layers) {
+    std::uint8_t& bounded = bounded_[static_cast<std::size_t>(bz)];
+    if (layers <= bounded) return;
+    bounded = kBrickZ;
+    if (!keeps_) return;
+    for (std::size_t i = place_in(bz); i < place_in(bz + 1); ++i) {
+        if (place_[i] >= 0) least_[i] = 0;
+    }
+    OpenPair* first = open_.get() + place_in(bz);
+    for (OpenPair* pair = first; pair != first + opened_[static_cast<std::size_t>(bz)]; ++pair) {
+        for (auto& row : pair->bound) {
+            for (std::uint32_t& bound : row) {
+                if (bound != kDead) bound = 0;
+            }
+        }
+    }
+}
+
+void PositionState::restrict_bounds(int bz, int layers) {
+    std::uint8_t& bounded = bounded_[static_cast<std::size_t>(bz)];
+    bounded = static_cast<std::uint8_t>(std::min<int>(bounded, layers));
+}
+
 std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
-    const std::size_t bytes = sizeof(std::int32_t) + (keeps ? sizeof(OpenPair) : 0);
+    const std::size_t bytes = sizeof(std::int32_t) + sizeof(std::uint32_t) + (keeps ? sizeof(OpenPair) : 0);
     return pair_count(brick_count(count)) * static_cast<std::int64_t>(bytes);
 }
 

@@ -5,8 +5,8 @@
 /// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4.
 /// Invariants, as long as objects are only added:
 ///   live: a clear bit is a position that collides or is not admitted. A set bit may or may not be free.
-///   bound: rho(q) >= bound for every free position q of the block, as of `version`; kDead: none is
-///   free, for good.
+///   bound: rho(q) >= bound for every free position q of the block in the lowest bounded_layers() of its brick layer,
+///   as of `version`; kDead: none of the block is free, for good.
 /// Forgetting any of this costs time, never the answer.
 
 #include <algorithm>
@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "search/cpu/incumbent.hpp"
+#include "search/cpu/patience.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/tray_tables.hpp"
 #include "search/shape.hpp"
@@ -68,15 +70,33 @@ class PositionState {
     /// threads at once.
     OpenPair& open(int bx, int by, int bz);
     /// Nothing of a fresh pair is live. Likewise.
-    void close(int bx, int by, int bz) { place_[pair(bx, by, bz)] = kNothing; }
+    void close(int bx, int by, int bz) { close(pair(bx, by, bz)); }
+
+    /// No bound of a pair need be looked at with a limit below this one, which is as good as all of them: kDead where
+    /// nothing is live. Small, so that a search passes over pairs of which nothing is wanted without asking for them.
+    std::uint32_t least_bound(int bx, int by, int bz) const { return least_[pair(bx, by, bz)]; }
+    void set_least_bound(int bx, int by, int bz, std::uint32_t least) { least_[pair(bx, by, bz)] = least; }
 
     /// All positions but those in one of these boxes are blocked, for good: what is fresh of them dies.
     void leave_only(const std::vector<VoxelBox>& positions);
     bool all_dead() const;
 
+    /// Layers (bit i: the i-th) of brick layer bz in which nothing is live any more, as far as anybody looked.
+    std::uint8_t dead_layers(int bz) const { return dead_layers_[static_cast<std::size_t>(bz)]; }
+    /// Looks, less often where it was in vain.
+    void look_for_dead_layers(int bz);
+
     /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
     /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
+
+    /// How many layers of positions the bounds of brick layer bz tell of. With a steep height penalty only the lowest
+    /// can win, and what is known of them is not to be spoilt by what nobody asks about.
+    int bounded_layers(int bz) const { return bounded_[static_cast<std::size_t>(bz)]; }
+    /// Bounds have to tell of `layers`: where they tell of fewer, they become 0.
+    void require_bounds(int bz, int layers);
+    /// New bounds tell of no more than `layers`.
+    void restrict_bounds(int bz, int layers);
 
     static std::int64_t bytes_for(const Extent& count, bool keeps);
 
@@ -90,6 +110,11 @@ class PositionState {
                static_cast<std::size_t>(bx / kPair);
     }
 
+    void close(std::size_t pair) {
+        place_[pair] = kNothing;
+        least_[pair] = kDead;
+    }
+
     static constexpr std::int32_t kFresh = -1, kNothing = -2;
 
     Extent count_, bricks_;
@@ -100,7 +125,10 @@ class PositionState {
     std::unique_ptr<OpenPair[]> open_;
     std::size_t room_ = 0;              // pairs
     std::vector<std::int32_t> place_;   // of each pair, which one of its layer's open ones it is; kFresh, kNothing
+    std::vector<std::uint32_t> least_;  // likewise, least_bound()
     std::vector<std::int32_t> opened_;  // by brick layer
+    std::vector<std::uint8_t> bounded_, dead_layers_;  // likewise
+    std::vector<Patience> looks_;                      // for dead layers, likewise
 };
 
 /// States by shape, within a budget; what was least useful for its size goes first.
@@ -112,6 +140,7 @@ class PositionCache {
         std::vector<PositionState> states;   ///< by orientation of the shape
         std::vector<OrientationRuns> runs;   ///< likewise; made when first needed
         std::vector<OrientationPlan> plans;  ///< likewise
+        std::vector<Placed> seeds;           ///< good places that the last search found and did not choose
         int planned_classes = 0;             ///< that had objects then
         bool planned_narrow = false;         ///< for sums in bytes
         std::uint64_t version = 0;           ///< of the tables the bounds belong to

@@ -46,8 +46,10 @@ class Settler {
     Settler(const OrientationTask& task, LayerLimits& limits)
         : t_(task), context_(task.context), state_(task.state), limits_(limits) {}
 
-    /// Offers the best free positions of brick layer bz's survivors to the incumbent.
-    void SettleAll(int bz, std::vector<Survivor>& survivors) {
+    /// Offers the best free positions of brick layer bz's survivors to the incumbent. Returns how many layers of
+    /// positions the bounds that it leaves tell of.
+    int SettleAll(int bz, std::vector<Survivor>& survivors) {
+        layers_ = kBrickZ;
         // Without anything to beat, the most promising come first; later, neighbours do.
         if (context_.incumbent.generation() == 0) {
             std::sort(survivors.begin(), survivors.end(),
@@ -58,6 +60,18 @@ class Settler {
         for (std::size_t i = 0; i < survivors.size(); ++i) {
             Settle(survivors[i], bz, chosen_[i]);
         }
+        return layers_;
+    }
+
+    /// Offers a candidate if it is free.
+    void SettleOne(const VoxelIndex& q) {
+        limits_.look(q.z / kBrickZ);
+        const std::int64_t limit = limits_.of(q.z % kBrickZ);
+        if (limit < 0) return;
+        alignas(64) std::uint64_t asked[kBrickY] = {}, live[kBrickY] = {};
+        Bounds bounds = {};
+        asked[q.y % kBrickY] = std::uint64_t{1} << q.x % kBrickX;
+        SettleTile(q.x / kBrickX, q.y / kBrickY, q.z, 0, limit, live, asked, bounds);
     }
 
   private:
@@ -108,13 +122,15 @@ class Settler {
         }
     }
 
-    /// Chooses of a brick the positions whose blocks are near and within their layer's limit.
-    void ChooseByBlocks(const Survivor& survivor, Chosen& chosen) const {
-        const int half = survivor.bx % kPair;
+    /// Chooses of a brick the positions whose blocks are near and within their layer's limit. What lies above all
+    /// layers that can win is left to later searches, and bounds tell nothing of it.
+    void ChooseByBlocks(const Survivor& survivor, Chosen& chosen) {
+        const int half = survivor.bx % kPair, layers = limits_.layers();
+        layers_ = std::min(layers_, layers);
         for (int j = 0; j < kBlocksY; ++j) {
             const std::uint32_t* before = survivor.open->bound[j] + half * kBlocksX;
             std::uint64_t left = 0;
-            for (int z = 0; z < kBrickZ; ++z) {
+            for (int z = 0; z < layers; ++z) {
                 const std::int64_t limit = limits_.of(z);
                 const std::uint64_t within =
                     limit >= 0 ? widened(AtMost(before, LaneLimit(limit)) & survivor.near[j]) : 0;
@@ -124,7 +140,12 @@ class Settler {
                     left |= live[y] & ~within;
                 }
             }
-            std::fill_n(chosen.bound[j], kBlocksX, kDead);
+            for (int z = layers; z < kBrickZ; ++z) {
+                std::fill_n(chosen.free + kBrickY * z + kBlock * j, kBlock, std::uint64_t{0});
+            }
+            for (int i = 0; i < kBlocksX; ++i) {
+                chosen.bound[j][i] = layers == kBrickZ ? kDead : std::max(before[i], kSumLimit);
+            }
             if (state_.keeps()) LowerBounds(any_of_block(left), before, chosen.bound[j]);
         }
     }
@@ -301,6 +322,7 @@ class Settler {
     std::vector<Chosen> chosen_;  // of each survivor
     std::vector<StretchOfQuads> quads_;
     std::vector<Found> found_;
+    int layers_ = kBrickZ;  // that bounds tell of, as far as this brick layer is settled
 };
 
 }  // namespace HWY_NAMESPACE

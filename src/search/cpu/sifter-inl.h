@@ -56,9 +56,9 @@ class Sifter {
         return static_cast<std::uint32_t>(room_[tile + word] >> (bx % kCrowdBricksX * kBlocksX));
     }
 
-    /// What the first batches of look-ups leave of a fresh pair's blocks that have `room`; false if that is nothing.
-    /// `sifted` is how many batches each brick went through.
-    bool Sift(int bx, int by, int bz, const std::uint32_t (&room)[kBlocksY], BrickWords (&live)[kPair],
+    /// What the first batches of look-ups leave of the lowest `layers` of a fresh pair's blocks that have `room`; false
+    /// if that is nothing. `sifted` is how many batches each brick went through.
+    bool Sift(int bx, int by, int bz, int layers, const std::uint32_t (&room)[kBlocksY], BrickWords (&live)[kPair],
               std::size_t (&sifted)[kPair]) {
         bool left[kPair];
         for (int i = 0; i < kPair; ++i) {
@@ -67,9 +67,9 @@ class Sifter {
                 alive[j] = room[j] >> (kBlocksX * i) & 0xFFFFu;
             }
             left[i] = std::ranges::any_of(alive, [](std::uint32_t row) { return row != 0; }) &&
-                      bx + i < state_.bricks().x && SiftStacks(bx + i, by, bz, alive, live[i]);
+                      bx + i < state_.bricks().x && SiftStacks(bx + i, by, bz, layers, alive, live[i]);
             if (!left[i]) continue;
-            sifted[i] = SiftLayers(bx + i, by, bz, live[i]);
+            sifted[i] = SiftLayers(bx + i, by, bz, layers, live[i]);
             left[i] = std::ranges::any_of(live[i], [](std::uint64_t word) { return word != 0; });
         }
         if (!left[0] && !left[1]) return false;
@@ -108,7 +108,7 @@ class Sifter {
 
     /// The candidates of a brick in its `alive` blocks, but for stacks that are found to collide as one. False where
     /// nothing is left.
-    bool SiftStacks(int bx, int by, int bz, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* live) {
+    bool SiftStacks(int bx, int by, int bz, int layers, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* live) {
         state_.candidates(bx, by, alive, live);
         const BitTables& bits = tables_.bits();
         const LookupPlan& plan = t_.plan.collision.of_stacks;
@@ -121,7 +121,7 @@ class Sifter {
         if (asks) stacks_.learn(any);
         if (!any) return false;
         for (int z = 1; z < kBrickZ; ++z) {
-            if (z < state_.layers(bz)) {
+            if (z < layers) {
                 std::copy_n(live, kBrickY, live + kBrickY * z);
             } else {
                 std::fill_n(live + kBrickY * z, kBrickY, std::uint64_t{0});
@@ -132,7 +132,7 @@ class Sifter {
 
     /// The first batches for a brick's layers; the very first of them for all at once, since it leaves out none.
     /// Returns how many batches all that is left went through.
-    std::size_t SiftLayers(int bx, int by, int bz, std::uint64_t* live) const {
+    std::size_t SiftLayers(int bx, int by, int bz, int layers, std::uint64_t* live) const {
         const BitTables& bits = tables_.bits();
         const LookupPlan& plan = t_.plan.collision.of_positions;
         const std::size_t all = std::min(t_.plan.collision.sift, plan.batches.size());
@@ -143,7 +143,7 @@ class Sifter {
         const std::uint64_t* lowest = bits.tile(bx, kBrickY * by, kBrickZ * bz);
         BlockTiles<kBrickZ>(lowest, bits.next(), bits.up(), plan, 0, first, live);
         std::size_t least = all;
-        for (int i = 0; i < kBrickZ; ++i) {
+        for (int i = 0; i < layers; ++i) {
             std::uint64_t* tile = live + kBrickY * i;
             const std::uint64_t* at = lowest + i * bits.up();
             BlockTile(at, bits.next(), plan, first, some, tile);

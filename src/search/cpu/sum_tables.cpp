@@ -34,8 +34,8 @@ SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
     : SumLayout(grid, window.x), window_(window), apart_(apart) {
     if (window != kVoxel && window != kQuad && window != kBlock)
         throw InternalError("no sums are kept for such windows");
-    values_.assign(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun), 0);
-    if (window != kVoxel || sizeof(T) == 1) pooled_.assign(static_cast<std::size_t>(table_), 0);
+    values_ = ZeroedVector<T>(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun));
+    if (window != kVoxel || sizeof(T) == 1) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
 }
 
 template <class T>
@@ -64,16 +64,28 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     }
 }
 
-/// Prefix sums of one row from x on.
+/// Prefix sums of one row of which [lo, hi) changed: anew there, and what follows moved by as much as they grew.
 template <class T>
-void SumTables<T>::sum_along(T* out, const T* from, int x) const {
+void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
+    const auto move = [](T* begin, T* end, T by) {
+        for (; begin != end; ++begin) {
+            *begin = static_cast<T>(*begin + by);
+        }
+    };
     if (block_ == 1) {
-        prefix_sums(out + x, from + x, static_cast<std::size_t>(grid_.x - x));
+        const T before = out[hi];
+        prefix_sums(out + lo, from + lo, static_cast<std::size_t>(hi - lo));
+        move(out + hi + 1, out + grid_.x + 1, static_cast<T>(out[hi] - before));
         return;
     }
-    const int first = x / block_;
-    prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
-                      static_cast<std::size_t>(phase_ - first));
+    const int first = lo / block_, last = std::min((hi + block_ - 1) / block_, phase_);
+    const T end = prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
+                                    static_cast<std::size_t>(last - first));
+    if (last == phase_) return;
+    const auto by = static_cast<T>(end - out[last]);
+    for (int p = 0; p < block_; ++p) {
+        move(out + p * phase_ + last, out + (p + 1) * phase_, by);
+    }
 }
 
 /// Pools what lies in `box`.
@@ -122,12 +134,29 @@ void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& box, con
 }
 
 template <class T>
-void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
+void SumTables<T>::note(const VoxelBox& changed) {
     VoxelBox box = intersection(changed, whole(grid_));
     if (box.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
         box.lo[axis] = std::max(0, box.lo[axis] - (window_[axis] - 1));
     }
+    noted_ = hull(noted_, box);
+}
+
+template <class T>
+void SumTables<T>::follow(const DistanceGrid& phi, int top, const Workers& workers) {
+    refresh(phi, intersection(noted_, {{0, 0, 0}, {grid_.x, grid_.y, top_}}), top_, workers);
+    noted_ = {};
+    top = std::min(top, grid_.z);
+    if (top <= top_) return;
+    refresh(phi, {{0, 0, top_}, {grid_.x, grid_.y, top}}, top, workers);
+    top_ = top;
+}
+
+/// Makes the tables right below layer `top` after phi_W changed within `box`, which ends there at the latest.
+template <class T>
+void SumTables<T>::refresh(const DistanceGrid& phi, VoxelBox box, int top, const Workers& workers) {
+    if (box.empty()) return;
     if (block_ > 1) {
         box.lo.x = box.lo.x / block_ * block_;
         box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
@@ -141,26 +170,30 @@ void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, cons
     T* along_x = values_.data();
     T* along_y = values_.data() + table_;
     T* along_z = values_.data() + 2 * table_;
-    // A stretch of a row for each phase, or where whole rows take fewer steps, all from the first on.
+    // A stretch of a row for each phase, or where that takes fewer steps all from the first on. What lies beside the
+    // change is summed up to what it is already, so stretches are long enough for vectors.
+    constexpr int kNarrow = 16 / sizeof(T), kWide = 64 / sizeof(T);
+    const auto steps = [](int count) { return count / kWide + (count % kWide + kNarrow - 1) / kNarrow; };
     const int first = box.lo.x / block_;
-    const int count = (box.hi.x - 1) / block_ + 1 - first;
+    const int count = std::max((box.hi.x - 1) / block_ + 1 - first, kNarrow);
     const auto for_each_stretch = [&](const auto& visit) {
-        if (block_ > 1 && stride_ / 16 < count + 16) {
+        if (block_ > 1 && steps(stride_ - first) <= block_ * steps(count)) {
             visit(first, static_cast<std::size_t>(stride_ - first));
             return;
         }
         for (int p = 0; p < block_; ++p) {
-            visit(p * phase_ + first, static_cast<std::size_t>(count));
+            const int begin = std::min(p * phase_ + first, std::max(0, stride_ - count));
+            visit(begin, static_cast<std::size_t>(std::min(count, stride_ - begin)));
         }
     };
     const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
     // Only differences along an axis count: what lies on one side of the change may stay as it is, and the other side,
     // the shorter one, is brought in line with it.
-    const bool behind = grid_.y - box.lo.y <= box.hi.y, above = grid_.z - box.lo.z <= box.hi.z;
+    const bool behind = grid_.y - box.lo.y <= box.hi.y, above = top - box.lo.z <= box.hi.z;
     workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
         for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
             for (int y = box.lo.y; y < box.hi.y; ++y) {
-                sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x);
+                sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x, box.hi.x);
             }
             const int y = behind ? box.lo.y : box.hi.y - 1;
             T* out = along_y + row(y, z);
@@ -192,7 +225,7 @@ void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, cons
             });
         };
         if (above) {
-            for (int z = box.lo.z; z < grid_.z; ++z) {
+            for (int z = box.lo.z; z < top; ++z) {
                 for_layer(z);
             }
         } else {
@@ -205,13 +238,13 @@ void SumTables<T>::update(const DistanceGrid& phi, const VoxelBox& changed, cons
 
 template <class T>
 bool SumTables<T>::same_sums(const SumTables& other) const {
-    if (!SumLayout::operator==(other) || window_ != other.window_ || apart_ != other.apart_ ||
-        pooled_ != other.pooled_) {
+    if (!SumLayout::operator==(other) || window_ != other.window_ || apart_ != other.apart_ || top_ > other.top_ ||
+        !std::equal(pooled_.begin(), pooled_.begin() + (pooled_.empty() ? 0 : row(0, top_)), other.pooled_.begin())) {
         return false;
     }
     for (int axis = 0; axis < 3; ++axis) {
         VoxelIndex v;
-        for (v.z = 0; v.z < grid_.z + (axis == 2); ++v.z) {
+        for (v.z = 0; v.z < top_ + (axis == 2); ++v.z) {
             for (v.y = 0; v.y < grid_.y + (axis == 1); ++v.y) {
                 for (v.x = 0; v.x < grid_.x + (axis == 0); ++v.x) {
                     VoxelIndex first = v;

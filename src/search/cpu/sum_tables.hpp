@@ -7,7 +7,8 @@
 /// W with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
 /// Invariant: table a at X less table a at Y = sum of phi_W(X - i e_a) over 1 <= i <= X_a - Y_a, modulo 2^b, for any X
-/// and Y < X on a line along axis a. Exact as long as the true sum is below 2^b; plan.cpp splits what is not.
+/// and Y < X on a line along axis a of voxels below layer top(). Exact as long as the true sum is below 2^b; plan.cpp
+/// splits what is not. Above top() nothing is right: with a steep height penalty nobody asks for that part of a tray.
 ///
 /// phi_W bounds rho from below on a whole window of positions: for every candidate q + d with d in W,
 ///   rho(q + d) = sum over x in A of phi(x + q + d) >= sum over x in A of phi_W(x + q),
@@ -18,9 +19,9 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "core/parallel.hpp"
+#include "core/zeroed.hpp"
 #include "search/cpu/distance_grid.hpp"
 
 namespace spectralpack {
@@ -71,7 +72,7 @@ template <class T>
 class SumTables : public SumLayout {
   public:
     SumTables() = default;
-    /// `window`: kVoxel, kQuad or kBlock. Not right before the first update().
+    /// `window`: kVoxel, kQuad or kBlock. top() is 0.
     SumTables(const Extent& grid, const Extent& window, bool apart);
 
     /// No pooled value is above it where `apart`. Of bytes: runs of 12 voxels and less are not split.
@@ -79,10 +80,14 @@ class SumTables : public SumLayout {
     /// What an element holds: sums up to it are exact.
     static constexpr int kRange = std::numeric_limits<T>::max();
 
-    /// Makes the tables right after phi changed within `changed`.
-    void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers);
+    /// Takes note that phi changed within `changed`; the tables are not right before they follow().
+    void note(const VoxelBox& changed);
+    /// Makes the tables right below layer `top`, or top() if that is higher, which it becomes. O(voxels that changed,
+    /// and those next to them in rows and columns).
+    void follow(const DistanceGrid& phi, int top, const Workers& workers);
+    int top() const { return top_; }
 
-    /// True when every run's sum is the same. O(voxels).
+    /// True when every run's sum below top(), which is not higher than the other's, is the same. O(voxels).
     bool same_sums(const SumTables& other) const;
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + pooled_.size()) * sizeof(T)); }
@@ -92,8 +97,9 @@ class SumTables : public SumLayout {
     const T* base(int bx, int y, int z) const { return values_.data() + row(y, z) + bx; }
 
   private:
+    void refresh(const DistanceGrid& phi, VoxelBox box, int top, const Workers& workers);
     const T* pooled_row(const DistanceGrid& phi, int y, int z) const;
-    void sum_along(T* out, const T* from, int x) const;
+    void sum_along(T* out, const T* from, int lo, int hi) const;
     void pool_quads(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
     void pool_blocks(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
     void narrow(const DistanceGrid& phi, const VoxelBox& box);
@@ -104,8 +110,10 @@ class SumTables : public SumLayout {
 
     Extent window_ = kVoxel;
     bool apart_ = false;
-    std::vector<T> values_;
-    std::vector<T> pooled_;  // phi_W, laid out as a table; empty where phi is it, in as many bits
+    int top_ = 0;
+    VoxelBox noted_;  // phi_W changed there since the tables followed
+    ZeroedVector<T> values_;
+    ZeroedVector<T> pooled_;  // phi_W, laid out as a table; empty where phi is it, in as many bits
 };
 
 }  // namespace spectralpack

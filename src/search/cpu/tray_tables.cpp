@@ -42,11 +42,12 @@ void refresh_class(BitTables& bits, CrowdTables& crowd, const Tray& tray, int ga
     refresh_layer(bits, crowd, tray.gap_classes() + gap_class, {&tray.occupied(gap_class)}, changed, workers);
 }
 
-void refresh_all(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Workers& workers) {
+/// Fills empty tables.
+void fill(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Workers& workers) {
     for (int c = 0; c < tray.gap_classes(); ++c) {
-        refresh_class(bits, crowd, tray, c, whole(tray.extent()), workers);
+        if (!tray.occupied(c).none()) refresh_class(bits, crowd, tray, c, whole(tray.extent()), workers);
     }
-    if (tray.blocked().extent().empty()) return;
+    if (tray.blocked().extent().empty() || tray.blocked().none()) return;
     refresh_layer(bits, crowd, bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()), workers);
 }
 
@@ -83,6 +84,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
     crowd_ = {};
     sums_ = {};
     quads_.reset();
+    top_ = 0;
     minima_ = {};
     phi_ = {};
     large_ = n.count() >= large_from_;
@@ -92,7 +94,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
         if (i == 0) {
             bits_ = tables_for(tray, margin);
             crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
-            refresh_all(bits_, crowd_, tray, workers);
+            fill(bits_, crowd_, tray, workers);
         } else {
             sums_ = make_sums<std::uint16_t>(n, apart, workers);
             minima_ = BlockMinima(n, kBlock);
@@ -127,10 +129,8 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
 /// Once phi is small it stays so until an object is removed.
 void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
     const bool to_be_narrow = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
-    VoxelBox box = changed;
     if (to_be_narrow != narrow()) {
         const Extent& n = phi_.extent();
-        box = whole(n);
         sums_ = {};  // makes room first
         quads_.reset();
         if (to_be_narrow) {
@@ -139,20 +139,29 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
             sums_ = make_sums<std::uint16_t>(n, apart_, workers);
         }
     }
-    quads_behind_ = hull(quads_behind_, box);
+    std::visit([&](auto& sums) { sums.note(changed); }, sums_);
+    if (quads_) quads_->note(changed);
+    quads_follow_ = false;
     workers.for_each(2, [&](std::int64_t i) {
-        if (i == 0) std::visit([&](auto& sums) { sums.update(phi_, box, workers); }, sums_);
+        if (i == 0) follow_sums(workers);
         if (i == 1) minima_.update(phi_, changed, workers);
     });
 }
 
+void TrayTables::follow_sums(const Workers& workers) {
+    std::visit([&](auto& sums) { sums.follow(phi_, top_, workers); }, sums_);
+}
+
 void TrayTables::follow_quads(const Workers& workers) {
-    if (!quads_) {
-        quads_.emplace(phi_.extent(), SumLayout::kQuad, apart_);
-        quads_behind_ = whole(phi_.extent());
-    }
-    quads_->update(phi_, quads_behind_, workers);
-    quads_behind_ = {};
+    if (!quads_) quads_.emplace(phi_.extent(), SumLayout::kQuad, apart_);
+    quads_->follow(phi_, top_, workers);
+    quads_follow_ = true;
+}
+
+void TrayTables::raise(int top, const Workers& workers) {
+    top_ = std::max(top_, std::min(top, phi_.extent().z));
+    follow_sums(workers);
+    if (quads_follow_) follow_quads(workers);
 }
 
 bool TrayTables::starts_afresh(const Tray& tray, int margin, bool apart) const {
@@ -211,12 +220,12 @@ void TrayTables::check(const Tray& tray) const {
     const Workers one(1);
     visit_sums([&]<class T>(const Sums<T>& kept) {
         Sums<T> sums = make_sums<T>(n, apart_, one);
-        sums.update(phi_, whole(n), one);
+        sums.follow(phi_, top_, one);
         require(sums.same_sums(kept), "prefix sums");
     });
-    if (quads_ && quads_behind_.empty()) {
+    if (quads_follow_) {
         SumTables<std::uint8_t> quads(n, SumLayout::kQuad, apart_);
-        quads.update(phi_, whole(n), one);
+        quads.follow(phi_, top_, one);
         require(quads.same_sums(*quads_), "prefix sums over quads");
     }
     BlockMinima minima(n, kBlock);
@@ -224,7 +233,7 @@ void TrayTables::check(const Tray& tray) const {
     require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
     CrowdTables crowd = large_ ? CrowdTables(bits) : CrowdTables();
-    refresh_all(bits, crowd, tray, one);
+    fill(bits, crowd, tray, one);
     require(bits == bits_, "bit tables");
     require(crowd == crowd_, "crowd tables");
 }

@@ -24,9 +24,13 @@ template <class T>
 struct Sums {
     SumTables<T> exact, coarse;
 
-    void update(const DistanceGrid& phi, const VoxelBox& changed, const Workers& workers) {
+    void note(const VoxelBox& changed) {
+        exact.note(changed);
+        coarse.note(changed);
+    }
+    void follow(const DistanceGrid& phi, int top, const Workers& workers) {
         workers.for_each(2, [&](std::int64_t i) {  // of either little can be done at once
-            i == 0 ? exact.update(phi, changed, workers) : coarse.update(phi, changed, workers);
+            i == 0 ? exact.follow(phi, top, workers) : coarse.follow(phi, top, workers);
         });
     }
     std::int64_t bytes() const { return exact.bytes() + coarse.bytes(); }
@@ -42,8 +46,8 @@ class TrayTables {
     explicit TrayTables(std::int64_t large_from = 0, bool bytes = true)
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
-    /// Brings the tables to the tray's version. `margin`: voxels by which an A+g may reach beyond
-    /// A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
+    /// Brings the tables to the tray's version, sums below layer top(). `margin`: voxels by which an A+g may reach
+    /// beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
     /// True when that would only add what came in, so that frame() stays right.
     bool only_adds(const Tray& tray, int margin, bool apart) const;
@@ -62,8 +66,12 @@ class TrayTables {
     bool narrow() const { return std::holds_alternative<Sums<std::uint8_t>>(sums_); }
     /// Of phi pooled over quads of positions. Not followed unless asked to: only solids of few runs ask for it.
     const SumTables<std::uint8_t>& quads() const { return *quads_; }
-    /// Brings quads() to the version of the rest; where narrow() only.
+    /// Brings quads() to the version of the rest, below layer top() as well; where narrow() only.
     void follow_quads(const Workers& workers);
+    /// Sums, and quads where they followed, are right below this layer: the whole tray, or as far as anybody asked.
+    int top() const { return top_; }
+    /// Raises top() to `top`.
+    void raise(int top, const Workers& workers);
     const BlockMinima& minima() const { return minima_; }
 
     /// What runs are made for; right as long as objects only come in.
@@ -106,6 +114,7 @@ class TrayTables {
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
+    void follow_sums(const Workers& workers);
     void note_occupied(const Tray& tray);
 
     std::int64_t large_from_;
@@ -116,7 +125,8 @@ class TrayTables {
     DistanceGrid phi_;
     std::variant<Sums<std::uint16_t>, Sums<std::uint8_t>> sums_;
     std::optional<SumTables<std::uint8_t>> quads_;
-    VoxelBox quads_behind_;  // outside of it they are right
+    bool quads_follow_ = false;  // are of the version of the rest
+    int top_ = 0;
     BlockMinima minima_;
     bool apart_ = true;
     std::vector<bool> class_used_;
