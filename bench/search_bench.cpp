@@ -5,10 +5,13 @@
 /// same states, in a packing of its own lest it disturbs the other's caches, and extrapolated.
 ///
 ///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
-///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--distinct] [--trace]
+///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--free SAMPLES] [--distinct]
+///                [--trace]
 ///
 /// --gpu times the plain method on a GPU instead, all orientations of a copy at a time (gpu_plain.hpp); without the
 /// distance field, which the CPU makes for it.
+///
+/// --free asks, once all is packed, where each copy could be if it were not where it is (free_queries.hpp).
 ///
 /// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
 /// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
@@ -19,11 +22,13 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
+#include "free_queries.hpp"
 #include "model/orientation.hpp"
 #include "packing/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
@@ -44,7 +49,7 @@ struct Arguments {
     double voxel = 2, gap = 0.2;
     Vec3 tray{480, 245, 200};
     std::string penalty = "auto";
-    int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, most = 0;
+    int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, free_samples = 0, most = 0;
     std::int64_t cache = CpuOptions{}.cache_memory;
     bool distinct = false, trace = false;
 };
@@ -84,6 +89,8 @@ Arguments parse(int count, char** words) {
             result.plain_samples = std::atoi(value);
         else if (option == "--gpu")
             result.gpu_samples = std::atoi(value);
+        else if (option == "--free")
+            result.free_samples = std::atoi(value);
         else if (option == "--tray") {
             std::sscanf(value, "%lfx%lfx%lf", &result.tray.x, &result.tray.y, &result.tray.z);
         } else
@@ -196,6 +203,7 @@ struct Packed {
     double seconds = 0, orientations = 0;              ///< of the engine
     double plain_seconds = 0, plain_orientations = 0;  ///< of the plain method, on its samples
     int asked = 0, same = 0;                           ///< these, and those with the engine's answer
+    FreeQueries free;                                  ///< where copies could be in the tray that is packed
 };
 
 /// Packs greedily. The plain method is asked as well, now and then.
@@ -238,9 +246,17 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
                   search.plain_seconds,
                   search.plain_orientations,
                   search.asked,
-                  search.same};
+                  search.same,
+                  {}};
     for (const PlacedItem& placed : result.placed) {
         packed.costs += placed.cost.primary;
+    }
+    if (arguments.free_samples > 0) {
+        std::unique_ptr<PlacementSearch> transforms;
+#ifdef SPECTRALPACK_BENCH_REFERENCE
+        transforms = make_reference_search({}, workers);
+#endif
+        packed.free = ask_free_positions(tray, result.placed, *engine, transforms.get(), arguments.free_samples);
     }
     return packed;
 }
@@ -287,6 +303,7 @@ void run(const Arguments& arguments) {
     if (arguments.gpu_samples > 0) throw UsageError("--gpu: built without nvcc or FFTW");
 #endif
     std::printf("\n");
+    if (arguments.free_samples > 0) packed.free.print();
 }
 
 }  // namespace
