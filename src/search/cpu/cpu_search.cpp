@@ -194,11 +194,14 @@ class CpuSearch final : public PlacementSearch {
             entry.planned_classes == tables_.occupied_classes() && entry.planned_narrow == tables_.narrow();
         entry.planned_narrow = tables_.narrow();
         entry.planned_classes = tables_.occupied_classes();
-        workers_.for_each(std::ssize(open), [&](std::int64_t i) {
-            const auto k = static_cast<std::size_t>(i);
-            OrientationPlan& plan = entry.plans[k];
-            if (!as_planned) plan = {};
-            if (open[k] && plan.fine.loads.empty()) plan = make_plan(entry.runs[k], tables_);
+        if (!as_planned) std::ranges::fill(entry.plans, OrientationPlan());
+        std::vector<std::size_t> unplanned;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            if (open[k] && entry.plans[k].fine.loads.empty()) unplanned.push_back(k);
+        }
+        workers_.for_each(std::ssize(unplanned), [&](std::int64_t i) {
+            const std::size_t k = unplanned[static_cast<std::size_t>(i)];
+            entry.plans[k] = make_plan(entry.runs[k], tables_);
         });
         std::vector<OrientationTask> searches;
         for (std::size_t k = 0; k < open.size(); ++k) {

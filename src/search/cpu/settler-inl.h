@@ -112,9 +112,11 @@ class Settler {
         if (context_.quads == nullptr) ChooseByBlocks(survivor, chosen);
         const int half = bx % kPair;
         for (int i = 0; i < kBrickZ; ++i) {
+            const std::uint64_t* asked = chosen.free + kBrickY * i;
+            if (std::all_of(asked, asked + kBrickY, [](std::uint64_t word) { return word == 0; })) continue;
             limits_.look(bz);
-            SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_.of(i), open->live[half] + kBrickY * i,
-                       chosen.free + kBrickY * i, chosen.bound);
+            SettleTile(bx, by, kBrickZ * bz + i, sifted, limits_.of(i), open->live[half] + kBrickY * i, asked,
+                       chosen.bound);
         }
         if (!state_.keeps()) return;
         for (int j = 0; j < kBlocksY; ++j) {
@@ -143,18 +145,11 @@ class Settler {
             for (int z = layers; z < kBrickZ; ++z) {
                 std::fill_n(chosen.free + kBrickY * z + kBlock * j, kBlock, std::uint64_t{0});
             }
+            const std::uint32_t blocks = every_fourth(any_of_block(left));
             for (int i = 0; i < kBlocksX; ++i) {
-                chosen.bound[j][i] = layers == kBrickZ ? kDead : std::max(before[i], kSumLimit);
+                const std::uint32_t none = layers == kBrickZ ? kDead : std::max(before[i], kSumLimit);
+                chosen.bound[j][i] = blocks >> i & 1 ? before[i] : none;
             }
-            if (state_.keeps()) LowerBounds(any_of_block(left), before, chosen.bound[j]);
-        }
-    }
-
-    /// Lowers `after` to `before` for the blocks whose lowest bits are set in `blocks`.
-    static void LowerBounds(std::uint64_t blocks, const std::uint32_t* before, std::uint32_t* after) {
-        for (; blocks != 0; blocks &= blocks - 1) {
-            const int i = std::countr_zero(blocks) / kBlock;
-            after[i] = std::min(after[i], before[i]);
         }
     }
 
@@ -205,7 +200,6 @@ class Settler {
     /// Settles the positions of a tile that are `asked` about.
     void SettleTile(int bx, int by, int z, std::size_t first_batch, std::int64_t limit, std::uint64_t* live,
                     const std::uint64_t* asked, Bounds& after) {
-        if (std::all_of(asked, asked + kBrickY, [](std::uint64_t word) { return word == 0; })) return;
         alignas(64) std::uint64_t free[kBrickY];
         std::copy_n(asked, kBrickY, free);
         const std::size_t begin = SiftFurther(first_batch, bx, by, z, free);
