@@ -161,12 +161,11 @@ class Pass {
             }
             first = last;
         }
+        const int lowest = kBrickZ * bz + std::countr_one(state_.dead_layers(bz));
         context_.tables.visit_sums([&](const auto& tables) {
             SumUp<true>(
                 t_.plan.coarse, std::span<const UnknownBlocks>(unknown_),
-                [&](const UnknownBlocks& blocks) {
-                    return tables.coarse.base(blocks.x, kBlock * blocks.y, kBrickZ * bz);
-                },
+                [&](const UnknownBlocks& blocks) { return tables.coarse.base(blocks.x, kBlock * blocks.y, lowest); },
                 StopAbove(limits_.most(), t_.for_copy),
                 [&](const UnknownBlocks& blocks, const std::uint32_t* sums) {
                     for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {

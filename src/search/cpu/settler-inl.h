@@ -96,6 +96,13 @@ class Settler {
         int x, y;
     };
 
+    /// Up to which rho positions are weighed in a layer with this limit. Where bounds are kept it is the greatest limit
+    /// of all layers: a block's bound is that of all its layers, and one that is not weighed as far would leave it so
+    /// low that every search asks about the others again.
+    std::int64_t WeighedUpTo(std::int64_t limit) const {
+        return state_.keeps() ? std::max(limit, limits_.most()) : limit;
+    }
+
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
@@ -134,8 +141,8 @@ class Settler {
             std::uint64_t left = 0;
             for (int z = 0; z < layers; ++z) {
                 const std::int64_t limit = limits_.of(z);
-                const std::uint64_t within =
-                    limit >= 0 ? widened(AtMost(before, LaneLimit(limit)) & survivor.near[j]) : 0;
+                const std::uint32_t blocks = limit < 0 ? 0 : AtMost(before, LaneLimit(WeighedUpTo(limit)));
+                const std::uint64_t within = widened(blocks & survivor.near[j]);
                 const std::uint64_t* live = survivor.open->live[half] + kBrickY * z;
                 for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
                     chosen.free[kBrickY * z + y] = live[y] & within;
@@ -169,7 +176,8 @@ class Settler {
             [&](const StretchOfQuads& quads, const std::uint32_t* sums) {
                 for (int i = 0; i < kQuad; ++i) {
                     const std::int64_t limit = limits_.of(quads.z % kBrickZ + i);
-                    const std::uint32_t above = limit < 0 ? 0 : quads.lanes & ~AtMost(sums, LaneLimit(limit));
+                    const std::uint32_t above =
+                        limit < 0 ? 0 : quads.lanes & ~AtMost(sums, LaneLimit(WeighedUpTo(limit)));
                     const std::uint64_t out = static_cast<std::uint64_t>(above) << quads.x % kBrickX;
                     std::uint64_t* rows = quads.free + kBrickY * i;
                     if (state_.keeps()) {
@@ -282,7 +290,7 @@ class Settler {
             SumUp<false>(
                 t_.plan.fine, stretches.all(),
                 [&](const Stretch& row) { return tables.exact.base(kBrickX * bx + row.x, kBrickY * by + row.y, z); },
-                StopAbove(limit, t_.for_copy),
+                StopAbove(WeighedUpTo(limit), t_.for_copy),
                 [&](const Stretch& row, const std::uint32_t* rho) {
                     const std::uint32_t within = row.lanes & AtMost(rho, most);
                     std::uint32_t above = state_.keeps() ? row.lanes & ~within : 0;
