@@ -72,8 +72,8 @@ class PositionState {
     /// Nothing of a fresh pair is live. Likewise.
     void close(int bx, int by, int bz) { close(pair(bx, by, bz)); }
 
-    /// No bound of a pair need be looked at with a limit below this one, which is as good as all of them: kDead where
-    /// nothing is live. Small, so that a search passes over pairs of which nothing is wanted without asking for them.
+    /// A bound of all the blocks of a pair, open or fresh; kDead where nothing is live. All of these are small, so that
+    /// a search passes over the pairs of which nothing is wanted without reading what is known of each.
     std::uint32_t least_bound(int bx, int by, int bz) const { return least_[pair(bx, by, bz)]; }
     void set_least_bound(int bx, int by, int bz, std::uint32_t least) { least_[pair(bx, by, bz)] = least; }
 
