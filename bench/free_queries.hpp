@@ -3,12 +3,12 @@
 /// out, free positions padded by one, in three ways.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
 #include <vector>
 
+#include "core/stopwatch.hpp"
 #include "disassembly/reachable_region.hpp"
 #include "packing/greedy.hpp"
 #include "search/placement_search.hpp"
@@ -21,9 +21,9 @@ struct QueryTimes {
 
     template <class Work>
     void time(const Work& work) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         work();
-        ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        ms.push_back(1e3 * watch.seconds());
     }
     double mean() const {
         return ms.empty() ? 0 : std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size());

@@ -16,7 +16,6 @@
 /// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
 /// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -26,6 +25,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/stopwatch.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
 #include "free_queries.hpp"
@@ -147,9 +147,9 @@ class TimedSearch final : public PlacementSearch {
   private:
     template <class Work>
     static double timed(const Work& work) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         work();
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return watch.seconds();
     }
 
     PlacementSearch& engine_;

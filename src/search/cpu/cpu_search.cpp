@@ -19,7 +19,6 @@ namespace {
 /// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
 /// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
-constexpr std::size_t kMostSeeds = 8;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
@@ -230,7 +229,7 @@ class CpuSearch final : public PlacementSearch {
     static std::vector<Placed> seeds_after(const Incumbent& incumbent, const std::vector<Placed>& before) {
         std::vector<Placed> seeds = incumbent.beaten();
         for (const Placed& seed : before) {
-            if (seeds.size() >= kMostSeeds) break;
+            if (seeds.size() >= Incumbent::kMostBeaten) break;
             const auto same = [&](const Placed& s) { return s.index == seed.index && s.position == seed.position; };
             if (std::ranges::none_of(seeds, same)) seeds.push_back(seed);
         }
@@ -239,7 +238,7 @@ class CpuSearch final : public PlacementSearch {
 
     /// Searches brick layer after brick layer of all orientations, as far up as the answer can lie: with a steep height
     /// penalty low layers rule out the rest, for which the tables need not follow the tray. False: stopped.
-    bool search_all(std::vector<OrientationTask>& searches, SearchContext& context, const StopToken& stop) {
+    bool search_all(std::vector<OrientationTask>& searches, const SearchContext& context, const StopToken& stop) {
         std::vector<int> searched(searches.size(), 0);  // brick layers
         for (;;) {
             const std::vector<int> before = searched;

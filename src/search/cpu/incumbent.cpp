@@ -16,9 +16,9 @@ bool better(const Placed& a, const Placed& b) {
 void Incumbent::offer(const Placed& found) {
     const std::lock_guard lock(mutex_);
     if (best_) beaten_.push_back(better(found, *best_) ? *best_ : found);
-    if (beaten_.size() == 2 * kBeaten) {
-        std::ranges::nth_element(beaten_, beaten_.begin() + kBeaten, better);
-        beaten_.resize(kBeaten);
+    if (beaten_.size() == 2 * kMostBeaten) {
+        std::ranges::nth_element(beaten_, beaten_.begin() + kMostBeaten, better);
+        beaten_.resize(kMostBeaten);
     }
     if (best_ && !better(found, *best_)) return;
     best_ = found;
@@ -39,7 +39,7 @@ std::vector<Placed> Incumbent::beaten() const {
     const std::lock_guard lock(mutex_);
     std::vector<Placed> best = beaten_;
     std::ranges::sort(best, better);
-    best.resize(std::min(best.size(), kBeaten));
+    best.resize(std::min(best.size(), kMostBeaten));
     return best;
 }
 

@@ -34,12 +34,11 @@ class Incumbent {
     /// Grows with every change: a copy taken at this generation is still current.
     std::uint64_t generation() const { return generation_.load(std::memory_order_acquire); }
     std::optional<Placed> get() const;
-    /// The best of those that were offered and lost, at most kBeaten, best first.
+    /// The best of those that were offered and lost, at most kMostBeaten, best first.
     std::vector<Placed> beaten() const;
+    static constexpr std::size_t kMostBeaten = 8;
 
   private:
-    static constexpr std::size_t kBeaten = 8;
-
     mutable std::mutex mutex_;
     std::optional<Placed> best_;
     std::vector<Placed> beaten_;
