@@ -81,7 +81,7 @@ class Search {
             if (square_distance(box, b.box()) >= best_.distance * best_.distance) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
                 if (square_distance(box, boxes[j]) >= best_.distance * best_.distance) continue;
-                if (plane_separation(one, others[j], {}) >= best_.distance) continue;
+                if (plane_separation(one, others[j]) >= best_.distance) continue;
                 const ClosestPoints found = closest_points(one, others[j]);
                 if (found.distance < best_.distance) best_ = found;
             }

@@ -11,6 +11,11 @@
 /// exactly if the triangles overlap as seen along e, an exact test for an axis; those that do not,
 /// by more than a tolerance, are let pass. For the others the line is in C for t in an interval
 /// [enter, leave].
+///
+/// Along any unit vector n from b to a, f(t) is at least their separation at the start plus t n.e. Where n is a face's
+/// normal or an axis that is most often exactly f, and the same for all pairs of two faces: so the way that a pair lets
+/// the mesh go is never put below the one on which these bounds keep f at the contact's level. That is what it stops at
+/// anyway, and it lets a pair be left out by its bound alone as soon as another one of the same faces has been asked.
 
 #include "geometry/slide.hpp"
 
@@ -84,6 +89,9 @@ class Slide {
     /// The way that is free as far as is known, here or to those who ask about others at the same time.
     double best() const { return std::min(at_most_, free_.load(std::memory_order_relaxed)); }
 
+    /// The distance at which a contact is put.
+    double level() const { return gap_ + kSlideSlack / 2; }
+
     Sweep sweep(const Box& box, const Vec3& offset) const {
         constexpr int u = (kAxis + 1) % 3, v = (kAxis + 2) % 3;
         const double low = box.min[kAxis] + offset[kAxis], high = box.max[kAxis] + offset[kAxis];
@@ -91,7 +99,7 @@ class Slide {
                 box.max[u] + offset[u],  box.min[v] + offset[v],  box.max[v] + offset[v]};
     }
 
-    /// When boxes could first be in contact; infinite when never.
+    /// When boxes could first be in contact, negative where they may be at the start; infinite when never.
     double earliest(const Sweep& a, const Sweep& b) const {
         const double du = std::max(a.u0 - b.u1, b.u0 - a.u1);
         const double dv = std::max(a.v0 - b.v1, b.v0 - a.v1);
@@ -103,7 +111,7 @@ class Slide {
             const double floor = gap_ - kSlideTolerance;
             if (across >= floor * floor || a.low > b.high) return Box::kInfinity;
         }
-        return b.low - a.high - gap_ - kSlideSlack;
+        return b.low - a.high - level();
     }
 
     Pair pair_of(std::uint32_t a, std::uint32_t b) const {
@@ -155,8 +163,10 @@ class Slide {
             const Sweep swept = sweep(bounding_box(one), {});
             if (earliest(swept, all) >= best()) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
-                if (earliest(swept, sweeps[j]) >= best()) continue;
-                lower(free_, touching_ ? touch(one, ahead[j], swept, sweeps[j]) : approach(one, ahead[j]));
+                const double from = earliest(swept, sweeps[j]);
+                if (from >= best()) continue;
+                const double way = touching_ ? touch(one, ahead[j], swept, sweeps[j]) : approach(one, ahead[j]);
+                lower(free_, std::max(from, way));
             }
         }
     }
@@ -169,11 +179,31 @@ class Slide {
         return closest_points(moved, b);
     }
 
-    /// How far apart they stay at least on that way.
-    double separation(const Corners& a, const Corners& b, double way) const {
-        Vec3 sweep;
-        sweep[kAxis] = sign_ * way;
-        return plane_separation(a, b, sweep);
+    /// What the planes of two triangles say: `until`, no contact before that way; `kept`, they stay at least as far apart
+    /// as the floor on all of it.
+    struct Bound {
+        double until = 0;
+        bool kept = false;
+    };
+    Bound by_planes(const Corners& a, const Corners& b) const {
+        Bound bound;
+        for_each_plane(a, b, [&](const Vec3& from_b, double separation) {
+            const double rise = sign_ * from_b[kAxis];
+            if (separation > level()) {
+                bound.until = std::max(bound.until, rise < 0 ? (separation - level()) / -rise : kFree);
+            }
+            bound.kept |= separation + std::min(0.0, rise * at_most_) >= gap_ - kSlideTolerance / 2;
+        });
+        return bound;
+    }
+
+    /// True when the direction that parted two triangles last keeps these from contact, too, for as far as is known to be
+    /// free.
+    bool parted(const Corners& a, const Corners& b, double best) const {
+        const Vec3& n = parting_;
+        const double near = std::min({dot(n, a[0] - b[0]), dot(n, a[1] - b[0]), dot(n, a[2] - b[0])});
+        const double far = std::max({0.0, dot(n, b[1] - b[0]), dot(n, b[2] - b[0])});
+        return near - far + std::min(0.0, best * sign_ * n[kAxis]) >= gap_ + 2 * kSlideSlack;
     }
 
     /// A moment at which f is at most `reached`, before it is under `level` (level < reached), when
@@ -181,36 +211,40 @@ class Slide {
     struct Contact {
         bool found;
         double way;
+        Vec3 apart;  ///< where none was found: what shows it, of any length
     };
     Contact first_contact(const Corners& a, const Corners& b, double way, double end, double level, double reached,
                           int heading = 1) const {
         for (int step = 0; step < kNewtonSteps; ++step) {
             const ClosestPoints now = closest(a, b, way);
-            if (now.distance <= reached) return {true, way};
+            if (now.distance <= reached) return {true, way, {}};
             const double slope = heading * sign_ * now.apart()[kAxis] / now.distance;
-            if (!(slope < 0)) return {false, way};
+            if (!(slope < 0)) return {false, way, now.apart()};
             way += heading * (now.distance - level) / -slope;
-            if (heading * (end - way) <= 0) return {false, way};
+            if (heading * (end - way) <= 0) return {false, way, now.apart()};
         }
-        return {true, way};
+        return {true, way, {}};
     }
 
     /// gap > 0: how far this pair lets the mesh go, where that is less than best(); or else kFree. What it says depends
     /// on at_most_, never on what is known by now, so that the least of all is the same in any order.
-    double approach(const Corners& a, const Corners& b) const {
+    double approach(const Corners& a, const Corners& b) {
         const double best = this->best();
-        // No contact on the way that is free as far as is known; or one that never falls under the floor, on all of it.
-        if (separation(a, b, best) >= gap_ + 2 * kSlideSlack) return kFree;
-        if (separation(a, b, at_most_) >= gap_ - kSlideTolerance / 2) return kFree;
-        const Contact stop = first_contact(a, b, 0, best, gap_ + kSlideSlack / 2, gap_ + kSlideSlack);
-        if (!stop.found) return kFree;
+        if (parted(a, b, best)) return kFree;
+        const Bound bound = by_planes(a, b);
+        if (bound.kept || bound.until >= best) return kFree;
+        const Contact stop = first_contact(a, b, 0, best, level(), gap_ + kSlideSlack);
+        if (!stop.found) {
+            parting_ = (1 / length(stop.apart)) * stop.apart;
+            return kFree;
+        }
         const double now = closest(a, b, stop.way).distance;
         // The gap's own floor does not sink with repeated moves; that of a pair too near to begin
         // with follows it, a sixteenth for the iteration to end in.
         const double floor = std::min(gap_ - kSlideTolerance, now - kSlideTolerance / 8);
         if (floor <= 0) return 0;
         const Contact fall = first_contact(a, b, stop.way, at_most_, floor, floor + kSlideTolerance / 16);
-        return fall.found ? stop.way : kFree;
+        return fall.found ? std::max(bound.until, stop.way) : kFree;
     }
 
     /// gap 0: likewise. `swept` and `ahead` are their boxes.
@@ -235,9 +269,12 @@ class Slide {
     }
 
     double first_touch(const Corners& a, const Corners& b) const {
-        const Contact stop = first_contact(a, b, 0, best(), kSlideSlack / 2, kSlideSlack);
+        const double best = this->best();
+        const double until = by_planes(a, b).until;
+        if (until >= best) return kFree;
+        const Contact stop = first_contact(a, b, 0, best, level(), kSlideSlack);
         if (!stop.found) return kFree;
-        return first_contact(a, b, stop.way, at_most_, 0, kReached).found ? stop.way : kFree;
+        return first_contact(a, b, stop.way, at_most_, 0, kReached).found ? std::max(until, stop.way) : kFree;
     }
 
     double size_along(const Corners& a, const Corners& b) const {
@@ -288,6 +325,7 @@ class Slide {
     std::atomic<double>& free_;
     bool faces_known_;
     std::vector<Pair> stack_;
+    Vec3 parting_;  ///< of length 1 (at first 0), from b to a
 };
 
 /// Calls of<axis>().

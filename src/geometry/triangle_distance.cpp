@@ -131,20 +131,9 @@ class Closest {
 
 ClosestPoints closest_points(const Corners& a, const Corners& b) { return Closest(a, b).find(); }
 
-double plane_separation(const Corners& a, const Corners& b, const Vec3& sweep) {
-    // Any direction gives a bound, so it does not matter how exact a needle's normal is.
+double plane_separation(const Corners& a, const Corners& b) {
     double most = -Box::kInfinity;
-    for (const Corners* t : {&b, &a}) {
-        const Vec3 normal = cross((*t)[1] - (*t)[0], (*t)[2] - (*t)[0]);
-        const double square = dot(normal, normal);
-        if (!(square > 0)) continue;
-        const double swept = dot(normal, sweep);
-        const double a1 = dot(normal, a[1] - a[0]), a2 = dot(normal, a[2] - a[0]);
-        const double b0 = dot(normal, b[0] - a[0]), b1 = dot(normal, b[1] - a[0]), b2 = dot(normal, b[2] - a[0]);
-        const double above = std::min({b0, b1, b2}) - std::max({0.0, a1, a2}) - std::max(0.0, swept);
-        const double below = std::min({0.0, a1, a2}) + std::min(0.0, swept) - std::max({b0, b1, b2});
-        most = std::max(most, std::max(above, below) / std::sqrt(square));
-    }
+    for_each_plane(a, b, [&](const Vec3&, double separation) { most = std::max(most, separation); });
     return most;
 }
 

@@ -77,11 +77,18 @@ TEST(TriangleDistance, IsNeverBelowTheSeparationByPlanes) {
         const bool coarse = seed % 2 == 0;
         const Corners a = numbers.triangle(coarse), b = numbers.triangle(coarse);
         const Vec3 sweep = numbers.point(coarse);
-        const double separation = plane_separation(a, b, sweep);
+        const double separation = plane_separation(a, b);
         told += separation > 0;
-        for (int i = 0; i <= 8; ++i) {
-            ASSERT_LE(separation, distance(test::moved(a, (i / 8.0) * sweep), b) + 1e-12) << seed;
-        }
+        ASSERT_LE(separation, distance(a, b) + 1e-12) << seed;
+        // Along a normal distances change with the way, so a bound at one place is one everywhere.
+        for_each_plane(a, b, [&](const Vec3& from_b, double there) {
+            ASSERT_NEAR(length(from_b), 1, 1e-12) << seed;
+            ASSERT_LE(there, separation) << seed;
+            for (int i = 0; i <= 8; ++i) {
+                const Vec3 way = (i / 8.0) * sweep;
+                ASSERT_LE(there + dot(from_b, way), distance(test::moved(a, way), b) + 1e-12) << seed;
+            }
+        });
     }
     EXPECT_GT(told, 200);
 }
