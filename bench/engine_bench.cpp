@@ -76,6 +76,7 @@ void phi_and_sums(benchmark::State& state) {
     const Workers one(1);
     const Extent& n = scene.tray.extent();
     DistanceGrid before(n, Ceiling::closed);
+    before.raise(n.z, one);
     before.add(scene.tray.omega_place(), {}, one);
     const Extent windows[] = {SumLayout::kVoxel, SumLayout::kVoxel, SumLayout::kQuad, SumLayout::kBlock};
     const auto which = static_cast<std::size_t>(state.range(0));  // 0: phi alone
@@ -97,6 +98,7 @@ void block_minima(benchmark::State& state) {
     Scene scene;
     const Workers one(1);
     DistanceGrid phi(scene.tray.extent(), Ceiling::closed);
+    phi.raise(scene.tray.extent().z, one);
     phi.add(scene.tray.omega_place(), {}, one);
     BlockMinima minima(scene.tray.extent(), 4);
     for (auto _ : state) {

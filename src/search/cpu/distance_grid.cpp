@@ -77,8 +77,9 @@ void DistanceGrid::note_most() { most_ = max_of_row(most_of_row_.data(), most_of
 
 VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
     const Extent& s = solid.extent();
-    const VoxelBox box = intersection({at, at + VoxelIndex{s.x, s.y, s.z}}, whole(extent_));
+    const VoxelBox box = intersection({at, at + VoxelIndex{s.x, s.y, s.z}}, {{0, 0, 0}, {extent_.x, extent_.y, top_}});
     if (box.empty()) return {};
+    empty_ = false;
 
     // Along x, in the object's own rows.
     VoxelBox changed = box;
@@ -115,10 +116,10 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
         for (std::int64_t i = begin; i < end; ++i) {
             const int y = changed.lo.y + static_cast<int>(i);
             const auto lower = [&](int z, int from) { return lower_row(row(y, z) + lo, row(y, from) + lo, width); };
-            const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, extent_.z, lower);
-            const int down = sweep(std::min(up, extent_.z) - 2, box.lo.z, -1, extent_.z, lower);
-            height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.z)};
-            for (int z = std::max(down, 0); z < std::min(up, extent_.z); ++z) {
+            const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, top_, lower);
+            const int down = sweep(std::min(up, top_) - 2, box.lo.z, -1, top_, lower);
+            height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, top_)};
+            for (int z = std::max(down, 0); z < std::min(up, top_); ++z) {
                 note_most_of_row(y, z);
             }
         }
@@ -129,6 +130,23 @@ VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Wor
     }
     note_most();
     return changed;
+}
+
+void DistanceGrid::raise(int top, const Workers& workers) {
+    top = std::min(top, extent_.z);
+    if (top <= top_) return;
+    if (!empty_ && top_ > 0) {
+        workers.for_ranges(extent_.y, 4, [&](std::int64_t begin, std::int64_t end) {
+            for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+                for (int z = top_; z < top; ++z) {
+                    lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(extent_.x));
+                    note_most_of_row(y, z);
+                }
+            }
+        });
+        note_most();
+    }
+    top_ = top;
 }
 
 }  // namespace spectralpack

@@ -1,9 +1,9 @@
 #pragma once
 /// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added.
 ///
-/// Invariant: at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything
-/// outside the grid included (above it only under a closed ceiling). It never exceeds (min(nx, ny)
-/// + 1) / 2, the distance to the nearer side wall, which is why 16 bits do.
+/// Invariant: below layer top(), at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything
+/// outside the grid included (above it only under a closed ceiling). From top() on it is that or more. It never exceeds
+/// (min(nx, ny) + 1) / 2, the distance to the nearer side wall, which is why 16 bits do.
 
 #include <cstdint>
 #include <vector>
@@ -17,15 +17,20 @@ namespace spectralpack {
 class DistanceGrid {
   public:
     DistanceGrid() = default;
-    /// An empty grid. Throws ResourceError where 16 bits would not do.
+    /// An empty grid with top() 0. Throws ResourceError where 16 bits would not do.
     DistanceGrid(const Extent& extent, Ceiling ceiling);
 
     /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns a box
     /// outside of which nothing changed. Exact: min(phi, distance to the object), computed axis by
     /// axis (the Manhattan distance is separable), and only as far as it changes something: phi is
     /// 1-Lipschitz, so where the new object does not lower a row, it does not lower the rows behind
-    /// it.
+    /// it. Precondition: the object lies below top().
     VoxelBox add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
+
+    /// Makes the values right below `top`, too: as all objects lie below top(), in one sweep up from there. O(voxels in
+    /// between).
+    void raise(int top, const Workers& workers);
+    int top() const { return top_; }
 
     const Extent& extent() const { return extent_; }
     int stride() const { return stride_; }  ///< elements from a row to the next one along y
@@ -33,7 +38,7 @@ class DistanceGrid {
     const std::uint16_t* row(int y, int z) const { return values_.data() + offset(y, z); }
     std::uint16_t at(int x, int y, int z) const { return row(y, z)[x]; }
 
-    /// The greatest value now.
+    /// The greatest value now, what lies above top() included.
     int most() const { return most_; }
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + most_of_row_.size()) * 2); }
@@ -49,6 +54,8 @@ class DistanceGrid {
 
     Extent extent_;
     int stride_ = 0;
+    int top_ = 0;
+    bool empty_ = true;  // no object yet
     int most_ = 0;
     std::vector<std::uint16_t> values_;
     std::vector<std::uint16_t> most_of_row_;

@@ -1,5 +1,7 @@
 #include "search/cpu/tray_tables.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
 
 namespace spectralpack {
@@ -51,6 +53,14 @@ void fill(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Workers& 
     refresh_layer(bits, crowd, bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()), workers);
 }
 
+/// One more than the highest layer that holds anything.
+int layers_used(const BitGrid& grid) {
+    const std::vector<BitGrid::Word>& words = grid.words();
+    const auto last = std::find_if(words.rbegin(), words.rend(), [](BitGrid::Word word) { return word != 0; });
+    const std::int64_t in_layer = static_cast<std::int64_t>(grid.words_per_row()) * grid.extent().y;
+    return static_cast<int>((words.rend() - last + in_layer - 1) / in_layer);
+}
+
 bool any_removed(const Tray& tray, std::uint64_t since) {
     for (std::uint64_t v = since; v < tray.version(); ++v) {
         if (!tray.journal()[v].added) return true;
@@ -68,10 +78,22 @@ void TrayTables::note_occupied(const Tray& tray) {
     walls_ = !tray.blocked().none();
 }
 
+/// phi right wherever sums below layer `top` or minima of blocks that begin there look, and neighbours of what is found.
+void TrayTables::raise_phi(int top, const Workers& workers) {
+    const int before = phi_.top();
+    constexpr int kBeyond = SumLayout::kBlock.z - 1;
+    phi_.raise((top + kBeyond + kBlock - 1) / kBlock * kBlock, workers);
+    const Extent& n = phi_.extent();
+    minima_.update(phi_, {{0, 0, before}, {n.x, n.y, phi_.top()}}, workers);
+}
+
 void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
-    phi_ = DistanceGrid(tray.extent(), tray.setup().ceiling);
+    const Extent& n = tray.extent();
+    phi_ = DistanceGrid(n, tray.setup().ceiling);
+    minima_ = BlockMinima(n, kBlock);
+    raise_phi(std::max(top_, layers_used(tray.omega_place())), workers);
     phi_.add(tray.omega_place(), {}, workers);
-    update_from_phi(whole(tray.extent()), workers);
+    update_from_phi({{0, 0, 0}, {n.x, n.y, phi_.top()}}, workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
@@ -97,7 +119,6 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
             fill(bits_, crowd_, tray, workers);
         } else {
             sums_ = make_sums<std::uint16_t>(n, apart, workers);
-            minima_ = BlockMinima(n, kBlock);
             rebuild_phi(tray, workers);
         }
     });
@@ -119,6 +140,7 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
     VoxelBox all;
     for (std::uint64_t v = version_; v < tray.version(); ++v) {
         const TrayObject& object = tray.object(tray.journal()[v].id);
+        raise_phi(object.box().hi.z, workers);
         const VoxelBox changed = phi_.add(*object.solid, object.position, workers);
         changes_.push_back(changed);
         all = hull(all, changed);
@@ -160,6 +182,7 @@ void TrayTables::follow_quads(const Workers& workers) {
 
 void TrayTables::raise(int top, const Workers& workers) {
     top_ = std::max(top_, std::min(top, phi_.extent().z));
+    raise_phi(top_, workers);
     follow_sums(workers);
     if (quads_follow_) follow_quads(workers);
 }
@@ -211,8 +234,9 @@ void TrayTables::check(const Tray& tray) const {
     for (int z = 0; z < n.z; ++z) {
         for (int y = 0; y < n.y; ++y) {
             for (int x = 0; x < n.x; ++x) {
-                require(phi_.at(x, y, z) == phi.at(x, y, z), "distance field");
-                most = std::max(most, phi.at(x, y, z));
+                const int kept = phi_.at(x, y, z);
+                require(z < phi_.top() ? kept == phi.at(x, y, z) : kept >= phi.at(x, y, z), "distance field");
+                most = std::max(most, kept);
             }
         }
     }
@@ -229,7 +253,7 @@ void TrayTables::check(const Tray& tray) const {
         require(quads.same_sums(*quads_), "prefix sums over quads");
     }
     BlockMinima minima(n, kBlock);
-    minima.update(phi_, whole(n), one);
+    minima.update(phi_, {{0, 0, 0}, {n.x, n.y, phi_.top()}}, one);
     require(minima == minima_, "block minima");
     BitTables bits = tables_for(tray, bits_.margin());
     CrowdTables crowd = large_ ? CrowdTables(bits) : CrowdTables();

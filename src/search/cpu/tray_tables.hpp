@@ -46,7 +46,7 @@ class TrayTables {
     explicit TrayTables(std::int64_t large_from = 0, bool bytes = true)
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
-    /// Brings the tables to the tray's version, sums below layer top(). `margin`: voxels by which an A+g may reach
+    /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may reach
     /// beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
     /// True when that would only add what came in, so that frame() stays right.
@@ -56,6 +56,7 @@ class TrayTables {
     /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids.
     bool large() const { return large_; }
     const CrowdTables& crowd() const { return crowd_; }
+    /// Right below its own top, which is a little higher than top() and where no block ends or begins in between.
     const DistanceGrid& phi() const { return phi_; }
     /// Calls visit(sums) with the Sums there are: of bytes once phi is small everywhere, which is half of what the
     /// search reads most; until then of 16 bits.
@@ -72,6 +73,7 @@ class TrayTables {
     int top() const { return top_; }
     /// Raises top() to `top`.
     void raise(int top, const Workers& workers);
+    /// Of phi where it is right; 0 above that.
     const BlockMinima& minima() const { return minima_; }
 
     /// What runs are made for; right as long as objects only come in.
@@ -113,6 +115,7 @@ class TrayTables {
     void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
+    void raise_phi(int top, const Workers& workers);
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
     void follow_sums(const Workers& workers);
     void note_occupied(const Tray& tray);
