@@ -86,7 +86,7 @@ void phi_and_sums(benchmark::State& state) {
         state.PauseTiming();
         DistanceGrid phi = before;
         state.ResumeTiming();
-        const VoxelBox changed = phi.add(*scene.object, kPlace, one);
+        const ChangedLayers changed = phi.add(*scene.object, kPlace, one);
         if (which == 0) continue;
         sums.note(changed);
         sums.follow(phi, n.z, one);

@@ -311,7 +311,7 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
             }
             phi.raise(at.z + solid.extent().z, Workers(2));
             unite(occupied, solid, at);
-            const VoxelBox changed = phi.add(solid, at, Workers(2));
+            const ChangedLayers changed = phi.add(solid, at, Workers(2));
             const Grid<std::int32_t> expected = manhattan_distance(occupied, ceiling);
             for_each_voxel(n, [&](int x, int y, int z) {
                 if (z < phi.top()) {
@@ -322,7 +322,7 @@ TEST(DistanceGrid, IsTheManhattanDistanceAfterEveryAddition) {
                 EXPECT_LE(phi.at(x, y, z), phi.most());
                 const VoxelIndex v{x, y, z};
                 const VoxelBox voxel{v, v + VoxelIndex{1, 1, 1}};
-                if (z < phi.top() && intersection(voxel, changed).empty()) {
+                if (z < phi.top() && intersection(voxel, changed.at(z)).empty()) {
                     EXPECT_EQ(before.at(x, y, z), expected.at(x, y, z));
                 }
             });
@@ -357,10 +357,10 @@ void expect_sums_of_every_run() {
             const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y), between(random, 0, n.z)};
             const DistanceGrid before = phi;
             phi.add(solid, at, Workers(1));
-            VoxelBox changed;  // and nothing more
+            ChangedLayers changed(n.z);  // and nothing more
             for_each_voxel(n, [&](int x, int y, int z) {
                 if (phi.at(x, y, z) == before.at(x, y, z)) return;
-                changed = hull(changed, VoxelBox{{x, y, z}, {x + 1, y + 1, z + 1}});
+                changed.add({{x, y, z}, {x + 1, y + 1, z + 1}});
             });
             tables.note(changed);
             if (between(random, 0, 3) > 0) follow(2);
@@ -624,7 +624,7 @@ TEST(CellPlan, NeverClaimsMoreThanTheProximityOfAFreePosition) {
             const BitGrid object = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, 5}));
             const VoxelIndex at{between(random, 0, n.x), between(random, 0, n.y), between(random, 0, n.z)};
             unite(occupied, object, at);
-            minima.update(phi, phi.add(object, at, Workers(1)), Workers(2));
+            minima.update(phi, phi.add(object, at, Workers(1)).hull(), Workers(2));
         }
         const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {17, 15, 13}));
         const Extent& a = solid.extent();

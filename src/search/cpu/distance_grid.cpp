@@ -2,11 +2,15 @@
 
 #include <bit>
 #include <limits>
+#include <mutex>
 
 #include "search/cpu/kernels.hpp"
+#include "voxel/split.hpp"
 
 namespace spectralpack {
 namespace {
+
+constexpr int kLanes = 32;  // of 16 bits, of the widest vectors
 
 /// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what
 /// changed.
@@ -48,7 +52,7 @@ int sweep(int first, int last, int step, int count, const RowLower& lower) {
 }  // namespace
 
 DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
-    : extent_(extent), stride_((extent.x + 31) / 32 * 32) {
+    : extent_(extent), stride_(ceil_div(extent.x, kLanes) * kLanes) {
     const int walls = std::min(extent.x, extent.y);
     if ((walls + 1) / 2 >= std::numeric_limits<std::uint16_t>::max()) {
         throw ResourceError("the tray is too wide for this engine");
@@ -75,59 +79,62 @@ void DistanceGrid::note_most_of_row(int y, int z) {
 
 void DistanceGrid::note_most() { most_ = max_of_row(most_of_row_.data(), most_of_row_.size()); }
 
-VoxelBox DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
+ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
     const Extent& s = solid.extent();
     const VoxelBox box = intersection({at, at + VoxelIndex{s.x, s.y, s.z}}, {{0, 0, 0}, {extent_.x, extent_.y, top_}});
-    if (box.empty()) return {};
+    ChangedLayers changed(extent_.z);
+    if (box.empty()) return changed;
     empty_ = false;
 
     // Along x, in the object's own rows.
-    VoxelBox changed = box;
-    changed.lo.x = extent_.x;
-    changed.hi.x = 0;
     for (int z = box.lo.z; z < box.hi.z; ++z) {
         for (int y = box.lo.y; y < box.hi.y; ++y) {
-            lower_along_x(row(y, z), extent_.x, solid, at, y - at.y, z - at.z, changed.lo.x, changed.hi.x);
+            int lo = extent_.x, hi = 0;
+            lower_along_x(row(y, z), extent_.x, solid, at, y - at.y, z - at.z, lo, hi);
+            changed.add({{lo, y, z}, {hi, y + 1, z + 1}});
         }
     }
-    if (changed.lo.x >= changed.hi.x) return {};
-    const int lo = changed.lo.x;
-    const auto width = static_cast<std::size_t>(changed.hi.x - lo);
+    if (changed.empty()) return changed;
+    // Whole vectors of each row: what lies beside the change is not lowered.
+    const int lo = changed.hull().lo.x / kLanes * kLanes;
+    const auto width = static_cast<std::size_t>(ceil_div(changed.hull().hi.x - lo, kLanes) * kLanes);
+    const auto lower = [&](int y, int z, int from_y, int from_z, ChangedLayers& lowered) {
+        const RowChange change = lower_row(row(y, z) + lo, row(from_y, from_z) + lo, width);
+        if (change.end == 0) return false;
+        lowered.add({{lo + static_cast<int>(change.begin), y, z}, {lo + static_cast<int>(change.end), y + 1, z + 1}});
+        return true;
+    };
+    std::mutex mutex;
+    const auto add_up = [&](const ChangedLayers& lowered) {
+        const std::lock_guard lock(mutex);
+        changed.add(lowered);
+    };
 
     // Along y, in the object's own layers.
-    std::vector<std::pair<int, int>> reach(static_cast<std::size_t>(box.hi.z - box.lo.z));
     workers.for_ranges(box.hi.z - box.lo.z, 4, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const int z = box.lo.z + static_cast<int>(i);
-            const auto lower = [&](int y, int from) { return lower_row(row(y, z) + lo, row(from, z) + lo, width); };
-            const int up = sweep(box.lo.y + 1, box.hi.y - 1, 1, extent_.y, lower);
-            const int down = sweep(std::min(up, extent_.y) - 2, box.lo.y, -1, extent_.y, lower);
-            reach[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, extent_.y)};
+        ChangedLayers lowered(extent_.z);
+        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
+            const auto lower_y = [&](int y, int from) { return lower(y, z, from, z, lowered); };
+            const int up = sweep(box.lo.y + 1, box.hi.y - 1, 1, extent_.y, lower_y);
+            sweep(std::min(up, extent_.y) - 2, box.lo.y, -1, extent_.y, lower_y);
         }
+        add_up(lowered);
     });
-    for (const auto& [down, up] : reach) {
-        changed.lo.y = std::min(changed.lo.y, down);
-        changed.hi.y = std::max(changed.hi.y, up);
-    }
 
     // Along z, everywhere the first two came.
-    std::vector<std::pair<int, int>> height(static_cast<std::size_t>(changed.hi.y - changed.lo.y));
-    workers.for_ranges(changed.hi.y - changed.lo.y, 8, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const int y = changed.lo.y + static_cast<int>(i);
-            const auto lower = [&](int z, int from) { return lower_row(row(y, z) + lo, row(y, from) + lo, width); };
-            const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, top_, lower);
-            const int down = sweep(std::min(up, top_) - 2, box.lo.z, -1, top_, lower);
-            height[static_cast<std::size_t>(i)] = {std::max(down, 0), std::min(up, top_)};
+    const int first = changed.hull().lo.y;
+    workers.for_ranges(changed.hull().hi.y - first, 8, [&](std::int64_t begin, std::int64_t end) {
+        ChangedLayers lowered(extent_.z);
+        for (int y = first + static_cast<int>(begin); y < first + static_cast<int>(end); ++y) {
+            const auto lower_z = [&](int z, int from) { return lower(y, z, y, from, lowered); };
+            const int up = sweep(box.lo.z + 1, box.hi.z - 1, 1, top_, lower_z);
+            const int down = sweep(std::min(up, top_) - 2, box.lo.z, -1, top_, lower_z);
             for (int z = std::max(down, 0); z < std::min(up, top_); ++z) {
                 note_most_of_row(y, z);
             }
         }
+        add_up(lowered);
     });
-    for (const auto& [down, up] : height) {
-        changed.lo.z = std::min(changed.lo.z, down);
-        changed.hi.z = std::max(changed.hi.z, up);
-    }
     note_most();
     return changed;
 }

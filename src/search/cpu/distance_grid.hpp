@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "search/cpu/changed_layers.hpp"
 #include "voxel/distance_field.hpp"
 #include "voxel/voxel_box.hpp"
 
@@ -20,12 +21,12 @@ class DistanceGrid {
     /// An empty grid with top() 0. Throws ResourceError where 16 bits would not do.
     DistanceGrid(const Extent& extent, Ceiling ceiling);
 
-    /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns a box
-    /// outside of which nothing changed. Exact: min(phi, distance to the object), computed axis by
+    /// Takes in what `solid` at `at` occupies; what overhangs the grid is dropped. Returns where
+    /// something changed. Exact: min(phi, distance to the object), computed axis by
     /// axis (the Manhattan distance is separable), and only as far as it changes something: phi is
     /// 1-Lipschitz, so where the new object does not lower a row, it does not lower the rows behind
     /// it. Precondition: the object lies below top().
-    VoxelBox add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
+    ChangedLayers add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
 
     /// Makes the values right below `top`, too: as all objects lie below top(), in one sweep up from there. O(voxels in
     /// between).

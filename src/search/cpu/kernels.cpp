@@ -1,6 +1,7 @@
 #include "search/cpu/kernels.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "search/cpu/kernels.cpp"
@@ -11,18 +12,41 @@ HWY_BEFORE_NAMESPACE();
 namespace spectralpack {
 namespace HWY_NAMESPACE {
 
-// Plain loops, which the compiler turns into vectors for each instruction set.
+namespace hn = hwy::HWY_NAMESPACE;
 
-bool LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
-    std::uint16_t changed = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto reach = static_cast<std::uint16_t>(from[i] + 1);
-        const std::uint16_t lower = std::min(row[i], reach);
-        changed = static_cast<std::uint16_t>(changed | (row[i] ^ lower));
-        row[i] = lower;
+RowChange LowerRow(std::uint16_t* HWY_RESTRICT row, const std::uint16_t* HWY_RESTRICT from, std::size_t count) {
+    RowChange changed;
+    const auto note = [&](std::size_t begin, std::size_t end) {
+        if (changed.end == 0) changed.begin = begin;
+        changed.end = end;
+    };
+    const hn::ScalableTag<std::uint16_t> d;
+    const auto one = hn::Set(d, std::uint16_t{1});
+    std::size_t i = 0;
+    for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
+        const auto before = hn::LoadU(d, row + i);
+        const auto after = hn::Min(before, hn::Add(hn::LoadU(d, from + i), one));
+        const auto lowered = hn::Ne(before, after);
+        if (hn::AllFalse(d, lowered)) continue;
+        hn::StoreU(after, d, row + i);
+        std::uint8_t bytes[sizeof(std::uint64_t)] = {};
+        hn::StoreMaskBits(d, lowered, bytes);
+        std::uint64_t bits = 0;
+        for (std::size_t k = 0; k < sizeof(bits); ++k) {
+            bits |= std::uint64_t{bytes[k]} << (8 * k);
+        }
+        note(i + static_cast<std::size_t>(std::countr_zero(bits)), i + static_cast<std::size_t>(std::bit_width(bits)));
     }
-    return changed != 0;
+    for (; i < count; ++i) {
+        const auto reach = static_cast<std::uint16_t>(from[i] + 1);
+        if (reach >= row[i]) continue;
+        row[i] = reach;
+        note(i, i + 1);
+    }
+    return changed;
 }
+
+// Plain loops, which the compiler turns into vectors for each instruction set.
 
 void MinRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -69,7 +93,6 @@ std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
 
 // Those that a compiler would not: short rows, lanes that change places.
 
-namespace hn = hwy::HWY_NAMESPACE;
 
 void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
     const hn::ScalableTag<std::uint8_t> d;
@@ -314,7 +337,7 @@ HWY_EXPORT(OrRows);
 HWY_EXPORT(OrMovedDown);
 HWY_EXPORT(MaxOfRow);
 
-bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
+RowChange lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(LowerRow)(row, from, count);
 }
 

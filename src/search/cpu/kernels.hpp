@@ -9,8 +9,13 @@
 
 namespace spectralpack {
 
-/// row[i] = min(row[i], from[i] + 1) for i in [0, count); true when something changed.
-bool lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count);
+/// Which elements of a row changed: none where end is 0.
+struct RowChange {
+    std::size_t begin = 0, end = 0;
+};
+
+/// row[i] = min(row[i], from[i] + 1) for i in [0, count). The least range of what changed.
+RowChange lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count);
 
 /// row[i] = min(row[i], from[i] + by) for i in [0, count); values + by below 256. The two may overlap: which of from's
 /// values are lowered already when they are read is not said.

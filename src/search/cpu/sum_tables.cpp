@@ -34,6 +34,7 @@ SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
     : SumLayout(grid, window.x), window_(window), apart_(apart) {
     if (window != kVoxel && window != kQuad && window != kBlock)
         throw InternalError("no sums are kept for such windows");
+    noted_ = ChangedLayers(grid.z);
     values_ = ZeroedVector<T>(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun));
     if (window != kVoxel || sizeof(T) == 1) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
 }
@@ -51,15 +52,14 @@ std::uint16_t SumTables<T>::most() const {
     return apart_ ? kMostPooled : kNone;
 }
 
-/// Copies what lies in `box`.
+/// Copies what lies in `layer`.
 template <class T>
-void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unused]] const VoxelBox& box) {
+void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unused]] const VoxelBox& layer) {
     if constexpr (sizeof(T) == 1) {
-        for (int z = box.lo.z; z < box.hi.z; ++z) {
-            for (int y = box.lo.y; y < box.hi.y; ++y) {
-                raise_row(pooled_.data() + row(y, z) + box.lo.x, phi.row(y, z) + box.lo.x, 0, kNone,
-                          static_cast<std::size_t>(box.hi.x - box.lo.x));
-            }
+        const int z = layer.lo.z;
+        for (int y = layer.lo.y; y < layer.hi.y; ++y) {
+            raise_row(pooled_.data() + row(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, kNone,
+                      static_cast<std::size_t>(layer.hi.x - layer.lo.x));
         }
     }
 }
@@ -88,127 +88,134 @@ void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
     }
 }
 
-/// Pools what lies in `box`.
+/// Pools what lies in `layer`.
 template <class T>
-void SumTables<T>::pool_quads(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
-    const auto width = static_cast<std::size_t>(box.hi.x - box.lo.x);
-    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        std::vector<std::uint16_t> least(width);
-        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
-            for (int y = box.lo.y; y < box.hi.y; ++y) {
-                const auto beside = [&](int dy, int dz) {
-                    return phi.row(std::min(y + dy, grid_.y - 1), std::min(z + dz, grid_.z - 1)) + box.lo.x;
-                };
-                min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
-                raise_row(pooled_.data() + row(y, z) + box.lo.x, least.data(), floor(), most(), width);
-            }
-        }
-    });
-}
-
-/// Pools what lies in `box`, whose rows begin and end with a block (which may end beyond the grid).
-template <class T>
-void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers) {
-    const Extent& n = grid_;
-    const auto width = static_cast<std::size_t>(std::min(n.x, box.hi.x + block_ - 1) - box.lo.x);
-    const int rows = std::min(n.y, box.hi.y + block_ - 1) - box.lo.y;
-    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        std::vector<std::uint16_t> layer(width * static_cast<std::size_t>(rows));
-        // Beyond the grid nothing counts.
-        std::vector<std::uint16_t> least(width + static_cast<std::size_t>(2 * block_), kNone);
-        const auto row_of_layer = [&](int y) { return layer.data() + width * static_cast<std::size_t>(y); };
-        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
-            for (int y = 0; y < rows; ++y) {
-                const auto above = [&](int dz) { return phi.row(box.lo.y + y, std::min(z + dz, n.z - 1)) + box.lo.x; };
-                min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor(), width);
-            }
-            for (int y = 0; y < box.hi.y - box.lo.y; ++y) {
-                const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
-                min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
-                deal_least_of_four(pooled_.data() + row(box.lo.y + y, z) + box.lo.x / block_,
-                                   static_cast<std::size_t>(phase_), least.data(), floor(), most(),
-                                   static_cast<std::size_t>((box.hi.x - box.lo.x) / block_));
-            }
-        }
-    });
-}
-
-template <class T>
-void SumTables<T>::note(const VoxelBox& changed) {
-    VoxelBox box = intersection(changed, whole(grid_));
-    if (box.empty()) return;
-    for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] = std::max(0, box.lo[axis] - (window_[axis] - 1));
+void SumTables<T>::pool_quads(const DistanceGrid& phi, const VoxelBox& layer) {
+    const int z = layer.lo.z;
+    const auto width = static_cast<std::size_t>(layer.hi.x - layer.lo.x);
+    std::vector<std::uint16_t> least(width);
+    for (int y = layer.lo.y; y < layer.hi.y; ++y) {
+        const auto beside = [&](int dy, int dz) {
+            return phi.row(std::min(y + dy, grid_.y - 1), std::min(z + dz, grid_.z - 1)) + layer.lo.x;
+        };
+        min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
+        raise_row(pooled_.data() + row(y, z) + layer.lo.x, least.data(), floor(), most(), width);
     }
-    noted_ = hull(noted_, box);
+}
+
+/// Pools what lies in `layer`, whose rows begin and end with a block (which may end beyond the grid).
+template <class T>
+void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& layer) {
+    const Extent& n = grid_;
+    const int z = layer.lo.z;
+    const auto width = static_cast<std::size_t>(std::min(n.x, layer.hi.x + block_ - 1) - layer.lo.x);
+    const int rows = std::min(n.y, layer.hi.y + block_ - 1) - layer.lo.y;
+    std::vector<std::uint16_t> above_each_other(width * static_cast<std::size_t>(rows));
+    const auto row_of_layer = [&](int y) { return above_each_other.data() + width * static_cast<std::size_t>(y); };
+    for (int y = 0; y < rows; ++y) {
+        const auto above = [&](int dz) { return phi.row(layer.lo.y + y, std::min(z + dz, n.z - 1)) + layer.lo.x; };
+        min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor(), width);
+    }
+    // Beyond the grid nothing counts.
+    std::vector<std::uint16_t> least(width + static_cast<std::size_t>(2 * block_), kNone);
+    for (int y = 0; y < layer.hi.y - layer.lo.y; ++y) {
+        const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
+        min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
+        deal_least_of_four(pooled_.data() + row(layer.lo.y + y, z) + layer.lo.x / block_,
+                           static_cast<std::size_t>(phase_), least.data(), floor(), most(),
+                           static_cast<std::size_t>((layer.hi.x - layer.lo.x) / block_));
+    }
+}
+
+template <class T>
+void SumTables<T>::pool(const DistanceGrid& phi, const VoxelBox& layer) {
+    if (block_ > 1) {
+        pool_blocks(phi, layer);
+    } else if (window_ == kQuad) {
+        pool_quads(phi, layer);
+    } else {
+        narrow(phi, layer);
+    }
+}
+
+template <class T>
+void SumTables<T>::note(const ChangedLayers& changed) {
+    for (int z = changed.hull().lo.z; z < changed.hull().hi.z; ++z) {
+        VoxelBox box = changed.at(z);
+        if (box.empty()) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.lo[axis] = std::max(0, box.lo[axis] - (window_[axis] - 1));
+        }
+        box.lo.x = box.lo.x / block_ * block_;
+        box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
+        noted_.add(box);
+    }
 }
 
 template <class T>
 void SumTables<T>::follow(const DistanceGrid& phi, int top, const Workers& workers) {
-    refresh(phi, intersection(noted_, {{0, 0, 0}, {grid_.x, grid_.y, top_}}), top_, workers);
-    noted_ = {};
+    refresh(phi, noted_, top_, workers);
+    noted_.clear();
     top = std::min(top, grid_.z);
     if (top <= top_) return;
-    refresh(phi, {{0, 0, top_}, {grid_.x, grid_.y, top}}, top, workers);
+    ChangedLayers raised(grid_.z);
+    raised.add({{0, 0, top_}, {(grid_.x + block_ - 1) / block_ * block_, grid_.y, top}});
+    refresh(phi, raised, top, workers);
     top_ = top;
 }
 
-/// Makes the tables right below layer `top` after phi_W changed within `box`, which ends there at the latest.
+/// Calls visit(first element, how many) for what lies in [lo, hi) of a row: a stretch for each phase, or where that
+/// takes fewer steps all from the first on. What lies beside the change is summed up to what it is already, so
+/// stretches are long enough for vectors.
 template <class T>
-void SumTables<T>::refresh(const DistanceGrid& phi, VoxelBox box, int top, const Workers& workers) {
-    if (box.empty()) return;
-    if (block_ > 1) {
-        box.lo.x = box.lo.x / block_ * block_;
-        box.hi.x = (box.hi.x + block_ - 1) / block_ * block_;
-        pool_blocks(phi, box, workers);
-    } else if (window_ == kQuad) {
-        pool_quads(phi, box, workers);
-    } else {
-        narrow(phi, box);
-    }
-
-    T* along_x = values_.data();
-    T* along_y = values_.data() + table_;
-    T* along_z = values_.data() + 2 * table_;
-    // A stretch of a row for each phase, or where that takes fewer steps all from the first on. What lies beside the
-    // change is summed up to what it is already, so stretches are long enough for vectors.
+template <class Visit>
+void SumTables<T>::for_each_stretch(int lo, int hi, const Visit& visit) const {
     constexpr int kNarrow = 16 / sizeof(T), kWide = 64 / sizeof(T);
     const auto steps = [](int count) { return count / kWide + (count % kWide + kNarrow - 1) / kNarrow; };
-    const int first = box.lo.x / block_;
-    const int count = std::max((box.hi.x - 1) / block_ + 1 - first, kNarrow);
-    const auto for_each_stretch = [&](const auto& visit) {
-        if (block_ > 1 && steps(stride_ - first) <= block_ * steps(count)) {
-            visit(first, static_cast<std::size_t>(stride_ - first));
-            return;
-        }
-        for (int p = 0; p < block_; ++p) {
-            const int begin = std::min(p * phase_ + first, std::max(0, stride_ - count));
-            visit(begin, static_cast<std::size_t>(std::min(count, stride_ - begin)));
-        }
-    };
+    const int first = lo / block_;
+    const int count = std::max((hi - 1) / block_ + 1 - first, kNarrow);
+    if (block_ > 1 && steps(stride_ - first) <= block_ * steps(count)) {
+        visit(first, static_cast<std::size_t>(stride_ - first));
+        return;
+    }
+    for (int p = 0; p < block_; ++p) {
+        const int begin = std::min(p * phase_ + first, std::max(0, stride_ - count));
+        visit(begin, static_cast<std::size_t>(std::min(count, stride_ - begin)));
+    }
+}
+
+/// Sums along x and y of a layer of which `layer` changed.
+template <class T>
+void SumTables<T>::sum_layer(const DistanceGrid& phi, const VoxelBox& layer) {
+    T* along_x = values_.data();
+    T* along_y = values_.data() + table_;
+    const int z = layer.lo.z;
+    for (int y = layer.lo.y; y < layer.hi.y; ++y) {
+        sum_along(along_x + row(y, z), pooled_row(phi, y, z), layer.lo.x, layer.hi.x);
+    }
     const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
     // Only differences along an axis count: what lies on one side of the change may stay as it is, and the other side,
     // the shorter one, is brought in line with it.
-    const bool behind = grid_.y - box.lo.y <= box.hi.y, above = top - box.lo.z <= box.hi.z;
-    workers.for_ranges(box.hi.z - box.lo.z, 2, [&](std::int64_t begin, std::int64_t end) {
-        for (int z = box.lo.z + static_cast<int>(begin); z < box.lo.z + static_cast<int>(end); ++z) {
-            for (int y = box.lo.y; y < box.hi.y; ++y) {
-                sum_along(along_x + row(y, z), pooled_row(phi, y, z), box.lo.x, box.hi.x);
-            }
-            const int y = behind ? box.lo.y : box.hi.y - 1;
-            T* out = along_y + row(y, z);
-            const T* from = pooled_row(phi, y, z);
-            for_each_stretch([&](int i, std::size_t length) {
-                if (behind) {
-                    add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step, from_step,
-                             length);
-                } else {
-                    subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step, -from_step,
-                                  length);
-                }
-            });
+    const bool behind = grid_.y - layer.lo.y <= layer.hi.y;
+    const int y = behind ? layer.lo.y : layer.hi.y - 1;
+    T* out = along_y + row(y, z);
+    const T* from = pooled_row(phi, y, z);
+    for_each_stretch(layer.lo.x, layer.hi.x, [&](int i, std::size_t length) {
+        if (behind) {
+            add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step, from_step, length);
+        } else {
+            subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step, -from_step,
+                          length);
         }
     });
+}
+
+/// Sums along z below layer `top` after phi_W changed within `box`.
+template <class T>
+void SumTables<T>::sum_columns(const DistanceGrid& phi, const VoxelBox& box, int top, const Workers& workers) {
+    T* along_z = values_.data() + 2 * table_;
+    const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
+    const bool above = top - box.lo.z <= box.hi.z;
     workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t up = row(0, 1);
         const int y = box.lo.y + static_cast<int>(begin);
@@ -216,7 +223,7 @@ void SumTables<T>::refresh(const DistanceGrid& phi, VoxelBox box, int top, const
         const auto for_layer = [&](int z) {
             T* out = along_z + row(y, z);
             const T* from = pooled_row(phi, y, z);
-            for_each_stretch([&](int i, std::size_t length) {
+            for_each_stretch(box.lo.x, box.hi.x, [&](int i, std::size_t length) {
                 if (above) {
                     add_rows(out + up + i, out + i, from + i, rows, step, from_step, length);
                 } else {
@@ -234,6 +241,23 @@ void SumTables<T>::refresh(const DistanceGrid& phi, VoxelBox box, int top, const
             }
         }
     });
+}
+
+/// Makes the tables right below layer `top` after phi_W changed as `changed` says.
+template <class T>
+void SumTables<T>::refresh(const DistanceGrid& phi, const ChangedLayers& changed, int top, const Workers& workers) {
+    const int first = changed.hull().lo.z, last = std::min(changed.hull().hi.z, top);
+    if (first >= last) return;
+    workers.for_ranges(last - first, 2, [&](std::int64_t begin, std::int64_t end) {
+        for (int z = first + static_cast<int>(begin); z < first + static_cast<int>(end); ++z) {
+            if (changed.at(z).empty()) continue;
+            pool(phi, changed.at(z));
+            sum_layer(phi, changed.at(z));
+        }
+    });
+    VoxelBox box = changed.hull();
+    box.hi.z = last;
+    sum_columns(phi, box, top, workers);
 }
 
 template <class T>

@@ -22,6 +22,7 @@
 
 #include "core/parallel.hpp"
 #include "core/zeroed.hpp"
+#include "search/cpu/changed_layers.hpp"
 #include "search/cpu/distance_grid.hpp"
 
 namespace spectralpack {
@@ -81,7 +82,7 @@ class SumTables : public SumLayout {
     static constexpr int kRange = std::numeric_limits<T>::max();
 
     /// Takes note that phi changed within `changed`; the tables are not right before they follow().
-    void note(const VoxelBox& changed);
+    void note(const ChangedLayers& changed);
     /// Makes the tables right below layer `top`, or top() if that is higher, which it becomes. O(voxels that changed,
     /// and those next to them in rows and columns).
     void follow(const DistanceGrid& phi, int top, const Workers& workers);
@@ -97,12 +98,17 @@ class SumTables : public SumLayout {
     const T* base(int bx, int y, int z) const { return values_.data() + row(y, z) + bx; }
 
   private:
-    void refresh(const DistanceGrid& phi, VoxelBox box, int top, const Workers& workers);
+    void refresh(const DistanceGrid& phi, const ChangedLayers& changed, int top, const Workers& workers);
     const T* pooled_row(const DistanceGrid& phi, int y, int z) const;
     void sum_along(T* out, const T* from, int lo, int hi) const;
-    void pool_quads(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
-    void pool_blocks(const DistanceGrid& phi, const VoxelBox& box, const Workers& workers);
-    void narrow(const DistanceGrid& phi, const VoxelBox& box);
+    void pool(const DistanceGrid& phi, const VoxelBox& layer);
+    void pool_quads(const DistanceGrid& phi, const VoxelBox& layer);
+    void pool_blocks(const DistanceGrid& phi, const VoxelBox& layer);
+    void narrow(const DistanceGrid& phi, const VoxelBox& layer);
+    void sum_layer(const DistanceGrid& phi, const VoxelBox& layer);
+    void sum_columns(const DistanceGrid& phi, const VoxelBox& box, int top, const Workers& workers);
+    template <class Visit>
+    void for_each_stretch(int lo, int hi, const Visit& visit) const;
 
     // Apart, values count from 1, and the 0 of an occupied voxel wraps around to the greatest.
     std::uint16_t floor() const { return apart_ ? 1 : 0; }
@@ -111,7 +117,7 @@ class SumTables : public SumLayout {
     Extent window_ = kVoxel;
     bool apart_ = false;
     int top_ = 0;
-    VoxelBox noted_;  // phi_W changed there since the tables followed
+    ChangedLayers noted_;  // of phi_W, since the tables followed
     ZeroedVector<T> values_;
     ZeroedVector<T> pooled_;  // phi_W, laid out as a table; empty where phi is it, in as many bits
 };

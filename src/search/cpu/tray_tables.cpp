@@ -93,7 +93,9 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     minima_ = BlockMinima(n, kBlock);
     raise_phi(std::max(top_, layers_used(tray.omega_place())), workers);
     phi_.add(tray.omega_place(), {}, workers);
-    update_from_phi({{0, 0, 0}, {n.x, n.y, phi_.top()}}, workers);
+    ChangedLayers all(n.z);
+    all.add({{0, 0, 0}, {n.x, n.y, phi_.top()}});
+    update_from_phi(all, workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
@@ -137,19 +139,19 @@ void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
         rebuild_phi(tray, workers);
         return;
     }
-    VoxelBox all;
+    ChangedLayers all(tray.extent().z);
     for (std::uint64_t v = version_; v < tray.version(); ++v) {
         const TrayObject& object = tray.object(tray.journal()[v].id);
         raise_phi(object.box().hi.z, workers);
-        const VoxelBox changed = phi_.add(*object.solid, object.position, workers);
-        changes_.push_back(changed);
-        all = hull(all, changed);
+        const ChangedLayers changed = phi_.add(*object.solid, object.position, workers);
+        changes_.push_back(changed.hull());
+        all.add(changed);
     }
     update_from_phi(all, workers);
 }
 
 /// Once phi is small it stays so until an object is removed.
-void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
+void TrayTables::update_from_phi(const ChangedLayers& changed, const Workers& workers) {
     const bool to_be_narrow = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
     if (to_be_narrow != narrow()) {
         const Extent& n = phi_.extent();
@@ -166,7 +168,7 @@ void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers
     quads_follow_ = false;
     workers.for_each(2, [&](std::int64_t i) {
         if (i == 0) follow_sums(workers);
-        if (i == 1) minima_.update(phi_, changed, workers);
+        if (i == 1) minima_.update(phi_, changed.hull(), workers);
     });
 }
 

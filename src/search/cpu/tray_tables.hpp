@@ -24,7 +24,7 @@ template <class T>
 struct Sums {
     SumTables<T> exact, coarse;
 
-    void note(const VoxelBox& changed) {
+    void note(const ChangedLayers& changed) {
         exact.note(changed);
         coarse.note(changed);
     }
@@ -116,7 +116,7 @@ class TrayTables {
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, const Workers& workers);
     void raise_phi(int top, const Workers& workers);
-    void update_from_phi(const VoxelBox& changed, const Workers& workers);
+    void update_from_phi(const ChangedLayers& changed, const Workers& workers);
     void follow_sums(const Workers& workers);
     void note_occupied(const Tray& tray);
 
