@@ -52,25 +52,31 @@ int sweep(int first, int last, int step, int count, const RowLower& lower) {
 }  // namespace
 
 DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
-    : extent_(extent), stride_(ceil_div(extent.x, kLanes) * kLanes) {
-    const int walls = std::min(extent.x, extent.y);
-    if ((walls + 1) / 2 >= std::numeric_limits<std::uint16_t>::max()) {
+    : extent_(extent),
+      ceiling_(ceiling),
+      stride_(ceil_div(extent.x, kLanes) * kLanes),
+      most_above_((std::min(extent.x, extent.y) + 1) / 2) {
+    if (most_above_ >= std::numeric_limits<std::uint16_t>::max()) {
         throw ResourceError("the tray is too wide for this engine");
     }
-    values_.assign(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})), 0);
+    values_ = ZeroedVector<std::uint16_t>(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})));
     most_of_row_.assign(row_number(0, extent.z), 0);
-    for (int z = 0; z < extent.z; ++z) {
-        const int above = ceiling == Ceiling::closed ? extent.z - z : std::numeric_limits<int>::max();
-        for (int y = 0; y < extent.y; ++y) {
-            const int other = std::min({above, z + 1, y + 1, extent.y - y});
-            std::uint16_t* values = row(y, z);
-            for (int x = 0; x < extent.x; ++x) {
-                values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent.x - x}));
-            }
-            note_most_of_row(y, z);
+}
+
+/// Distance to what lies above and below the grid.
+int DistanceGrid::from_floor_and_ceiling(int z) const {
+    return ceiling_ == Ceiling::closed ? std::min(z + 1, extent_.z - z) : z + 1;
+}
+
+/// What layer z holds where there is no object.
+void DistanceGrid::fill_layer(int z) {
+    for (int y = 0; y < extent_.y; ++y) {
+        const int other = std::min({from_floor_and_ceiling(z), y + 1, extent_.y - y});
+        std::uint16_t* values = row(y, z);
+        for (int x = 0; x < extent_.x; ++x) {
+            values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent_.x - x}));
         }
     }
-    note_most();
 }
 
 void DistanceGrid::note_most_of_row(int y, int z) {
@@ -84,7 +90,6 @@ ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, cons
     const VoxelBox box = intersection({at, at + VoxelIndex{s.x, s.y, s.z}}, {{0, 0, 0}, {extent_.x, extent_.y, top_}});
     ChangedLayers changed(extent_.z);
     if (box.empty()) return changed;
-    empty_ = false;
 
     // Along x, in the object's own rows.
     for (int z = box.lo.z; z < box.hi.z; ++z) {
@@ -142,18 +147,22 @@ ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, cons
 void DistanceGrid::raise(int top, const Workers& workers) {
     top = std::min(top, extent_.z);
     if (top <= top_) return;
-    if (!empty_ && top_ > 0) {
-        workers.for_ranges(extent_.y, 4, [&](std::int64_t begin, std::int64_t end) {
-            for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-                for (int z = top_; z < top; ++z) {
-                    lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(extent_.x));
-                    note_most_of_row(y, z);
-                }
+    workers.for_each(top - top_, [&](std::int64_t i) { fill_layer(top_ + static_cast<int>(i)); });
+    workers.for_ranges(extent_.y, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            for (int z = top_; z < top; ++z) {
+                if (z > 0) lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(stride_));
+                note_most_of_row(y, z);
             }
-        });
-        note_most();
-    }
+        }
+    });
     top_ = top;
+    note_most();
+    most_above_ = 0;
+    for (int z = top; z < extent_.z; ++z) {
+        const int from_sides = (std::min(extent_.x, extent_.y) + 1) / 2;
+        most_above_ = std::max(most_above_, std::min(from_sides, from_floor_and_ceiling(z)));
+    }
 }
 
 }  // namespace spectralpack

@@ -2,13 +2,15 @@
 /// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added.
 ///
 /// Invariant: below layer top(), at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything
-/// outside the grid included (above it only under a closed ceiling). From top() on it is that or more. It never exceeds
+/// outside the grid included (above it only under a closed ceiling). From top() on nothing is known. It never exceeds
 /// (min(nx, ny) + 1) / 2, the distance to the nearer side wall, which is why 16 bits do.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "core/zeroed.hpp"
 #include "search/cpu/changed_layers.hpp"
 #include "voxel/distance_field.hpp"
 #include "voxel/voxel_box.hpp"
@@ -28,8 +30,8 @@ class DistanceGrid {
     /// it. Precondition: the object lies below top().
     ChangedLayers add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
 
-    /// Makes the values right below `top`, too: as all objects lie below top(), in one sweep up from there. O(voxels in
-    /// between).
+    /// Makes the values right below `top`, too: as all objects lie below top(), from the walls and in one sweep up from
+    /// there. O(voxels in between).
     void raise(int top, const Workers& workers);
     int top() const { return top_; }
 
@@ -39,8 +41,8 @@ class DistanceGrid {
     const std::uint16_t* row(int y, int z) const { return values_.data() + offset(y, z); }
     std::uint16_t at(int x, int y, int z) const { return row(y, z)[x]; }
 
-    /// The greatest value now, what lies above top() included.
-    int most() const { return most_; }
+    /// No value is above it, nor will be when top() is raised; with all layers below top() the greatest.
+    int most() const { return std::max(most_, most_above_); }
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + most_of_row_.size()) * 2); }
 
@@ -50,15 +52,18 @@ class DistanceGrid {
     }
     std::size_t offset(int y, int z) const { return row_number(y, z) * static_cast<std::size_t>(stride_); }
 
+    int from_floor_and_ceiling(int z) const;
+    void fill_layer(int z);
     void note_most_of_row(int y, int z);
     void note_most();
 
     Extent extent_;
+    Ceiling ceiling_ = Ceiling::closed;
     int stride_ = 0;
     int top_ = 0;
-    bool empty_ = true;  // no object yet
-    int most_ = 0;
-    std::vector<std::uint16_t> values_;
+    int most_ = 0;        // below top_
+    int most_above_ = 0;  // of what there may be above
+    ZeroedVector<std::uint16_t> values_;
     std::vector<std::uint16_t> most_of_row_;
 };
 

@@ -64,7 +64,8 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     }
 }
 
-/// Prefix sums of one row of which [lo, hi) changed: anew there, and what follows moved by as much as they grew.
+/// Prefix sums of one row of which [lo, hi) changed: anew there, and the shorter side of the row brought in line with the
+/// other.
 template <class T>
 void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
     const auto move = [](T* begin, T* end, T by) {
@@ -72,19 +73,30 @@ void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
             *begin = static_cast<T>(*begin + by);
         }
     };
+    const bool before = hi < grid_.x - hi;
     if (block_ == 1) {
-        const T before = out[hi];
+        const T end = out[hi];
         prefix_sums(out + lo, from + lo, static_cast<std::size_t>(hi - lo));
-        move(out + hi + 1, out + grid_.x + 1, static_cast<T>(out[hi] - before));
+        const auto grown = static_cast<T>(out[hi] - end);
+        if (before) {
+            move(out, out + hi + 1, static_cast<T>(-grown));
+        } else {
+            move(out + hi + 1, out + grid_.x + 1, grown);
+        }
         return;
     }
     const int first = lo / block_, last = std::min((hi + block_ - 1) / block_, phase_);
     const T end = prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
                                     static_cast<std::size_t>(last - first));
     if (last == phase_) return;
-    const auto by = static_cast<T>(end - out[last]);
+    const auto grown = static_cast<T>(end - out[last]);
     for (int p = 0; p < block_; ++p) {
-        move(out + p * phase_ + last, out + (p + 1) * phase_, by);
+        T* phase = out + p * phase_;
+        if (before) {
+            move(phase, phase + last, static_cast<T>(-grown));
+        } else {
+            move(phase + last, phase + phase_, grown);
+        }
     }
 }
 
