@@ -81,6 +81,48 @@ TEST(Slide, AContactCountsThoughWhatIsKnownEndsBeforeTheFall) {
     }
 }
 
+TEST(Slide, OfManyContactsAtOnceIsTheLeastInAnyOrder) {
+    int moved = 0;
+    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+        Numbers numbers(seed);
+        const bool coarse = seed % 2;
+        const double gap = seed % 3 == 0 ? 0 : 0.3;
+        const AxisDirection direction = any_direction(numbers);
+        const Corners a = numbers.triangle(coarse);
+        // All a few slacks from contact, which each reaches in another way.
+        std::vector<Bvh> still;
+        for (int i = 0; i < 5; ++i) {
+            Corners b = numbers.triangle(coarse);
+            const double wanted = gap + 3 * numbers.unit() * kSlideSlack;
+            if (i < 2) {  // a corner or a face ahead
+                const auto ahead = [&](const Vec3& p) { return direction.sign * p[direction.axis]; };
+                if (i == 0) b[1][direction.axis] = b[2][direction.axis] = b[0][direction.axis];
+                const Vec3 foremost = *std::ranges::max_element(a, {}, ahead);
+                const Vec3 nearest = *std::ranges::min_element(b, {}, ahead);
+                still.push_back(alone(test::moved(b, foremost + along(direction, wanted) - nearest)));
+                continue;
+            }
+            const ClosestPoints nearest = closest_points(a, b);
+            if (nearest.distance < 1e-3) continue;
+            still.push_back(alone(test::moved(b, (1 - wanted / nearest.distance) * nearest.apart())));
+        }
+        const Bvh moving = alone(a);
+        double least = 1;
+        for (const Bvh& one : still) {
+            least = std::min(least, slide(moving, {}, one, direction, gap, 1));
+        }
+        moved += least > 0 && least < 1;
+        for (std::size_t first = 0; first < still.size(); ++first) {
+            std::atomic<double> free = 1;
+            for (std::size_t i = 0; i < still.size(); ++i) {
+                slide(moving, {}, still[(first + i) % still.size()], direction, gap, 1, free);
+            }
+            ASSERT_EQ(free, least) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(moved, 500);
+}
+
 TEST(Slide, OfMeshesIsTheLeastOverAllPairs) {
     for (std::uint64_t seed = 0; seed < 120; ++seed) {
         Numbers numbers(seed);

@@ -436,6 +436,41 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     follow(false);
 }
 
+TEST(TrayTables, AreRightBelowATopThatRises) {
+    RandomStream random(9);
+    const Workers workers(2);
+    for (int round = 0; round < 24; ++round) {
+        TraySetup setup;
+        setup.size = {1.0 * between(random, 8, 60), 1.0 * between(random, 8, 50), 1.0 * between(random, 8, 40)};
+        setup.voxel_size = 1;
+        setup.ceiling = one_in(random, 2) ? Ceiling::open : Ceiling::closed;
+        Tray tray(setup);
+        const Extent& n = tray.extent();
+        const bool apart = one_in(random, 2);
+        TrayTables tables(one_in(random, 2) ? 0 : n.count() + 1, one_in(random, 2));
+        std::vector<ObjectId> objects;
+        for (int step = 0; step < 16; ++step) {
+            const int what = between(random, 0, 7);
+            if (what == 0 && !objects.empty()) {
+                tray.remove(objects.back());
+                objects.pop_back();
+            } else if (what < 5) {
+                const auto solid =
+                    std::make_shared<BitGrid>(random_solid(random, random_extent(random, {1, 1, 1}, {8, 8, 6})));
+                const Extent& e = solid->extent();
+                const VoxelIndex at{between(random, 0, n.x - e.x), between(random, 0, n.y - e.y),
+                                    between(random, 0, std::min(n.z - e.z, tables.top() + between(random, 0, 9)))};
+                objects.push_back(tray.add({solid, at}));
+            }
+            if (one_in(random, 4)) continue;
+            tables.follow(tray, 0, apart, workers);
+            if (what >= 5) tables.raise(tables.top() + between(random, 1, 5), workers);
+            if (tables.narrow() && one_in(random, 2)) tables.follow_quads(workers);
+            ASSERT_NO_THROW(tables.check(tray)) << "round " << round << ", step " << step;
+        }
+    }
+}
+
 TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     TraySetup setup;
     setup.size = {200, 180, 160};
