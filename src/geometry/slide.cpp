@@ -164,9 +164,14 @@ class Slide {
             if (earliest(swept, all) >= best()) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
                 const double from = earliest(swept, sweeps[j]);
-                if (from >= best()) continue;
-                const double way = touching_ ? touch(one, ahead[j], swept, sweeps[j]) : approach(one, ahead[j]);
-                lower(free_, std::max(from, way));
+                const double known = best();
+                if (from >= known) continue;
+                if (parted(one, ahead[j], known)) continue;
+                const Bound planes = by_planes(one, ahead[j]);
+                if (planes.until >= known || planes.kept) continue;
+                const bool apart = planes.apart || sweeps[j].low - swept.high > kRecovery;
+                const double way = touching_ ? touch(one, ahead[j], apart) : approach(one, ahead[j]);
+                lower(free_, std::max({from, planes.until, way}));
             }
         }
     }
@@ -179,20 +184,25 @@ class Slide {
         return closest_points(moved, b);
     }
 
-    /// What the planes of two triangles say: `until`, no contact before that way; `kept`, they stay at least as far apart
-    /// as the floor on all of it.
+    /// At gap 0 surfaces may have passed one another a little already, and then what parts them says nothing.
+    double least_separation() const { return touching_ ? kRecovery : level(); }
+
+    /// What the planes of two triangles say.
     struct Bound {
-        double until = 0;
-        bool kept = false;
+        double until = 0;    ///< no contact before that way
+        bool apart = false;  ///< by more than may be passed already
+        bool kept = false;   ///< gap > 0: they stay at least as far apart as the floor on all of the way
     };
     Bound by_planes(const Corners& a, const Corners& b) const {
         Bound bound;
         for_each_plane(a, b, [&](const Vec3& from_b, double separation) {
             const double rise = sign_ * from_b[kAxis];
-            if (separation > level()) {
+            if (separation > least_separation()) {
+                bound.apart = true;
                 bound.until = std::max(bound.until, rise < 0 ? (separation - level()) / -rise : kFree);
             }
-            bound.kept |= separation + std::min(0.0, rise * at_most_) >= gap_ - kSlideTolerance / 2;
+            const double least = separation + std::min(0.0, rise * at_most_);
+            bound.kept |= !touching_ && least >= gap_ - kSlideTolerance / 2;
         });
         return bound;
     }
@@ -203,7 +213,9 @@ class Slide {
         const Vec3& n = parting_;
         const double near = std::min({dot(n, a[0] - b[0]), dot(n, a[1] - b[0]), dot(n, a[2] - b[0])});
         const double far = std::max({0.0, dot(n, b[1] - b[0]), dot(n, b[2] - b[0])});
-        return near - far + std::min(0.0, best * sign_ * n[kAxis]) >= gap_ + 2 * kSlideSlack;
+        const double separation = near - far;
+        return separation > least_separation() &&
+               separation + std::min(0.0, best * sign_ * n[kAxis]) >= gap_ + 2 * kSlideSlack;
     }
 
     /// A moment at which f is at most `reached`, before it is under `level` (level < reached), when
@@ -229,28 +241,28 @@ class Slide {
     /// gap > 0: how far this pair lets the mesh go, where that is less than best(); or else kFree. What it says depends
     /// on at_most_, never on what is known by now, so that the least of all is the same in any order.
     double approach(const Corners& a, const Corners& b) {
-        const double best = this->best();
-        if (parted(a, b, best)) return kFree;
-        const Bound bound = by_planes(a, b);
-        if (bound.kept || bound.until >= best) return kFree;
-        const Contact stop = first_contact(a, b, 0, best, level(), gap_ + kSlideSlack);
-        if (!stop.found) {
-            parting_ = (1 / length(stop.apart)) * stop.apart;
-            return kFree;
-        }
+        const Contact stop = stop_at(a, b);
+        if (!stop.found) return kFree;
         const double now = closest(a, b, stop.way).distance;
         // The gap's own floor does not sink with repeated moves; that of a pair too near to begin
         // with follows it, a sixteenth for the iteration to end in.
         const double floor = std::min(gap_ - kSlideTolerance, now - kSlideTolerance / 8);
         if (floor <= 0) return 0;
         const Contact fall = first_contact(a, b, stop.way, at_most_, floor, floor + kSlideTolerance / 16);
-        return fall.found ? std::max(bound.until, stop.way) : kFree;
+        return fall.found ? stop.way : kFree;
     }
 
-    /// gap 0: likewise. `swept` and `ahead` are their boxes.
-    double touch(const Corners& a, const Corners& b, const Sweep& swept, const Sweep& ahead) const {
+    /// The first moment at the level of a contact, before best().
+    Contact stop_at(const Corners& a, const Corners& b) {
+        const Contact stop = first_contact(a, b, 0, best(), level(), gap_ + kSlideSlack);
+        if (!stop.found) parting_ = (1 / length(stop.apart)) * stop.apart;
+        return stop;
+    }
+
+    /// gap 0: likewise. `apart`: it is known that they are.
+    double touch(const Corners& a, const Corners& b, bool apart) {
         if (overlap_across(a, b) <= kTouchTolerance) return kFree;
-        if (ahead.low - swept.high > kRecovery) return first_touch(a, b);
+        if (apart) return first_touch(a, b);
         if (closest(a, b, 0).distance > kRecovery) return first_touch(a, b);
         const double far = 1 + size_along(a, b);
         const Contact leave = first_contact(a, b, far, -far, 0, kReached, -1);
@@ -268,13 +280,9 @@ class Slide {
         return behind || soon_behind ? kFree : first_touch(a, b);
     }
 
-    double first_touch(const Corners& a, const Corners& b) const {
-        const double best = this->best();
-        const double until = by_planes(a, b).until;
-        if (until >= best) return kFree;
-        const Contact stop = first_contact(a, b, 0, best, level(), kSlideSlack);
-        if (!stop.found) return kFree;
-        return first_contact(a, b, stop.way, at_most_, 0, kReached).found ? std::max(until, stop.way) : kFree;
+    double first_touch(const Corners& a, const Corners& b) {
+        const Contact stop = stop_at(a, b);
+        return stop.found && first_contact(a, b, stop.way, at_most_, 0, kReached).found ? stop.way : kFree;
     }
 
     double size_along(const Corners& a, const Corners& b) const {
