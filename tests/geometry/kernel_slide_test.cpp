@@ -319,6 +319,30 @@ TEST(Slide, TooNearToBeginWithItMayLeaveButComeNoNearer) {
     EXPECT_EQ(slide(box, {-2, 1, 1}, box, {0, -1}, gap, 10), 0);
 }
 
+TEST(Slide, WhatPartsOtherPairsDoesNotFreeOneThatOverlapsALittle) {
+    const Vec3 within{-4 + 3e-4, 0, 0};
+    // Far beside the boxes, long edges that have passed one another already: apart nearly along the move, a little across
+    // it, so that their boxes still overlap.
+    constexpr double kPast = 1.5e-3, kTilt = 5e-5, kLong = 50;
+    Mesh with_edges[2];
+    for (Mesh& mesh : with_edges) {
+        mesh = test::cube_mesh(4);
+        const bool moves = &mesh == &with_edges[0];
+        const double side = moves ? 1 : -1;
+        for (int i = 0; i < 16; ++i) {
+            const Vec3 at = Vec3{moves ? kPast : 0, 300.0 + 300 * i, 2} - (moves ? within : Vec3{});
+            const Vec3 edge = kLong * Vec3{-kTilt, 1, side}, away = kLong * Vec3{side, side, -1};
+            const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+            for (const Vec3& corner : {at - edge, at + edge, at + away}) {
+                mesh.vertices.push_back(corner);
+            }
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+    }
+    const Bvh moving(with_edges[0], true), still(with_edges[1], true);
+    EXPECT_EQ(slide(moving, within, still, {0, 1}, 0, 10), 0);
+}
+
 /// Back and forth and round a corner many times: the gap holds to the tolerance, whatever the
 /// number of moves.
 TEST(Slide, RepeatedMovesDoNotAddUp) {
