@@ -207,8 +207,8 @@ class Slide {
         return bound;
     }
 
-    /// True when the direction that parted two triangles last keeps these from contact, too, for as far as is known to be
-    /// free.
+    /// True when the direction that parted two triangles last keeps these from contact, too, for as far as is known to
+    /// be free.
     bool parted(const Corners& a, const Corners& b, double best) const {
         const Vec3& n = parting_;
         const double near = std::min({dot(n, a[0] - b[0]), dot(n, a[1] - b[0]), dot(n, a[2] - b[0])});

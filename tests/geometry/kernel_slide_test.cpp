@@ -321,8 +321,8 @@ TEST(Slide, TooNearToBeginWithItMayLeaveButComeNoNearer) {
 
 TEST(Slide, WhatPartsOtherPairsDoesNotFreeOneThatOverlapsALittle) {
     const Vec3 within{-4 + 3e-4, 0, 0};
-    // Far beside the boxes, long edges that have passed one another already: apart nearly along the move, a little across
-    // it, so that their boxes still overlap.
+    // Far beside the boxes, long edges that have passed one another already: apart nearly along the move, a little
+    // across it, so that their boxes still overlap.
     constexpr double kPast = 1.5e-3, kTilt = 5e-5, kLong = 50;
     Mesh with_edges[2];
     for (Mesh& mesh : with_edges) {

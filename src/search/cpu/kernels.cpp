@@ -93,7 +93,6 @@ std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
 
 // Those that a compiler would not: short rows, lanes that change places.
 
-
 void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
     const hn::ScalableTag<std::uint8_t> d;
     const std::size_t step = hn::Lanes(d);

@@ -64,8 +64,8 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     }
 }
 
-/// Prefix sums of one row of which [lo, hi) changed: anew there, and the shorter side of the row brought in line with the
-/// other.
+/// Prefix sums of one row of which [lo, hi) changed: anew there, and the shorter side of the row brought in line with
+/// the other.
 template <class T>
 void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
     const auto move = [](T* begin, T* end, T by) {

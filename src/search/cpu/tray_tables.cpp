@@ -78,7 +78,8 @@ void TrayTables::note_occupied(const Tray& tray) {
     walls_ = !tray.blocked().none();
 }
 
-/// phi right wherever sums below layer `top` or minima of blocks that begin there look, and neighbours of what is found.
+/// phi right wherever sums below layer `top` or minima of blocks that begin there look, and neighbours of what is
+/// found.
 void TrayTables::raise_phi(int top, const Workers& workers) {
     const int before = phi_.top();
     constexpr int kBeyond = SumLayout::kBlock.z - 1;

@@ -46,8 +46,8 @@ class TrayTables {
     explicit TrayTables(std::int64_t large_from = 0, bool bytes = true)
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
-    /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may reach
-    /// beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
+    /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may
+    /// reach beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
     void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
     /// True when that would only add what came in, so that frame() stays right.
     bool only_adds(const Tray& tray, int margin, bool apart) const;
