@@ -165,8 +165,7 @@ class Slide {
             for (std::size_t j = 0; j < b.count; ++j) {
                 const double from = earliest(swept, sweeps[j]);
                 const double known = best();
-                if (from >= known) continue;
-                if (parted(one, ahead[j], known)) continue;
+                if (from >= known || parted(one, ahead[j], known)) continue;
                 const Bound planes = by_planes(one, ahead[j]);
                 if (planes.until >= known || planes.kept) continue;
                 const bool apart = planes.apart || sweeps[j].low - swept.high > kRecovery;

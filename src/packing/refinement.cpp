@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/stopwatch.hpp"
+#include "geometry/mesh_edges.hpp"
 
 namespace spectralpack {
 
@@ -23,7 +24,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     Standing standing = stand_on_grid(shape, best, voxel_size_, detail_, setup_.wall_gap);
     if (last_ != TurnedPart{item.part, oriented.orientation}) {
         mesh_ = surfaces_.turned_mesh(item.part, oriented.orientation);
-        if (last_.part != item.part) encloses_solid_ = encloses_solid(mesh_);
+        if (last_.part != item.part) closed_ = count_edges(MeshEdges(mesh_)).closed;
         last_ = {item.part, oriented.orientation};
     }
     StandingCopy refined{surfaces_.at(item.part, oriented.orientation), standing.offset, surfaces_.part(item.part).gap};
@@ -31,8 +32,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     if (may_stand_(item.part, oriented.orientation, slid)) refined.offset = slid;
     standing.offset = refined.offset;
     const Vec3 walls{setup_.wall_gap, setup_.wall_gap, setup_.wall_gap};
-    StandingVoxels voxels =
-        voxelize_at(mesh_, refined.box().min - walls, voxel_size_ / detail_, encloses_solid_, workers_);
+    StandingVoxels voxels = voxelize_at(mesh_, refined.box().min - walls, voxel_size_ / detail_, closed_, workers_);
     standing.object = fine_object(std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, detail_,
                                   shape.gap_class);
     refiner_.add(std::move(refined));

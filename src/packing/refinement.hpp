@@ -42,7 +42,7 @@ class Refinement {
     Refiner refiner_;
     TurnedPart last_{-1, 0};  // whose mesh that is: copies of a part mostly come one after the other
     Mesh mesh_;
-    bool encloses_solid_ = false;  // of the part
+    bool closed_ = false;  // it is, in whatever orientation
     double seconds_ = 0;
 };
 

@@ -57,6 +57,8 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
     return grid;
 }
 
+bool encloses_solid(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
+
 /// `corner`: of voxel (0,0,0), at most a voxel below the box minimum on each axis.
 BitGrid voxels_of(const Mesh& mesh, const Box& box, const Vec3& corner, bool closed, double voxel_size,
                   const Workers& workers) {
@@ -92,8 +94,6 @@ Vec3 inset(const Vec3& size, double voxel_size) {
     return in;
 }
 
-bool encloses_solid(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
-
 BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
     const Box box = bounding_box(mesh);
     return voxels_of(mesh, box, box.min - inset(box.size(), voxel_size), encloses_solid(mesh), voxel_size, workers);
@@ -103,7 +103,7 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
     return voxelize_at(mesh, corner, voxel_size, encloses_solid(mesh), workers);
 }
 
-StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, bool encloses_solid,
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, bool closed,
                            const Workers& workers) {
     const Box box = bounding_box(mesh);
     VoxelIndex position;
@@ -118,7 +118,7 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
         shift[axis] = voxels - whole;
     }
     const Extent extent = grid_extent(box.size() + voxel_size * shift, voxel_size);
-    return {solid_voxels(GridMesh(mesh, box.min, voxel_size, shift), extent, encloses_solid, workers), position};
+    return {solid_voxels(GridMesh(mesh, box.min, voxel_size, shift), extent, closed, workers), position};
 }
 
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,

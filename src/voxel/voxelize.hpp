@@ -45,12 +45,9 @@ struct StandingVoxels {
 /// mesh's own coordinates only say its shape. A corner within kSurfaceShrink of a voxel's end
 /// belongs to the next voxel; where it is inset() above a voxel corner, the result is that of voxelize().
 StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, const Workers& workers);
-/// The same for who knows already whether the mesh encloses_solid().
-StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, bool encloses_solid,
+/// The same for who knows already whether the mesh is_closed().
+StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, bool closed,
                            const Workers& workers);
-
-/// The mesh is closed, so that it has an inside. O(triangles).
-bool encloses_solid(const Mesh& mesh);
 
 /// Room for a part of any size.
 inline constexpr Vec3 kAnyRoom{Box::kInfinity, Box::kInfinity, Box::kInfinity};

@@ -52,11 +52,8 @@ int sweep(int first, int last, int step, int count, const RowLower& lower) {
 }  // namespace
 
 DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
-    : extent_(extent),
-      ceiling_(ceiling),
-      stride_(ceil_div(extent.x, kLanes) * kLanes),
-      most_above_((std::min(extent.x, extent.y) + 1) / 2) {
-    if (most_above_ >= std::numeric_limits<std::uint16_t>::max()) {
+    : extent_(extent), ceiling_(ceiling), stride_(ceil_div(extent.x, kLanes) * kLanes), most_above_(from_sides()) {
+    if (from_sides() >= std::numeric_limits<std::uint16_t>::max()) {
         throw ResourceError("the tray is too wide for this engine");
     }
     values_ = ZeroedVector<std::uint16_t>(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})));
@@ -68,14 +65,12 @@ int DistanceGrid::from_floor_and_ceiling(int z) const {
     return ceiling_ == Ceiling::closed ? std::min(z + 1, extent_.z - z) : z + 1;
 }
 
-/// What layer z holds where there is no object.
-void DistanceGrid::fill_layer(int z) {
-    for (int y = 0; y < extent_.y; ++y) {
-        const int other = std::min({from_floor_and_ceiling(z), y + 1, extent_.y - y});
-        std::uint16_t* values = row(y, z);
-        for (int x = 0; x < extent_.x; ++x) {
-            values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent_.x - x}));
-        }
+/// What a row holds where there is no object.
+void DistanceGrid::fill_row(int y, int z) {
+    const int other = std::min({from_floor_and_ceiling(z), y + 1, extent_.y - y});
+    std::uint16_t* values = row(y, z);
+    for (int x = 0; x < extent_.x; ++x) {
+        values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent_.x - x}));
     }
 }
 
@@ -147,10 +142,10 @@ ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, cons
 void DistanceGrid::raise(int top, const Workers& workers) {
     top = std::min(top, extent_.z);
     if (top <= top_) return;
-    workers.for_each(top - top_, [&](std::int64_t i) { fill_layer(top_ + static_cast<int>(i)); });
     workers.for_ranges(extent_.y, 4, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int z = top_; z < top; ++z) {
+                fill_row(y, z);
                 if (z > 0) lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(stride_));
                 note_most_of_row(y, z);
             }
@@ -160,8 +155,7 @@ void DistanceGrid::raise(int top, const Workers& workers) {
     note_most();
     most_above_ = 0;
     for (int z = top; z < extent_.z; ++z) {
-        const int from_sides = (std::min(extent_.x, extent_.y) + 1) / 2;
-        most_above_ = std::max(most_above_, std::min(from_sides, from_floor_and_ceiling(z)));
+        most_above_ = std::max(most_above_, std::min(from_sides(), from_floor_and_ceiling(z)));
     }
 }
 

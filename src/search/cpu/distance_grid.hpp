@@ -52,8 +52,9 @@ class DistanceGrid {
     }
     std::size_t offset(int y, int z) const { return row_number(y, z) * static_cast<std::size_t>(stride_); }
 
+    int from_sides() const { return (std::min(extent_.x, extent_.y) + 1) / 2; }  ///< the greatest distance to them
     int from_floor_and_ceiling(int z) const;
-    void fill_layer(int z);
+    void fill_row(int y, int z);
     void note_most_of_row(int y, int z);
     void note_most();
 

@@ -31,10 +31,9 @@ SumLayout::SumLayout(const Extent& grid, int block)
 
 template <class T>
 SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
-    : SumLayout(grid, window.x), window_(window), apart_(apart) {
+    : SumLayout(grid, window.x), window_(window), apart_(apart), noted_(grid.z) {
     if (window != kVoxel && window != kQuad && window != kBlock)
         throw InternalError("no sums are kept for such windows");
-    noted_ = ChangedLayers(grid.z);
     values_ = ZeroedVector<T>(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun));
     if (window != kVoxel || sizeof(T) == 1) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
 }
