@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_repair.hpp"
 
 namespace spectralpack {

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_inspect.hpp"
 #include "model/physical_surfaces.hpp"
 

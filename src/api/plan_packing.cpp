@@ -8,6 +8,7 @@
 #include "api/plan.hpp"
 #include "core/error.hpp"
 #include "disassembly/disassembler.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "packing/interlocking.hpp"
 #include "packing/physical_walls.hpp"
 #include "voxel/voxelize.hpp"
@@ -42,7 +43,8 @@ class StandingTray {
         setup_.grid = grid_around(box, voxel, wall_gap, setup_.corner);
         workers.for_each(static_cast<std::int64_t>(parts_.size()), [&](std::int64_t k) {
             const auto i = static_cast<std::size_t>(k);
-            StandingVoxels voxels = voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_, workers_);
+            StandingVoxels voxels = voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_,
+                                                closed_.at(tray_.placements[i].part), workers_);
             parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
                                 tray_.placements[i].fixed};
         });
@@ -80,6 +82,9 @@ class StandingTray {
             }
             alike[known[k]].push_back(i);
         }
+        for (const auto& [part, turns] : of_part) {
+            closed_[part] = is_closed(mesh(alike[turns.front()].front()));
+        }
         workers_.for_each(static_cast<std::int64_t>(alike.size()), [&](std::int64_t k) {
             const std::vector<std::size_t>& copies = alike[static_cast<std::size_t>(k)];
             const auto surface = std::make_shared<const Bvh>(turned(copies.front()));
@@ -95,6 +100,7 @@ class StandingTray {
     double voxel_;
     Workers workers_;
     std::vector<StandingPart> parts_;
+    std::map<int, bool> closed_;  // whether a part's mesh encloses a solid, which takes as long as voxelising it
     DisassemblySetup setup_;
 };
 

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/mesh_edges.hpp"
+
 namespace spectralpack {
 
 namespace {

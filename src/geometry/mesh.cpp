@@ -74,33 +74,4 @@ Mesh transformed(const Mesh& mesh, const Transform& transform) {
     return result;
 }
 
-bool is_closed(const Mesh& mesh) {
-    // Each edge as (smaller, larger) vertex with the direction it is walked in; sorted, directions must cancel.
-    struct Edge {
-        std::uint32_t low, high;
-        int direction;
-    };
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles) {
-        for (int i = 0; i < 3; ++i) {
-            const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-            if (a != b) edges.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
-        }
-    }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
-    for (std::size_t begin = 0; begin < edges.size();) {
-        int sum = 0;
-        std::size_t end = begin;
-        for (; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high;
-             ++end) {
-            sum += edges[end].direction;
-        }
-        if (sum != 0) return false;
-        begin = end;
-    }
-    return !edges.empty();
-}
-
 }  // namespace spectralpack

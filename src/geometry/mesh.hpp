@@ -38,8 +38,4 @@ double surface_area(const Mesh& mesh);
 /// they stay counter-clockwise from outside.
 Mesh transformed(const Mesh& mesh, const Transform& transform);
 
-/// True when the oriented boundary is zero: every directed edge is met by as many opposite ones. Exactly then
-/// the winding number is the same from wherever it is counted, and the mesh encloses a solid.
-bool is_closed(const Mesh& mesh);
-
 }  // namespace spectralpack

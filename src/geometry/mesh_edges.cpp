@@ -76,4 +76,6 @@ EdgeCount count_edges(const MeshEdges& edges) {
     return count;
 }
 
+bool is_closed(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
+
 }  // namespace spectralpack

@@ -56,4 +56,9 @@ struct EdgeCount {
 
 EdgeCount count_edges(const MeshEdges& edges);
 
+/// count_edges().closed: true when the oriented boundary is zero, every directed edge being met by as many
+/// opposite ones. Exactly then the winding number is the same from wherever it is counted, and the mesh
+/// encloses a solid.
+bool is_closed(const Mesh& mesh);
+
 }  // namespace spectralpack

@@ -169,9 +169,7 @@ class Repairer {
     }
 
     /// Whether replacing the mesh by `other` would lose its closedness.
-    bool opens(const Mesh& other) const {
-        return !count_edges(MeshEdges(other)).closed && count_edges(MeshEdges(mesh_)).closed;
-    }
+    bool opens(const Mesh& other) const { return !is_closed(other) && is_closed(mesh_); }
 
     /// Step 3. Only facets at crowded edges can be there twice.
     void drop_duplicates() {
@@ -236,7 +234,7 @@ class Repairer {
     void orient() {
         Mesh oriented = mesh_;
         const std::size_t turned = orient_consistently(oriented, *edges_);
-        if (turned == 0 || !count_edges(MeshEdges(oriented)).closed) return;
+        if (turned == 0 || !is_closed(oriented)) return;
         mesh_ = std::move(oriented);
         find_edges();
         result_.repairs.push_back("turned " + counted(turned, "facet that faced", "facets that faced") +

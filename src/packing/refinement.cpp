@@ -24,7 +24,7 @@ Standing Refinement::settle(const PackItem& item, const Shape& shape, const Best
     Standing standing = stand_on_grid(shape, best, voxel_size_, detail_, setup_.wall_gap);
     if (last_ != TurnedPart{item.part, oriented.orientation}) {
         mesh_ = surfaces_.turned_mesh(item.part, oriented.orientation);
-        if (last_.part != item.part) closed_ = count_edges(MeshEdges(mesh_)).closed;
+        if (last_.part != item.part) closed_ = is_closed(mesh_);
         last_ = {item.part, oriented.orientation};
     }
     StandingCopy refined{surfaces_.at(item.part, oriented.orientation), standing.offset, surfaces_.part(item.part).gap};

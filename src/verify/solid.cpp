@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_weld.hpp"
 
 namespace spectralpack {

@@ -57,8 +57,6 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
     return grid;
 }
 
-bool encloses_solid(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
-
 /// `corner`: of voxel (0,0,0), at most a voxel below the box minimum on each axis.
 BitGrid voxels_of(const Mesh& mesh, const Box& box, const Vec3& corner, bool closed, double voxel_size,
                   const Workers& workers) {
@@ -96,11 +94,11 @@ Vec3 inset(const Vec3& size, double voxel_size) {
 
 BitGrid voxelize(const Mesh& mesh, double voxel_size, const Workers& workers) {
     const Box box = bounding_box(mesh);
-    return voxels_of(mesh, box, box.min - inset(box.size(), voxel_size), encloses_solid(mesh), voxel_size, workers);
+    return voxels_of(mesh, box, box.min - inset(box.size(), voxel_size), is_closed(mesh), voxel_size, workers);
 }
 
 StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, const Workers& workers) {
-    return voxelize_at(mesh, corner, voxel_size, encloses_solid(mesh), workers);
+    return voxelize_at(mesh, corner, voxel_size, is_closed(mesh), workers);
 }
 
 StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_size, bool closed,
@@ -123,7 +121,7 @@ StandingVoxels voxelize_at(const Mesh& mesh, const Vec3& corner, double voxel_si
 
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers, const Vec3& room) {
-    const bool closed = encloses_solid(mesh);
+    const bool closed = is_closed(mesh);
     std::vector<OrientedVoxels> result(rotations.size());
     const auto stand = [&](std::size_t i, const Box& box) {
         const Vec3 in = inset_within(box.size(), voxel_size, room);

@@ -8,6 +8,7 @@
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/set_file.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {

@@ -2,6 +2,7 @@
 
 #include "core/random.hpp"
 #include "files.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "support/data.hpp"
 
 namespace spectralpack {

@@ -1,4 +1,5 @@
 #include "files.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {

@@ -2,6 +2,7 @@
 
 #include "files.hpp"
 #include "formats/mesh_parsers.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {

@@ -7,6 +7,7 @@
 
 #include "files.hpp"
 #include "formats/mesh_parsers.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "support/data.hpp"
 #include "support/shapes.hpp"
 

@@ -10,6 +10,7 @@
 #include "generate/blocks.hpp"
 #include "generate/dice.hpp"
 #include "generate/loft.hpp"
+#include "geometry/mesh_edges.hpp"
 
 namespace spectralpack::test {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/mesh_edges.hpp"
 #include "reference.hpp"
 #include "scenes.hpp"
 

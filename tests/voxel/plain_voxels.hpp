@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh.hpp"
+#include "geometry/mesh_edges.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack::test {
