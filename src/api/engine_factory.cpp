@@ -1,6 +1,7 @@
 #include "api/engine_factory.hpp"
 
 #include "core/error.hpp"
+#include "core/zeroed.hpp"
 #include "search/cpu/bit_tables.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/dilated_layers.hpp"
@@ -40,10 +41,16 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
             {need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin, need.tray.z + 1 + 2 * margin});
     };
     const int coarse_layers = (need.detail > 1 ? need.gap_classes : 0) + 1;
-    const int bits = BitTables::table_count(need.detail, need.gap_classes, coarse_layers) + 2 * part_count(need.detail);
+    const int tables = BitTables::table_count(need.detail, need.gap_classes, coarse_layers);
+    const int spare = 2 * part_count(need.detail);
     const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
-    const std::int64_t bit_tables = bits * padded(need.overhang) / 8;
-    return 16 * padded(0) + bit_tables + bit_tables / 64 + rows;
+    const std::int64_t voxels = padded(0), bit_table = padded(need.overhang) / 8;
+    std::int64_t bytes = (tables + spare) * bit_table / 64 + rows;
+    for (const std::int64_t array :
+         {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, tables * bit_table, spare * bit_table}) {
+        bytes += static_cast<std::int64_t>(zeroed_size(static_cast<std::size_t>(array)));
+    }
+    return bytes;
 }
 
 }  // namespace
