@@ -1,6 +1,7 @@
 #include "voxel/axis_turn.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace spectralpack {
 namespace {
@@ -9,14 +10,17 @@ using Word = BitGrid::Word;
 constexpr int kSide = BitGrid::kWordBits;
 using Block = std::array<Word, kSide>;  ///< 64 x 64 bits
 
-/// Bit j of word i becomes bit i of word j (Warren, Hacker's Delight, section 7-3).
-void transpose(Block& block) {
+/// Bit j of word i becomes bit i of word j, for i, j < side, a power of two (Warren, Hacker's Delight, section 7-3);
+/// other bits of these words are 0.
+void transpose(Block& block, int side) {
     Word mask = 0x00000000ffffffffu;
     for (int step = kSide / 2; step != 0; step /= 2, mask ^= mask << step) {
-        for (int i = 0; i < kSide; i = (i + step + 1) & ~step) {
-            const Word exchange = ((block[i] >> step) ^ block[i + step]) & mask;
-            block[i] ^= exchange << step;
-            block[i + step] ^= exchange;
+        for (int first = 0; first + step < side; first += 2 * step) {
+            for (int i = first; i < first + step; ++i) {
+                const Word exchange = ((block[i] >> step) ^ block[i + step]) & mask;
+                block[i] ^= exchange << step;
+                block[i + step] ^= exchange;
+            }
         }
     }
 }
@@ -71,12 +75,14 @@ BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
         for (int from = 0; from < n[across]; from += kSide) {
             const int rows = std::min(kSide, n[across] - from);
             for (int word = 0; word < grid.words_per_row(); ++word) {
-                block.fill(0);
+                const int columns = std::min(kSide, n.x - word * kSide);
+                const auto side = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(rows, columns))));
+                std::fill_n(block.begin(), side, Word{0});
                 for (int i = 0; i < rows; ++i) {
                     block[i] = source_row(grid, across, from + i, layer)[word];
                 }
-                transpose(block);
-                for (int i = 0; i < std::min(kSide, n.x - word * kSide); ++i) {
+                transpose(block, side);
+                for (int i = 0; i < columns; ++i) {
                     const int x = word * kSide + i;
                     Word* row = x_becomes_y ? result.row(x, layer) : result.row(layer, x);
                     row[from / kSide] = block[i];

@@ -94,7 +94,15 @@ TEST(AxisTurn, LeadsFromOneRotationToAnother) {
 
 TEST(Turned, MovesEveryVoxel) {
     RandomStream random(5);
-    for (const Extent& n : {Extent{5, 70, 130}, {130, 3, 66}, {64, 128, 1}, {1, 1, 200}, {65, 64, 63}}) {
+    for (const Extent& n : {Extent{5, 70, 130},
+                            {130, 3, 66},
+                            {64, 128, 1},
+                            {1, 1, 200},
+                            {65, 64, 63},
+                            {3, 4, 5},
+                            {17, 16, 15},
+                            {33, 31, 32},
+                            {2, 40, 7}}) {
         BitGrid grid(n);
         for (BitGrid::Word& word : grid.words()) {
             word = random.next();
