@@ -1,7 +1,8 @@
 #include "geometry/mesh_distance.hpp"
 
-#include <array>
 #include <vector>
+
+#include "geometry/open_leaf.hpp"
 
 namespace spectralpack {
 
@@ -66,23 +67,16 @@ class Search {
 
     /// Two leaves' triangles, those too far apart left out by their boxes.
     void compare(const Bvh::Node& a, const Bvh::Node& b) {
-        std::array<Corners, Bvh::kLeafTriangles> others;
-        std::array<Box, Bvh::kLeafTriangles> boxes;
-        for (std::size_t j = 0; j < b.count; ++j) {
-            others[j] = b_.corners(b.first + j);
-            boxes[j] = bounding_box(others[j]);
-        }
-        for (std::size_t i = a.first; i < a.first + a.count; ++i) {
-            Corners one = a_.corners(i);
-            for (Vec3& corner : one) {
-                corner = corner + offset_;
-            }
-            const Box box = bounding_box(one);
+        const auto box_of = [](const Corners& corners) { return bounding_box(corners); };
+        leaf_a_.open(a_, a, offset_, box_of);
+        leaf_b_.open(b_, b, {}, box_of);
+        for (std::size_t i = 0; i < a.count; ++i) {
+            const Box& box = leaf_a_.outline(i);
             if (square_distance(box, b.box()) >= best_.distance * best_.distance) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
-                if (square_distance(box, boxes[j]) >= best_.distance * best_.distance) continue;
-                if (plane_separation(one, others[j]) >= best_.distance) continue;
-                const ClosestPoints found = closest_points(one, others[j]);
+                if (square_distance(box, leaf_b_.outline(j)) >= best_.distance * best_.distance) continue;
+                if (plane_separation(leaf_a_.corners(i), leaf_b_.corners(j)) >= best_.distance) continue;
+                const ClosestPoints found = closest_points(leaf_a_.corners(i), leaf_b_.corners(j));
                 if (found.distance < best_.distance) best_ = found;
             }
         }
@@ -93,6 +87,7 @@ class Search {
     Vec3 offset_;
     ClosestPoints best_;
     std::vector<Pair> stack_;
+    OpenLeaf<Box> leaf_a_, leaf_b_;
 };
 
 }  // namespace

@@ -20,10 +20,10 @@
 #include "geometry/slide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "geometry/open_leaf.hpp"
 #include "geometry/triangle_distance.hpp"
 
 namespace spectralpack {
@@ -148,28 +148,24 @@ class Slide {
 
     /// Two leaves' triangles, those out of each other's way left out by their boxes.
     void meet(const Bvh::Node& a, const Bvh::Node& b) {
-        std::array<Corners, Bvh::kLeafTriangles> ahead;
-        std::array<Sweep, Bvh::kLeafTriangles> sweeps;
-        for (std::size_t j = 0; j < b.count; ++j) {
-            ahead[j] = still_.corners(b.first + j);
-            sweeps[j] = sweep(bounding_box(ahead[j]), {});
-        }
+        const auto sweep_of = [&](const Corners& corners) { return sweep(bounding_box(corners), {}); };
+        ahead_.open(still_, b, {}, sweep_of);
+        leaf_.open(moving_, a, offset_, sweep_of);
         const Sweep all = sweep(b.box(), {});
-        for (std::size_t i = a.first; i < a.first + a.count; ++i) {
-            Corners one = moving_.corners(i);
-            for (Vec3& corner : one) {
-                corner = corner + offset_;
-            }
-            const Sweep swept = sweep(bounding_box(one), {});
+        for (std::size_t i = 0; i < a.count; ++i) {
+            const Corners& one = leaf_.corners(i);
+            const Sweep& swept = leaf_.outline(i);
             if (earliest(swept, all) >= best()) continue;
             for (std::size_t j = 0; j < b.count; ++j) {
-                const double from = earliest(swept, sweeps[j]);
+                const Corners& other = ahead_.corners(j);
+                const Sweep& there = ahead_.outline(j);
+                const double from = earliest(swept, there);
                 const double known = best();
-                if (from >= known || parted(one, ahead[j], known)) continue;
-                const Bound planes = by_planes(one, ahead[j]);
+                if (from >= known || parted(one, other, known)) continue;
+                const Bound planes = by_planes(one, other);
                 if (planes.until >= known || planes.kept) continue;
-                const bool apart = planes.apart || sweeps[j].low - swept.high > kRecovery;
-                const double way = touching_ ? touch(one, ahead[j], apart) : approach(one, ahead[j]);
+                const bool apart = planes.apart || there.low - swept.high > kRecovery;
+                const double way = touching_ ? touch(one, other, apart) : approach(one, other);
                 lower(free_, std::max({from, planes.until, way}));
             }
         }
@@ -332,6 +328,7 @@ class Slide {
     std::atomic<double>& free_;
     bool faces_known_;
     std::vector<Pair> stack_;
+    OpenLeaf<Sweep> leaf_, ahead_;
     Vec3 parting_;  ///< of length 1 (at first 0), from b to a
 };
 
