@@ -15,8 +15,7 @@ void* allocate_zeroed(std::size_t bytes) {
     if (bytes < kHugePage) return std::calloc(1, bytes);
     // A page too many, as mappings begin on small ones; what lies around the whole ones goes back at once.
     const std::size_t size = zeroed_size(bytes);
-    void* const mapped =
-        mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* const mapped = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) return nullptr;
     char* const first = static_cast<char*>(mapped);
     const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(first) % kHugePage) % kHugePage;

@@ -56,14 +56,15 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
     for (std::size_t i = 0; i < items.size(); ++i) {
         shelved[end[shelf_of(items[i])]++] = static_cast<std::uint32_t>(i);
     }
-    std::vector<std::uint32_t> result;
-    result.reserve(items.size());
+    std::vector<std::uint32_t> result(items.size());
+    std::uint32_t* next = result.data();
     for (std::size_t shelf = 0, begin = 0; shelf < levels; begin = end[shelf++]) {
-        const auto from = shelved.begin() + static_cast<std::ptrdiff_t>(begin);
+        const std::uint32_t* const from = shelved.data() + begin;
         const std::size_t count = end[shelf] - begin;
         for_each_spread((count + bunch - 1) / bunch, stretch, [&](std::size_t i) {
-            result.insert(result.end(), from + static_cast<std::ptrdiff_t>(i * bunch),
-                          from + static_cast<std::ptrdiff_t>(std::min(count, (i + 1) * bunch)));
+            for (std::size_t k = i * bunch; k < std::min(count, (i + 1) * bunch); ++k) {
+                *next++ = from[k];
+            }
         });
     }
     return result;

@@ -32,13 +32,6 @@ int rank_of(const Form& form) { return form.level + std::popcount(static_cast<un
 /// come first.
 constexpr int kCoarse = kRanks, kAllRanks = 2 * kRanks;
 
-/// Look-ups that share the shift of a bit within its word come one after the other, since a group of them is shifted
-/// once; but those in voxels of dx stay first.
-void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
-    std::ranges::stable_sort(lookups, {},
-                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
-}
-
 /// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
 class Lowered {
   public:
@@ -81,6 +74,7 @@ class StackPieces {
     void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
         const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
         const Lowered lowered(rise);
+        all_.reserve(all_.size() + pieces.size());
         for (const Piece& piece : pieces) {
             const Form& form = lowered(piece.form);
             if (form.voxels() < kLeastOfStacks) continue;
@@ -90,7 +84,8 @@ class StackPieces {
         }
     }
 
-    std::vector<Lookup> first(const BitTables& bits) const {
+    std::vector<Lookup> first(const BitTables& bits) {
+        leave_highest_ranks();
         std::vector<Lookup> lookups;
         for (const std::uint32_t i :
              by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
@@ -98,7 +93,6 @@ class StackPieces {
             lookups.push_back(
                 {.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), .rank = all_[i].rank});
         }
-        by_shift(lookups, bits);
         return lookups;
     }
 
@@ -107,41 +101,70 @@ class StackPieces {
         Piece piece;
         int layer, rank;
     };
+
+    /// Leaves only pieces of ranks among which first() stops.
+    void leave_highest_ranks() {
+        std::array<std::size_t, kAllRanks> of_rank{};
+        for (const OfLayer& of : all_) {
+            ++of_rank[static_cast<std::size_t>(of.rank)];
+        }
+        int least = kAllRanks;
+        for (std::size_t more = 0; least > 0 && more < kOfStacks;) {
+            more += of_rank[static_cast<std::size_t>(--least)];
+        }
+        std::erase_if(all_, [&](const OfLayer& of) { return of.rank < least; });
+    }
+
     std::vector<OfLayer> all_;
 };
 
-/// Appends a batch of look-ups into tables that know where a spot is, grouped by shift.
+/// Where look-ups lie in tables that know where a spot is.
 template <class Tables>
-void append_batch(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
+std::vector<BitTables::Place> places_of(std::span<const Lookup> lookups, const Tables& tables) {
     std::vector<BitTables::Place> places;
-    places.reserve(pieces.size());
-    std::array<std::int32_t, 65> begin{};
-    for (const Lookup& piece : pieces) {
-        places.push_back(tables.place(piece.spot));
-        ++begin[static_cast<std::size_t>(places.back().shift) + 1];
+    places.reserve(lookups.size());
+    for (const Lookup& lookup : lookups) {
+        places.push_back(tables.place(lookup.spot));
+    }
+    return places;
+}
+
+/// Appends a batch of look-ups, grouped by shift.
+void append_batch(std::span<const BitTables::Place> places, LookupPlan& plan) {
+    std::array<std::int32_t, 64> next{};  // of a shift: how many, then where the next one goes
+    std::uint64_t shifts = 0;
+    for (const BitTables::Place& place : places) {
+        ++next[static_cast<std::size_t>(place.shift)];
+        shifts |= std::uint64_t{1} << place.shift;
     }
     const auto first_group = static_cast<std::int32_t>(plan.groups.size());
-    begin[0] = static_cast<std::int32_t>(plan.offsets.size());
-    for (std::size_t shift = 0; shift < 64; ++shift) {
-        begin[shift + 1] += begin[shift];
-        if (begin[shift + 1] > begin[shift]) {
-            plan.groups.push_back({shift, begin[shift], begin[shift + 1]});
-        }
+    auto end = static_cast<std::int32_t>(plan.offsets.size());
+    for (; shifts != 0; shifts &= shifts - 1) {
+        const auto shift = static_cast<std::size_t>(std::countr_zero(shifts));
+        const std::int32_t begin = end;
+        end += std::exchange(next[shift], begin);
+        plan.groups.push_back({shift, begin, end});
     }
-    plan.offsets.resize(plan.offsets.size() + pieces.size());
+    plan.offsets.resize(static_cast<std::size_t>(end));
     for (const BitTables::Place& place : places) {
-        plan.offsets[static_cast<std::size_t>(begin[static_cast<std::size_t>(place.shift)]++)] = place.offset;
+        plan.offsets[static_cast<std::size_t>(next[static_cast<std::size_t>(place.shift)]++)] = place.offset;
     }
     plan.batches.push_back(
-        {first_group, static_cast<std::int32_t>(plan.groups.size()), static_cast<std::int32_t>(pieces.size())});
+        {first_group, static_cast<std::int32_t>(plan.groups.size()), static_cast<std::int32_t>(places.size())});
 }
 
 /// All of a few look-ups in batches of kFirstBatch.
-template <class Tables>
-void append_batches(std::span<const Lookup> pieces, const Tables& tables, LookupPlan& plan) {
-    for (std::size_t begin = 0; begin < pieces.size(); begin += kFirstBatch) {
-        append_batch(pieces.subspan(begin, std::min(pieces.size() - begin, kFirstBatch)), tables, plan);
+void append_batches(std::span<const BitTables::Place> places, LookupPlan& plan) {
+    for (std::size_t begin = 0; begin < places.size(); begin += kFirstBatch) {
+        append_batch(places.subspan(begin, std::min(places.size() - begin, kFirstBatch)), plan);
     }
+}
+
+/// Puts look-ups that share the shift of a bit within its word one after the other, since a group of them is shifted
+/// once; but those in voxels of dx stay first.
+void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
+    std::ranges::stable_sort(lookups, {},
+                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
 }
 
 }  // namespace
@@ -170,27 +193,30 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
     }
     if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
+    const BitTables& bits = tables.bits();
     std::vector<Lookup> ordered = in_order(
         lookups, by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; }));
-    by_shift(std::span(ordered).first(std::min(ordered.size(), kAllThrough)), tables.bits());
-    const std::span<const Lookup> all = ordered;
+    by_shift(std::span(ordered).first(std::min(ordered.size(), kAllThrough)), bits);
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
+    const std::vector<BitTables::Place> all = places_of(ordered, bits);
+    plan.of_positions.offsets.reserve(all.size());
     std::size_t size = kFirstBatch;
     for (std::size_t begin = 0; begin < all.size();) {
         const std::size_t count = std::min(all.size() - begin, size);
-        append_batch(all.subspan(begin, count), tables.bits(), plan.of_positions);
+        append_batch(std::span(all).subspan(begin, count), plan.of_positions);
         begin += count;
         if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
-    const std::vector<Lookup> of_all_layers = of_stacks.first(tables.bits());
-    append_batches(of_all_layers, tables.bits(), plan.of_stacks);
+    std::vector<Lookup> of_all_layers = of_stacks.first(bits);
+    by_shift(of_all_layers, bits);
+    append_batches(places_of(of_all_layers, bits), plan.of_stacks);
     std::vector<Lookup> of_blocks;
-    for (const Lookup& lookup : all) {
+    for (const Lookup& lookup : ordered) {
         if (of_blocks.size() == kMostOfBlocks) break;
         if (lookup.of_blocks) of_blocks.push_back(lookup);
     }
-    append_batches(of_blocks, tables.crowd(), plan.of_blocks);
+    append_batches(places_of(of_blocks, tables.crowd()), plan.of_blocks);
     return plan;
 }
 
