@@ -23,6 +23,7 @@ void* allocate_zeroed(std::size_t bytes);
 /// Of what allocate_zeroed(bytes) returned.
 void free_zeroed(void* memory, std::size_t bytes);
 
+/// Gives containers what allocate_zeroed() does.
 template <class T>
 struct ZeroedAllocator {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -1,6 +1,5 @@
 #include "geometry/mesh.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace spectralpack {

@@ -127,6 +127,7 @@ TEST(MeshRepair, EdgesAreCountedAsBruteForceCountsThem) {
         RC_ASSERT(count.misdirected == expected.misdirected);
         RC_ASSERT(count.crowded == expected.crowded);
         RC_ASSERT(count.closed == expected.closed);
+        RC_ASSERT(is_closed(mesh) == expected.closed);
     }));
 }
 

@@ -32,6 +32,13 @@ int rank_of(const Form& form) { return form.level + std::popcount(static_cast<un
 /// come first.
 constexpr int kCoarse = kRanks, kAllRanks = 2 * kRanks;
 
+/// Puts look-ups that share the shift of a bit within its word one after the other, since a group of them is shifted
+/// once; but those in voxels of dx stay first.
+void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
+    std::ranges::stable_sort(lookups, {},
+                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
+}
+
 /// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
 class Lowered {
   public:
@@ -93,6 +100,7 @@ class StackPieces {
             lookups.push_back(
                 {.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), .rank = all_[i].rank});
         }
+        by_shift(lookups, bits);
         return lookups;
     }
 
@@ -160,13 +168,6 @@ void append_batches(std::span<const BitTables::Place> places, LookupPlan& plan) 
     }
 }
 
-/// Puts look-ups that share the shift of a bit within its word one after the other, since a group of them is shifted
-/// once; but those in voxels of dx stay first.
-void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
-    std::ranges::stable_sort(lookups, {},
-                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
-}
-
 }  // namespace
 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
@@ -208,9 +209,7 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         begin += count;
         if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
-    std::vector<Lookup> of_all_layers = of_stacks.first(bits);
-    by_shift(of_all_layers, bits);
-    append_batches(places_of(of_all_layers, bits), plan.of_stacks);
+    append_batches(places_of(of_stacks.first(bits), bits), plan.of_stacks);
     std::vector<Lookup> of_blocks;
     for (const Lookup& lookup : ordered) {
         if (of_blocks.size() == kMostOfBlocks) break;
