@@ -73,36 +73,8 @@ class OpenState : public testing::Test {
             }
         }
     }
-    void expect_bounds(int bz, std::uint32_t expected) {
-        for (int by = 0; by < state.bricks().y; ++by) {
-            for (int bx = 0; bx < state.bricks().x; bx += kPair) {
-                const OpenPair& pair = state.open_pair(bx, by, bz);
-                EXPECT_EQ(pair.bound[0][0], expected);
-                EXPECT_EQ(pair.bound[1][31], expected);
-                EXPECT_EQ(pair.bound[0][1], kDead);
-            }
-        }
-    }
-
     PositionState state;
 };
-
-TEST_F(OpenState, ForgetsBoundsThatTellOfTooFewLayers) {
-    EXPECT_EQ(state.bounded_layers(1), kBrickZ);
-    state.restrict_bounds(1, 2);
-    state.restrict_bounds(1, 3);
-    EXPECT_EQ(state.bounded_layers(1), 2);
-    state.require_bounds(1, 2);
-    expect_bounds(1, 7);
-    EXPECT_EQ(state.bounded_layers(1), 2);
-    state.require_bounds(1, 3);
-    expect_bounds(1, 0);
-    EXPECT_EQ(state.bounded_layers(1), kBrickZ);
-    EXPECT_EQ(state.least_bound(0, 0, 1), 0);
-    EXPECT_EQ(state.least_bound(0, 0, 0), 5);
-    expect_bounds(0, 7);
-    expect_bounds(2, 7);
-}
 
 TEST_F(OpenState, FindsLayersInWhichNothingIsLive) {
     state.open_pair(2, 1, 1).live[1][kBrickY * 2 + 5] = 1;

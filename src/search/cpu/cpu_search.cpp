@@ -46,7 +46,7 @@ class CpuSearch final : public PlacementSearch {
         if (stop.stopped()) return {std::nullopt, true};
         if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
         std::vector<OrientationRuns> runs = follow(tray, shape);
-        PositionCache::Entry& entry = positions_.at(shape, tray, tables_, workers_);
+        PositionCache::Entry& entry = positions_.at(shape, tray, tables_, model, workers_);
         if (!runs.empty()) entry.runs = std::move(runs);
         SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);

@@ -1,5 +1,10 @@
 #pragma once
-/// The greatest rho that can still win, in each layer of a brick layer.
+/// The greatest rho that can still win, in each layer of a brick layer, and what that makes bounds of whole blocks.
+///
+/// Of the layers that a block has each has a limit of its own, since height costs. So what is kept of a block bounds rho
+/// + rise(layer), the rise being what height adds since the lowest layer of the brick layer, in whole numbers. Nothing of
+/// the block can win if that is above reach(), the greatest limit + rise: then rho is above the limit in each of its
+/// layers, whatever the rises are. They have to stay what they were, though, while bounds are kept.
 
 #include <algorithm>
 #include <cstdint>
@@ -8,6 +13,11 @@
 #include "search/cpu/orientation_search.hpp"
 
 namespace spectralpack {
+
+/// rho + rise, or what lanes hold of it.
+inline std::uint32_t raised(std::uint32_t rho, std::uint32_t rise) {
+    return static_cast<std::uint32_t>(std::min(std::uint64_t{rho} + rise, std::uint64_t{kSumLimit}));
+}
 
 /// As the incumbent stood when they were last looked at; below 0 where nothing can win any more, or nothing may stand.
 class LayerLimits {
@@ -18,6 +28,7 @@ class LayerLimits {
     void look(int bz) {
         const std::uint64_t generation = task_.context.incumbent.generation();
         if (bz == brick_layer_ && generation == generation_) return;
+        if (bz != brick_layer_ && task_.state.keeps()) work_out_rises(bz);
         brick_layer_ = bz;
         generation_ = generation;
         work_out();
@@ -25,6 +36,8 @@ class LayerLimits {
 
     std::int64_t of(int layer) const { return limits_[layer]; }  ///< counted from the lowest of the brick layer
     std::int64_t most() const { return most_; }
+    std::uint32_t rise(int layer) const { return rises_[layer]; }  ///< counted likewise
+    std::uint32_t reach() const { return reach_; }
     /// Nothing can win from this one on, counted likewise.
     int layers() const { return layers_; }
     /// Of the layers that can win, the highest can with less than half the rho of a lower one: so much would do there
@@ -37,6 +50,7 @@ class LayerLimits {
         const std::optional<Placed> best = context.incumbent.get();
         most_ = -1;
         layers_ = 0;
+        reach_ = 0;
         for (int i = 0; i < kBrickZ; ++i) {
             const int z = kBrickZ * brick_layer_ + i;
             const bool any = z < task_.state.count().z && (task_.state.dead_layers(brick_layer_) >> i & 1) == 0;
@@ -44,8 +58,23 @@ class LayerLimits {
                 any && context.model.allows(task_.index, z)
                     ? proximity_limit(context.model, z, task_.layers, context.reference_layers, best, task_.index)
                     : -1;
+            if (limits_[i] < 0) continue;
             most_ = std::max(most_, limits_[i]);
-            if (limits_[i] >= 0) layers_ = i + 1;
+            layers_ = i + 1;
+            reach_ = std::max(reach_, raised(lane_limit(limits_[i]), rises_[i]));
+        }
+    }
+
+    void work_out_rises(int bz) {
+        const SearchContext& context = task_.context;
+        const auto height = [&](int i) {
+            return cost_of(context.model, kBrickZ * bz + i, task_.layers, context.reference_layers, 0).primary;
+        };
+        // Where the top decides before rho does, a layer is worth more than any rho; these need not know how much.
+        constexpr double kLayer = 1 << 28;
+        const double unit = context.model.height_at == HeightAt::top ? kLayer : 1;
+        for (int i = 1; i < kBrickZ; ++i) {
+            rises_[i] = static_cast<std::uint32_t>(std::min<double>(unit * (height(i) - height(0)), kSumLimit));
         }
     }
 
@@ -53,6 +82,8 @@ class LayerLimits {
     int brick_layer_ = -1;
     std::uint64_t generation_ = 0;
     std::int64_t limits_[kBrickZ] = {};
+    std::uint32_t rises_[kBrickZ] = {};  // 0 where nothing is kept: there each layer's own limit serves
+    std::uint32_t reach_ = 0;
     std::int64_t most_ = -1;
     int layers_ = 0;
 };

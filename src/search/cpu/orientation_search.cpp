@@ -39,18 +39,17 @@ class Pass {
         for (int bz = begin; bz < end; ++bz) {
             limits_.look(bz);
             if (limits_.most() < 0) continue;
-            state_.require_bounds(bz, limits_.layers());
             sifted_.clear();
             for (int by = 0; by < state_.bricks().y; ++by) {
                 if (by % kCrowdBricksY == 0) sifter_.LookAtCrowd(by / kCrowdBricksY, bz);
                 for (int bx = 0; bx < state_.bricks().x; bx += kPair) {
                     limits_.look(bz);
-                    if (state_.least_bound(bx, by, bz) <= LaneLimit(limits_.most())) SiftPair(bx, by, bz);
+                    if (state_.least_bound(bx, by, bz) <= limits_.reach()) SiftPair(bx, by, bz);
                 }
             }
             limits_.look(bz);
             BoundPairs(bz);
-            state_.restrict_bounds(bz, settler_.SettleAll(bz, survivors_));
+            settler_.SettleAll(bz, survivors_);
             if (limits_.steep()) state_.look_for_dead_layers(bz);
         }
     }
@@ -62,6 +61,7 @@ class Pass {
         OpenPair* open;
         std::size_t sifted[kPair];     // batches that need not be repeated, made in this search
         std::uint32_t near[kBlocksY];  // blocks that Near() left, by row
+        std::uint32_t pooled[kBlocksY];  // of these what BoundPairs() bounded
     };
     /// Blocks side by side that have no bound yet; x and y count blocks of the tray.
     struct UnknownBlocks {
@@ -72,10 +72,12 @@ class Pass {
 
     /// Which of a pair's row of blocks are near enough to something that rho could stay within the limit, as far as the
     /// whole solid in large cells tells.
-    /// Where there are none, `bound` falls to what rho is at least in all of them.
+    /// Where there are none, `bound` falls to one of all of them.
     std::uint32_t Near(int bx, int block_y, int bz, std::uint32_t blocks, std::uint32_t& bound) {
         if (!near_.asks()) return blocks;
-        const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks, bound);
+        std::uint32_t rho = kDead;
+        const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks, rho);
+        if (near == 0) bound = std::min(bound, raised(rho, limits_.rise(Lowest(bz))));
         near_.learn(near == blocks);
         return near;
     }
@@ -92,17 +94,17 @@ class Pass {
         if (t_.fine_cells.cells.empty() || blocks == 0) return blocks;
         const std::uint32_t unknown = blocks & Unknown(bound);
         if (unknown == 0 || !close_.asks()) return blocks;
-        std::uint32_t of_all = kDead;
-        const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown, of_all);
+        std::uint32_t rho = kDead;
+        const std::uint32_t close = Within(t_.fine_cells, bx, block_y, bz, unknown, rho);
         // A sum takes as long however few of its lanes are wanted, so few that are left are no great gain.
         close_.learn(3 * std::popcount(close) > std::popcount(unknown));
         return close | (blocks & ~unknown);
     }
 
     std::uint32_t Within(const CellPlan& cells, int bx, int block_y, int bz, std::uint32_t blocks,
-                         std::uint32_t& bound) const {
-        return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, LaneLimit(limits_.most()),
-                           StopAbove(limits_.most(), t_.for_copy), blocks, bound);
+                         std::uint32_t& rho) const {
+        return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, lane_limit(limits_.most()),
+                           StopAbove(limits_.most(), limits_.most(), t_.for_copy), blocks, rho);
     }
 
     /// The least of a pair's bounds that are above the limit.
@@ -116,9 +118,12 @@ class Pass {
         return least;
     }
 
+    /// Of brick layer bz the lowest layer in which anything may be live, counted from its first.
+    int Lowest(int bz) const { return std::countr_one(state_.dead_layers(bz)); }
+
     /// Sifts two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
-        const std::uint32_t limit = LaneLimit(limits_.most());
+        const std::uint32_t limit = limits_.reach();
         const bool fresh = state_.is_fresh(bx, by, bz);
         OpenPair* open = fresh ? nullptr : &state_.open_pair(bx, by, bz);
         std::uint32_t near[kBlocksY], room[kBlocksY];
@@ -134,7 +139,7 @@ class Pass {
             state_.set_least_bound(bx, by, bz, std::min(bound, kSumLimit));
             return;
         }
-        SiftedPair pair{bx, by, open, {}, {near[0], near[1]}};
+        SiftedPair pair{bx, by, open, {}, {near[0], near[1]}, {}};
         if (fresh) pair.open = Open(bx, by, bz, room, pair.sifted);
         if (pair.open != nullptr) sifted_.push_back(pair);
     }
@@ -142,7 +147,6 @@ class Pass {
     /// Bounds the blocks of the pairs that were sifted, of all together two stretches at a time: a pair alone has one
     /// or two that are near and have no bound yet.
     void BoundPairs(int bz) {
-        const std::uint32_t limit = LaneLimit(limits_.most());
         unknown_.clear();
         // By rows of blocks, since those of one lie in few cache lines.
         for (auto first = sifted_.begin(); first != sifted_.end();) {
@@ -154,33 +158,37 @@ class Pass {
                     std::uint32_t* bound = pair->open->bound[j];
                     pair->near[j] = Close(pair->bx, y, bz, pair->near[j], bound);
                     if (pair->near[j] == 0) continue;
-                    for_each_stretch(pair->near[j] & Unknown(bound), [&](int x, std::uint32_t lanes) {
+                    pair->pooled[j] = pair->near[j] & Unknown(bound);
+                    for_each_stretch(pair->pooled[j], [&](int x, std::uint32_t lanes) {
                         unknown_.push_back({pair->bx * kBlocksX + x, y, lanes, bound + x});
                     });
                 }
             }
             first = last;
         }
-        const int lowest = kBrickZ * bz + std::countr_one(state_.dead_layers(bz));
+        const int lowest = kBrickZ * bz + Lowest(bz);
+        const std::uint32_t rise = limits_.rise(Lowest(bz));
         context_.tables.visit_sums([&](const auto& tables) {
             SumUp<true>(
                 t_.plan.coarse, std::span<const UnknownBlocks>(unknown_),
                 [&](const UnknownBlocks& blocks) { return tables.coarse.base(blocks.x, kBlock * blocks.y, lowest); },
-                StopAbove(limits_.most(), t_.for_copy),
+                StopAbove(limits_.most(), limits_.most(), t_.for_copy),
                 [&](const UnknownBlocks& blocks, const std::uint32_t* sums) {
                     for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {
                         const int i = std::countr_zero(left);
-                        blocks.bound[i] = sums[i];
+                        blocks.bound[i] = raised(sums[i], rise);
                     }
                 });
         });
+        const std::uint32_t limit = limits_.reach();
         survivors_.clear();
         for (const SiftedPair& pair : sifted_) {
             const auto& bound = pair.open->bound;
             for (int i = 0; i < std::min(kPair, state_.bricks().x - pair.bx); ++i) {
-                Survivor survivor{kDead, pair.bx + i, pair.by, pair.open, pair.sifted[i], {}};
+                Survivor survivor{kDead, pair.bx + i, pair.by, pair.open, pair.sifted[i], {}, {}};
                 for (int j = 0; j < kBlocksY; ++j) {
                     survivor.near[j] = static_cast<std::uint16_t>(pair.near[j] >> (i * kBlocksX));
+                    survivor.pooled[j] = static_cast<std::uint16_t>(pair.pooled[j] >> (i * kBlocksX));
                     if (survivor.near[j] == 0) continue;
                     const std::uint32_t* first = bound[j] + i * kBlocksX;
                     for (std::uint32_t left = survivor.near[j] & AtMost(first, limit); left != 0; left &= left - 1) {

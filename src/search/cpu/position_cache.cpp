@@ -15,6 +15,11 @@ Extent brick_count(const Extent& count) {
 }
 
 int pairs_along_x(const Extent& bricks) { return (bricks.x + kPair - 1) / kPair; }
+/// True when a layer costs as much by one as by the other.
+bool same_heights(const CostModel& a, const CostModel& b) {
+    return a.height_penalty == b.height_penalty && a.height_at == b.height_at;
+}
+
 std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
 
 }  // namespace
@@ -27,7 +32,6 @@ void PositionState::reset(const Extent& count, const Extent& most, bool keeps) {
     place_.assign(static_cast<std::size_t>(pair_count(bricks_)), kFresh);
     least_.assign(place_.size(), 0);
     opened_.assign(static_cast<std::size_t>(bricks_.z), 0);
-    bounded_.assign(static_cast<std::size_t>(bricks_.z), kBrickZ);
     dead_layers_.assign(static_cast<std::size_t>(bricks_.z), 0);
     looks_.assign(static_cast<std::size_t>(bricks_.z), Patience());
     if (count.empty() || !keeps) return;
@@ -123,29 +127,6 @@ void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
     }
 }
 
-void PositionState::require_bounds(int bz, int layers) {
-    std::uint8_t& bounded = bounded_[static_cast<std::size_t>(bz)];
-    if (layers <= bounded) return;
-    bounded = kBrickZ;
-    if (!keeps_) return;
-    for (std::size_t i = place_in(bz); i < place_in(bz + 1); ++i) {
-        if (place_[i] >= 0) least_[i] = 0;
-    }
-    OpenPair* first = open_.get() + place_in(bz);
-    for (OpenPair* pair = first; pair != first + opened_[static_cast<std::size_t>(bz)]; ++pair) {
-        for (auto& row : pair->bound) {
-            for (std::uint32_t& bound : row) {
-                if (bound != kDead) bound = 0;
-            }
-        }
-    }
-}
-
-void PositionState::restrict_bounds(int bz, int layers) {
-    std::uint8_t& bounded = bounded_[static_cast<std::size_t>(bz)];
-    bounded = static_cast<std::uint8_t>(std::min<int>(bounded, layers));
-}
-
 std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
     const std::size_t bytes = sizeof(std::int32_t) + sizeof(std::uint32_t) + (keeps ? sizeof(OpenPair) : 0);
     return pair_count(brick_count(count)) * static_cast<std::int64_t>(bytes);
@@ -190,7 +171,7 @@ void PositionCache::count(Entry& entry) {
 }
 
 PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables,
-                                        const Workers& workers) {
+                                        const CostModel& model, const Workers& workers) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
         forget_all();
@@ -201,7 +182,8 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         Entry& entry = found->second;
         ++entry.hits;
         entry.last_use = uses_;
-        const VoxelBox changed = tables.changed_since(entry.version);
+        const VoxelBox changed =
+            same_heights(entry.model, model) ? tables.changed_since(entry.version) : whole(tray.extent());
         if (!changed.empty()) {
             workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
@@ -209,6 +191,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
             });
         }
         entry.version = tables.version();
+        entry.model = model;
         return entry;
     }
     Entry fresh;
@@ -231,6 +214,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     fresh.runs.resize(fresh.states.size());
     fresh.plans.resize(fresh.states.size());
     fresh.version = tables.version();
+    fresh.model = model;
     fresh.last_use = uses_;
     bytes_ += fresh.bytes;
     return entries_[shape.id] = std::move(fresh);

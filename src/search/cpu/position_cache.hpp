@@ -5,8 +5,8 @@
 /// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4.
 /// Invariants, as long as objects are only added:
 ///   live: a clear bit is a position that collides or is not admitted. A set bit may or may not be free.
-///   bound: rho(q) >= bound for every free position q of the block in the lowest bounded_layers() of its brick layer,
-///   as of `version`; kDead: none of the block is free, for good.
+///   bound: rho(q) + rise(q) >= bound for every free position q of the block, as of `version`, the rise being that of
+///   its layer (layer_limits.hpp); kDead: none of the block is free, for good.
 /// Forgetting any of this costs time, never the answer.
 
 #include <algorithm>
@@ -90,14 +90,6 @@ class PositionState {
     /// become 0.
     void forget(const VoxelBox& changed, const Extent& extent);
 
-    /// How many layers of positions the bounds of brick layer bz tell of. With a steep height penalty only the lowest
-    /// can win, and what is known of them is not to be spoilt by what nobody asks about.
-    int bounded_layers(int bz) const { return bounded_[static_cast<std::size_t>(bz)]; }
-    /// Bounds have to tell of `layers`: where they tell of fewer, they become 0.
-    void require_bounds(int bz, int layers);
-    /// New bounds tell of no more than `layers`.
-    void restrict_bounds(int bz, int layers);
-
     static std::int64_t bytes_for(const Extent& count, bool keeps);
 
   private:
@@ -127,8 +119,8 @@ class PositionState {
     std::vector<std::int32_t> place_;   // of each pair, which one of its layer's open ones it is; kFresh, kNothing
     std::vector<std::uint32_t> least_;  // likewise, least_bound()
     std::vector<std::int32_t> opened_;  // by brick layer
-    std::vector<std::uint8_t> bounded_, dead_layers_;  // likewise
-    std::vector<Patience> looks_;                      // for dead layers, likewise
+    std::vector<std::uint8_t> dead_layers_;  // likewise
+    std::vector<Patience> looks_;            // for dead layers, likewise
 };
 
 /// States by shape, within a budget; what was least useful for its size goes first.
@@ -144,14 +136,16 @@ class PositionCache {
         int planned_classes = 0;             ///< that had objects then
         bool planned_narrow = false;         ///< for sums in bytes
         std::uint64_t version = 0;           ///< of the tables the bounds belong to
+        CostModel model;                     ///< what they are made for
         std::int64_t state_bytes = 0, bytes = 0;
         std::int64_t hits = 0;
         std::uint64_t last_use = 0;
     };
 
-    /// The shape's entry, brought up to the tables' version; a fresh one where there is none. Stays
+    /// The shape's entry, brought up to the tables' version and the model; a fresh one where there is none. Stays
     /// until the next call.
-    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables, const Workers& workers);
+    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables, const CostModel& model,
+              const Workers& workers);
 
     /// True when at() would find an entry, unless what tables hold is void since.
     bool knows(const Shape& shape) const { return entries_.contains(shape.id); }

@@ -38,6 +38,7 @@ struct Survivor {
     OpenPair* open = nullptr;
     std::size_t sifted = 0;
     std::uint16_t near[kBlocksY] = {};
+    std::uint16_t pooled[kBlocksY] = {};  // of these whose bounds are sums over blocks, from the lowest layer on
 };
 
 /// One thread's decisions on what is left of one orientation.
@@ -46,10 +47,8 @@ class Settler {
     Settler(const OrientationTask& task, LayerLimits& limits)
         : t_(task), context_(task.context), state_(task.state), limits_(limits) {}
 
-    /// Offers the best free positions of brick layer bz's survivors to the incumbent. Returns how many layers of
-    /// positions the bounds that it leaves tell of.
-    int SettleAll(int bz, std::vector<Survivor>& survivors) {
-        layers_ = kBrickZ;
+    /// Offers the best free positions of brick layer bz's survivors to the incumbent.
+    void SettleAll(int bz, std::vector<Survivor>& survivors) {
         // Without anything to beat, the most promising come first; later, neighbours do.
         if (context_.incumbent.generation() == 0) {
             std::sort(survivors.begin(), survivors.end(),
@@ -60,7 +59,6 @@ class Settler {
         for (std::size_t i = 0; i < survivors.size(); ++i) {
             Settle(survivors[i], bz, chosen_[i]);
         }
-        return layers_;
     }
 
     /// Offers a candidate if it is free.
@@ -96,13 +94,6 @@ class Settler {
         int x, y;
     };
 
-    /// Up to which rho positions are weighed in a layer with this limit. Where bounds are kept it is the greatest limit
-    /// of all layers: a block's bound is that of all its layers, and one that is not weighed as far would leave it so
-    /// low that every search asks about the others again.
-    std::int64_t WeighedUpTo(std::int64_t limit) const {
-        return state_.keeps() ? std::max(limit, limits_.most()) : limit;
-    }
-
     /// Clears what the look-ups of batches [begin, end) find to collide.
     void Block(std::size_t begin, std::size_t end, int bx, int by, int z, std::uint64_t* words) const {
         const BitTables& bits = context_.tables.bits();
@@ -113,10 +104,10 @@ class Settler {
     /// Decides every position of the brick that could be the answer, of those that quads have `chosen` where they are
     /// asked. What was learnt of the others is for further copies only.
     void Settle(const Survivor& survivor, int bz, Chosen& chosen) {
-        const auto& [bound_then, bx, by, open, sifted, near] = survivor;
+        const auto& [bound_then, bx, by, open, sifted, near, pooled] = survivor;
         limits_.look(bz);
-        if (limits_.most() < 0 || bound_then > LaneLimit(limits_.most())) return;
-        if (context_.quads == nullptr) ChooseByBlocks(survivor, chosen);
+        if (limits_.most() < 0 || bound_then > limits_.reach()) return;
+        if (context_.quads == nullptr) ChooseByBlocks(survivor, bz, chosen);
         const int half = bx % kPair;
         for (int i = 0; i < kBrickZ; ++i) {
             const std::uint64_t* asked = chosen.free + kBrickY * i;
@@ -131,31 +122,44 @@ class Settler {
         }
     }
 
-    /// Chooses of a brick the positions whose blocks are near and within their layer's limit. What lies above all
-    /// layers that can win is left to later searches, and bounds tell nothing of it.
-    void ChooseByBlocks(const Survivor& survivor, Chosen& chosen) {
-        const int half = survivor.bx % kPair, layers = limits_.layers();
-        layers_ = std::min(layers_, layers);
+    /// Chooses of a brick the positions whose blocks are near and within their layer's limit.
+    void ChooseByBlocks(const Survivor& survivor, int bz, Chosen& chosen) const {
+        const int half = survivor.bx % kPair;
+        const std::uint32_t lowest_rise = limits_.rise(std::countr_one(state_.dead_layers(bz)));
         for (int j = 0; j < kBlocksY; ++j) {
             const std::uint32_t* before = survivor.open->bound[j] + half * kBlocksX;
+            // What sums over blocks say of rho they say of all layers alike.
+            const std::uint32_t pooled = survivor.pooled[j];
+            std::uint32_t* bound = chosen.bound[j];
+            std::fill_n(bound, kBlocksX, kDead);
+            std::uint32_t bounded = 0;
             std::uint64_t left = 0;
-            for (int z = 0; z < layers; ++z) {
+            for (int z = 0; z < kBrickZ; ++z) {
                 const std::int64_t limit = limits_.of(z);
-                const std::uint32_t blocks = limit < 0 ? 0 : AtMost(before, LaneLimit(WeighedUpTo(limit)));
+                const std::uint32_t rise = limits_.rise(z);
+                std::uint32_t blocks = 0;
+                if (limit >= 0) {
+                    const std::uint32_t most = lane_limit(limit);
+                    blocks = AtMost(before, raised(most, rise));
+                    if (rise != lowest_rise) {
+                        blocks = (blocks & ~pooled) | (AtMost(before, raised(most, lowest_rise)) & pooled);
+                    }
+                }
                 const std::uint64_t within = widened(blocks & survivor.near[j]);
                 const std::uint64_t* live = survivor.open->live[half] + kBrickY * z;
                 for (int y = kBlock * j; y < kBlock * (j + 1); ++y) {
                     chosen.free[kBrickY * z + y] = live[y] & within;
                     left |= live[y] & ~within;
                 }
-            }
-            for (int z = layers; z < kBrickZ; ++z) {
-                std::fill_n(chosen.free + kBrickY * z + kBlock * j, kBlock, std::uint64_t{0});
-            }
-            const std::uint32_t blocks = every_fourth(any_of_block(left));
-            for (int i = 0; i < kBlocksX; ++i) {
-                const std::uint32_t none = layers == kBrickZ ? kDead : std::max(before[i], kSumLimit);
-                chosen.bound[j][i] = blocks >> i & 1 ? before[i] : none;
+                if (z + 1 < kBrickZ && limits_.rise(z + 1) == rise) continue;
+                // Of the layers of which something is left the lowest has the least bound.
+                const std::uint32_t newly = every_fourth(any_of_block(left)) & ~bounded;
+                for (std::uint32_t bits = newly; bits != 0; bits &= bits - 1) {
+                    const int i = std::countr_zero(bits);
+                    bound[i] = pooled >> i & 1 ? raised(before[i] - lowest_rise, rise) : std::max(before[i], rise);
+                    if (before[i] == 0) bound[i] = 0;  // it has none yet
+                }
+                bounded |= newly;
             }
         }
     }
@@ -166,25 +170,25 @@ class Settler {
     void ChooseByQuads(int bz, const std::vector<Survivor>& survivors) {
         quads_.clear();
         for (std::size_t i = 0; i < survivors.size(); ++i) {
-            ChooseByBlocks(survivors[i], chosen_[i]);
+            ChooseByBlocks(survivors[i], bz, chosen_[i]);
             ListQuads(survivors[i], bz, chosen_[i]);
         }
         SumUp<true>(
             t_.plan.fine, std::span<const StretchOfQuads>(quads_),
             [&](const StretchOfQuads& quads) { return context_.quads->base(quads.x, quads.y, quads.z); },
-            StopAbove(limits_.most(), t_.for_copy),
+            StopAbove(limits_.most(), limits_.most(), t_.for_copy),
             [&](const StretchOfQuads& quads, const std::uint32_t* sums) {
                 for (int i = 0; i < kQuad; ++i) {
-                    const std::int64_t limit = limits_.of(quads.z % kBrickZ + i);
-                    const std::uint32_t above =
-                        limit < 0 ? 0 : quads.lanes & ~AtMost(sums, LaneLimit(WeighedUpTo(limit)));
+                    const int layer = quads.z % kBrickZ + i;
+                    const std::int64_t limit = limits_.of(layer);
+                    const std::uint32_t above = limit < 0 ? 0 : quads.lanes & ~AtMost(sums, lane_limit(limit));
                     const std::uint64_t out = static_cast<std::uint64_t>(above) << quads.x % kBrickX;
                     std::uint64_t* rows = quads.free + kBrickY * i;
                     if (state_.keeps()) {
                         for (std::uint64_t left = out & (rows[0] | rows[1]); left != 0; left &= left - 1) {
                             const int x = std::countr_zero(left);
                             std::uint32_t& bound = quads.bound[x / kBlock];
-                            bound = std::min(bound, sums[x - quads.x % kBrickX]);
+                            bound = std::min(bound, raised(sums[x - quads.x % kBrickX], limits_.rise(layer)));
                         }
                     }
                     rows[0] &= ~out;
@@ -258,7 +262,7 @@ class Settler {
             for (std::uint64_t bits = left[y]; bits != 0; bits &= bits - 1) {
                 const int x = std::countr_zero(bits);
                 std::uint32_t& bound = after[y / kBlock][x / kBlock];
-                bound = std::min(bound, sums[y][x]);
+                bound = std::min(bound, raised(sums[y][x], limits_.rise(z % kBrickZ)));
                 found_.push_back({sums[y][x], x, y});
             }
         }
@@ -275,7 +279,7 @@ class Settler {
     }
 
     /// Sums up rho of a tile's `free` positions: `close` become those where it is within the limit, which it is in
-    /// `sums`; bounds of the others' blocks are lowered to theirs, or to something less that is above the limit too.
+    /// `sums`; bounds of the others' blocks are lowered to theirs, or to something less that rules them out too.
     /// True if any are close.
     bool Weigh(int bx, int by, int z, const std::uint64_t* free, std::int64_t limit, std::uint64_t* close,
                RowSums* sums, Bounds& bounds) const {
@@ -284,20 +288,20 @@ class Settler {
             close[y] = 0;
             stretches.add(y, free[y]);
         }
-        const std::uint32_t most = LaneLimit(limit);
+        const std::uint32_t most = lane_limit(limit), rise = limits_.rise(z % kBrickZ);
         bool any = false;
         context_.tables.visit_sums([&](const auto& tables) {
             SumUp<false>(
                 t_.plan.fine, stretches.all(),
                 [&](const Stretch& row) { return tables.exact.base(kBrickX * bx + row.x, kBrickY * by + row.y, z); },
-                StopAbove(WeighedUpTo(limit), t_.for_copy),
+                StopAbove(limit, limits_.most(), t_.for_copy),
                 [&](const Stretch& row, const std::uint32_t* rho) {
                     const std::uint32_t within = row.lanes & AtMost(rho, most);
                     std::uint32_t above = state_.keeps() ? row.lanes & ~within : 0;
                     for (; above != 0; above &= above - 1) {
                         const int i = std::countr_zero(above);
                         std::uint32_t& bound = bounds[row.y / kBlock][(row.x + i) / kBlock];
-                        bound = std::min(bound, rho[i]);
+                        bound = std::min(bound, raised(rho[i], rise));
                     }
                     if (within == 0) return;
                     close[row.y] |= static_cast<std::uint64_t>(within) << row.x;
@@ -324,7 +328,6 @@ class Settler {
     std::vector<Chosen> chosen_;  // of each survivor
     std::vector<StretchOfQuads> quads_;
     std::vector<Found> found_;
-    int layers_ = kBrickZ;  // that bounds tell of, as far as this brick layer is settled
 };
 
 }  // namespace HWY_NAMESPACE

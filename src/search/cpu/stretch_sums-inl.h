@@ -20,18 +20,14 @@ HWY_BEFORE_NAMESPACE();
 namespace spectralpack {
 namespace HWY_NAMESPACE {
 
-constexpr int kBeyond = 5;  // sums for copies go a fifth beyond the limit
+constexpr int kBeyond = 5;  // sums for copies go a fifth of the greatest limit beyond theirs
 
-/// What SumLanes() can take as a limit: nothing is above kSumLimit.
-inline std::uint32_t LaneLimit(std::int64_t limit) {
-    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(limit, 0, kSumLimit));
-}
-
-/// What sums have to be above to be given up. Copies are likely to be followed by copies, for which the limit is a
-/// little higher: sums that go on beyond it leave bounds that still rule out then.
-inline std::uint32_t StopAbove(std::int64_t limit, bool for_copy) {
-    const std::int64_t least = LaneLimit(limit);
-    return LaneLimit(for_copy ? least + least / kBeyond : least);
+/// What sums have to be above to be given up, where `most` is the greatest limit in any layer. Copies are likely to be
+/// followed by copies, for which limits are a little higher: sums that go on beyond theirs leave bounds that still rule
+/// out then.
+inline std::uint32_t StopAbove(std::int64_t limit, std::int64_t most, bool for_copy) {
+    const std::int64_t beyond = for_copy ? lane_limit(most) / kBeyond : 0;
+    return lane_limit(lane_limit(limit) + beyond);
 }
 
 /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). from(stretch) is
@@ -45,7 +41,7 @@ void SumUp(const SumPlan& plan, std::span<const AnyStretch> stretches, const Fro
         const AnyStretch& low = stretches[i];
         const AnyStretch& high = stretches[both ? i + 1 : i];
         SumLanes<kOfEach>(from(low), from(high), plan.loads.data(), plan.batches.data(), plan.batches.size(),
-                          stop_above, low.lanes | (both ? high.lanes << kStretch : 0), LaneLimit(plan.least), sums);
+                          stop_above, low.lanes | (both ? high.lanes << kStretch : 0), lane_limit(plan.least), sums);
         each(low, sums);
         if (both) each(high, sums + kStretch);
     }

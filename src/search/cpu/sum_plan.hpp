@@ -12,6 +12,11 @@ namespace spectralpack {
 /// Sums are kept at most here, "this or more".
 inline constexpr std::uint32_t kSumLimit = 0xFFFE0000u;
 
+/// What lanes hold of `sum`.
+inline std::uint32_t lane_limit(std::int64_t sum) {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(sum, 0, kSumLimit));
+}
+
 /// Pairs of loads from sum tables whose differences add up to less than 65536.
 struct SumBatch {
     std::int32_t begin = 0, end = 0;  ///< into the loads
