@@ -216,7 +216,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
             Shape shape = make_shape(static_cast<std::uint64_t>(part) + 1,
                                      question.meshes[static_cast<std::size_t>(part)], rotations, setup.voxel_size,
                                      setup.detail, arguments.gap, setup.gap_classes, makers, setup.size);
-            shape.once = std::ranges::count(question.items, part, &PackItem::part) == 1;
+            shape.copies = static_cast<int>(std::ranges::count(question.items, part, &PackItem::part));
             return std::make_shared<const Shape>(std::move(shape));
         },
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed

@@ -31,10 +31,10 @@ std::int64_t memory_of_reference(const EngineNeed&, const Workers&) { return 0; 
 constexpr bool kHasReference = false;
 #endif
 
-/// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel; less where
-/// they are of bytes, those over quads included); bits dilated in all forms for each part of each gap class, each class
-/// as a whole and the walls, and twice more for each part on the way; margins round up; a bit of the crowd tables for
-/// 64 of those. For ways out the fine voxels' rows dilated, of one tray.
+/// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel), and those of
+/// what is near in bytes (8; with those over quads 12, but then no others); bits dilated in all forms for each part of
+/// each gap class, each class as a whole and the walls, and twice more for each part on the way; margins round up; a
+/// bit of the crowd tables for 64 of those. For ways out the fine voxels' rows dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const auto padded = [&](int margin) {
         return checked_product(
@@ -46,8 +46,8 @@ std::int64_t memory_of_cpu(const EngineNeed& need) {
     const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
     const std::int64_t voxels = padded(0), bit_table = padded(need.overhang) / 8;
     std::int64_t bytes = (tables + spare) * bit_table / 64 + rows;
-    for (const std::int64_t array :
-         {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, tables * bit_table, spare * bit_table}) {
+    for (const std::int64_t array : {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels,
+                                     voxels, tables * bit_table, spare * bit_table}) {
         bytes += static_cast<std::int64_t>(zeroed_size(static_cast<std::size_t>(array)));
     }
     return bytes;

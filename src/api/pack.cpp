@@ -44,17 +44,17 @@ std::vector<std::uint64_t> shape_ids(const LoadedJob& loaded, const Plan& plan) 
     return by_part;
 }
 
-/// By part, whether it is the only one among the items with its shape.
-std::vector<bool> only_ones(const std::vector<PackItem>& items, const std::vector<std::uint64_t>& shape_ids) {
+/// By part, how many of the items have its shape.
+std::vector<int> copies_of_shapes(const std::vector<PackItem>& items, const std::vector<std::uint64_t>& shape_ids) {
     std::unordered_map<std::uint64_t, int> copies;
     for (const PackItem& item : items) {
         ++copies[shape_ids[static_cast<std::size_t>(item.part)]];
     }
-    std::vector<bool> only;
+    std::vector<int> by_part;
     for (const std::uint64_t id : shape_ids) {
-        only.push_back(copies[id] == 1);
+        by_part.push_back(copies[id]);
     }
-    return only;
+    return by_part;
 }
 
 /// True where `failure` is a lack of memory, also to let a packing grow higher.
@@ -175,7 +175,7 @@ class Run {
             },
             workers_);
         const std::vector<std::uint64_t> ids = shape_ids(loaded_, plan_);
-        const std::vector<bool> only = only_ones(items, ids);
+        const std::vector<int> copies = copies_of_shapes(items, ids);
         ShapeStore shapes(
             [&](int part, const Workers& workers) {
                 const auto i = static_cast<std::size_t>(part);
@@ -184,7 +184,7 @@ class Run {
                     Shape made =
                         make_shape(ids[i], *scaled_mesh(i), *plan_.orientations[i], options.voxel, options.detail,
                                    loaded_.parts[i].gap, plan_.gap_classes, workers, plan_.room);
-                    made.once = only[i] && !options.fill;
+                    made.copies = options.fill ? 0 : copies[i];  // filling goes on as long as there is room
                     shape = std::make_shared<const Shape>(std::move(made));
                     if (keep_shapes_) kept_[i] = shape;
                 }

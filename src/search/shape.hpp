@@ -47,12 +47,15 @@ struct Shape {
     int gap_class = 0;     ///< index into the tray's gap classes of the part's own gap
     /// By ascending orientation index, equal voxels merged.
     std::vector<OrientedShape> orientations;
-    /// No second copy is likely to be asked about in the same tray: engines need not remember what they find out.
-    bool once = false;
+    /// How many copies are likely to be asked about in the same tray, 0 if that is not known. It tells engines what is
+    /// worth remembering.
+    int copies = 0;
     Admits admits{};  ///< null: every candidate
     /// Boxes of voxels of dx. Where there are any, the asker knows of all candidates whose boxes, A+g included, meet
     /// none of these that they collide or would be turned down: engines need not look there.
     std::vector<VoxelBox> only_near{};
+
+    bool is_once() const { return copies == 1; }
 };
 
 /// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for

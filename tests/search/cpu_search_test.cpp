@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "brute_force.hpp"
+#include "engines.hpp"
 #include "random_scene.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/kernels.hpp"
@@ -52,6 +53,66 @@ TEST(CpuSearch, AnswersTheDefinitionForCopyAfterCopy) {
     }
 }
 
+/// Frames, thin and thick by turns, in trays whose middle is far from everything: what an engine knows of what is near
+/// alone has to serve for places that are not.
+void expect_answers_in_the_open(const CpuOptions& options) {
+    std::unique_ptr<PlacementSearch> definition;
+    for (const EngineFactory& engine : engines()) {
+        if (engine.name == "reference") definition = engine.make(Workers(1));
+    }
+    if (!definition) GTEST_SKIP() << "skipped: this build has no reference engine, and loops over voxels take too long";
+    VerifyingSearch search(make_cpu_search(options, Workers(2)), std::move(definition), {});
+    int placed = 0;
+    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+        SCOPED_TRACE(seed);
+        RandomStream random(seed);
+        Tray tray(box_tray({between(random, 64, 74), between(random, 60, 66), between(random, 56, 66)}));
+        const auto frame = [&](const Extent& e) {
+            BitGrid solid(e);
+            for_each_voxel(e, [&](int x, int y, int z) {
+                const int edges = (x % (e.x - 1) == 0) + (y % (e.y - 1) == 0) + (z % (e.z - 1) == 0);
+                solid.set(x, y, z, edges > 1 || one_in(random, 500));
+            });
+            return std::make_shared<const BitGrid>(std::move(solid));
+        };
+        std::vector<Shape> shapes;
+        for (std::uint64_t id = 0; id < 3; ++id) {
+            Shape shape{3 * seed + id + 1, 0, {}};
+            const Extent least = id == 0 ? Extent{29, 29, 29} : Extent{30, 26, 22};
+            const Extent most = id == 0 ? Extent{36, 36, 32} : Extent{40, 40, 28};
+            for (int k = 0; k < (id == 2 ? 2 : 1); ++k) {
+                shape.orientations.push_back(plain_shape(frame(random_extent(random, least, most))));
+            }
+            shapes.push_back(std::move(shape));
+        }
+        for (int step = 0; step < 24; ++step) {
+            // Something small, somewhere: what lies far off comes nearer to it.
+            const auto crumb =
+                std::make_shared<BitGrid>(random_solid(random, random_extent(random, {1, 1, 1}, {4, 4, 4})));
+            const Extent& n = tray.extent();
+            const ObjectId id = tray.add(
+                {crumb, {between(random, 0, n.x - 4), between(random, 0, n.y - 4), between(random, 0, n.z - 4)}});
+            if (step == 15) tray.remove(id);
+            Shape& shape = shapes[step % 3];
+            shape.copies = one_in(random, 4) ? 1 : one_in(random, 3) ? 2 : 200;
+            CostModel model;
+            model.height_penalty = step < 12 ? 4 : 1e5;
+            if (step > 20) model.height_at = HeightAt::top;
+            SearchResult result;
+            ASSERT_NO_THROW(result = search.best_placement(tray, shape, model, {}));
+            if (!result.best || step % 4 != 3) continue;
+            const auto index = static_cast<std::size_t>(result.best->index);
+            tray.add({shape.orientations[index].solid, result.best->position});
+            ++placed;
+        }
+    }
+    EXPECT_GT(placed, 10);
+}
+
+TEST(CpuSearch, AnswersTheDefinitionForCopiesInTheOpen) { expect_answers_in_the_open({}); }
+
+TEST(CpuSearch, AnswersTheDefinitionForCopiesInTheOpenOfLargeTrays) { expect_answers_in_the_open({.large_from = 0}); }
+
 TEST(CpuSearch, AnswersAlikeWhateverItMayRemember) {
     RandomStream random(10);
     SceneLimits limits = middling_scene();
@@ -96,7 +157,7 @@ TEST(CpuSearch, KeepsLessOfWhatIsAskedAboutOnce) {
     const Scene scene = random_scene(random, limits);
     const auto memory_for = [&](bool once) {
         Shape shape = scene.shapes.front();
-        shape.once = once;
+        shape.copies = once ? 1 : 2;
         const auto search = make_cpu_search({}, Workers(1));
         search->best_placement(scene.tray, shape, {}, {});
         return search->memory();

@@ -208,7 +208,7 @@ inline Shape random_shape(RandomStream& random, std::uint64_t id, const TraySetu
                           const SceneLimits& limits) {
     Shape shape;
     shape.id = id;
-    shape.once = id % 3 == 0;  // which says nothing of how often it is asked about
+    shape.copies = std::vector{1, 2, 200}[id % 3];  // which says nothing of how often it is asked about
     shape.gap_class = between(random, 0, static_cast<int>(setup.gap_classes.size()) - 1);
     const int count = between(random, 1, limits.orientations);
     int orientation = -1;

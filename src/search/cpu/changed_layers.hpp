@@ -2,6 +2,7 @@
 /// Where something of a grid changed, layer by layer: what spreads from an object is a hull in each layer, half of the
 /// hull of all.
 
+#include <algorithm>
 #include <vector>
 
 #include "voxel/voxel_box.hpp"
@@ -33,6 +34,19 @@ class ChangedLayers {
         for (int z = other.hull_.lo.z; z < other.hull_.hi.z; ++z) {
             add(other.at(z));
         }
+    }
+    /// What of it is less than `distance` away from something that changed it and lies in `source`, the Manhattan
+    /// distance counting.
+    ChangedLayers within(int distance, const VoxelBox& source) const {
+        ChangedLayers near(static_cast<int>(layers_.size()));
+        for (int z = hull_.lo.z; z < hull_.hi.z; ++z) {
+            const int rest = distance - 1 - std::max({0, source.lo.z - z, z - (source.hi.z - 1)});
+            if (rest < 0) continue;
+            const VoxelBox around{{source.lo.x - rest, source.lo.y - rest, z},
+                                  {source.hi.x + rest, source.hi.y + rest, z + 1}};
+            near.add(intersection(at(z), around));
+        }
+        return near;
     }
     void clear() {
         for (int z = hull_.lo.z; z < hull_.hi.z; ++z) {

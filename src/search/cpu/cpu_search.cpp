@@ -19,7 +19,15 @@ namespace {
 /// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
 /// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
+constexpr int kThin = 28;  // voxels
+constexpr int kManyCopies = 100;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
+
+/// Of a thin solid, which fits in closely where all of it is near to something.
+bool is_thin(const Shape& shape) {
+    const Extent& a = shape.orientations.front().solid->extent();
+    return std::min({a.x, a.y, a.z}) <= kThin;
+}
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
 std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
@@ -51,7 +59,7 @@ class CpuSearch final : public PlacementSearch {
         SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
-        const bool by_quads = tables_.narrow() && have_few(entry.runs);
+        const bool by_quads = tables_.narrow() && tables_.all_near() && have_few(entry.runs);
         std::vector<OrientationTask> searches;
         workers_.for_each(2, [&](std::int64_t i) {
             if (i == 0) searches = plan_searches(shape, open, entry, context);
@@ -62,7 +70,7 @@ class CpuSearch final : public PlacementSearch {
         if (!search_all(searches, context, stop)) return {std::nullopt, true};
 
         const std::optional<Placed> best = context.incumbent.get();
-        if (!shape.once) entry.seeds = seeds_after(context.incumbent, entry.seeds);
+        if (!shape.is_once()) entry.seeds = seeds_after(context.incumbent, entry.seeds);
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
         return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
@@ -120,9 +128,12 @@ class CpuSearch final : public PlacementSearch {
     std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
         const int margin = overhang(shape, tray.detail());
         const bool apart = covered(shape) && tray.detail() == 1;
+        // Sums of what is near rule out the open later than others do, but copy after copy they have less to follow,
+        // and fewer bounds change.
+        const bool near = shape.copies >= kManyCopies && is_thin(shape);
         std::vector<OrientationRuns> runs;
         if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin, apart)) {
-            tables_.follow(tray, margin, apart, workers_);
+            tables_.follow(tray, margin, apart, near, workers_);
             return runs;
         }
         runs.resize(shape.orientations.size());
@@ -131,7 +142,7 @@ class CpuSearch final : public PlacementSearch {
             open.push_back(!tray.candidates(oriented.reach).empty());
         }
         workers_.for_each(2, [&, frame = tables_.frame()](std::int64_t i) {
-            if (i == 0) tables_.follow(tray, margin, apart, workers_);
+            if (i == 0) tables_.follow(tray, margin, apart, near, workers_);
             if (i == 1) make_runs_of(shape, tray.detail(), open, frame, runs);
         });
         return runs;

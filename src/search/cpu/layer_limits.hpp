@@ -1,9 +1,10 @@
 #pragma once
 /// The greatest rho that can still win, in each layer of a brick layer, and what that makes bounds of whole blocks.
 ///
-/// Of the layers that a block has each has a limit of its own, since height costs. So what is kept of a block bounds rho
-/// + rise(layer), the rise being what height adds since the lowest layer of the brick layer, in whole numbers. Nothing of
-/// the block can win if that is above reach(), the greatest limit + rise: then rho is above the limit in each of its
+/// Of the layers that a block has each has a limit of its own, since height costs. So what is kept of a block bounds
+/// rho
+/// + rise(layer), the rise being what height adds since the lowest layer of the brick layer, in whole numbers. Nothing
+/// of the block can win if that is above reach(), the greatest limit + rise: then rho is above the limit in each of its
 /// layers, whatever the rises are. They have to stay what they were, though, while bounds are kept.
 
 #include <algorithm>

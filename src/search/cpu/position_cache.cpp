@@ -101,27 +101,36 @@ void PositionState::look_for_dead_layers(int bz) {
     dead_layers_[layer] = dead;
 }
 
-void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
+/// The blocks from which a shape of `extent` reaches into `changed`.
+VoxelBox PositionState::blocks_reaching(const VoxelBox& changed, const Extent& extent) const {
+    if (changed.empty()) return {};
     // Position q meets the box where q < hi and q + extent > lo.
-    const VoxelBox touched =
+    VoxelBox box =
         intersection({changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi}, whole(count_));
-    if (touched.empty()) return;
-    constexpr int kBlock = TrayTables::kBlock;
-    for (int z = touched.lo.z / kBlock; z <= (touched.hi.z - 1) / kBlock; ++z) {
-        for (int y = touched.lo.y / kBlock; y <= (touched.hi.y - 1) / kBlock; ++y) {
-            const int end = (touched.hi.x - 1) / kBlock + 1;
-            for (int x = touched.lo.x / kBlock; x < end;) {
-                const int bx = x / kBlocksX / kPair * kPair, by = y / kBlocksY;
-                const int next = std::min(end, (bx + kPair) * kBlocksX);
+    if (box.empty()) return {};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] /= TrayTables::kBlock;
+        box.hi[axis] = ceil_div(box.hi[axis], TrayTables::kBlock);
+    }
+    return box;
+}
+
+void PositionState::forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent) {
+    const VoxelBox pairs = blocks_reaching(changed, extent), blocks = blocks_reaching(of_sums, extent);
+    for (int z = pairs.lo.z; z < pairs.hi.z; ++z) {
+        for (int y = pairs.lo.y; y < pairs.hi.y; ++y) {
+            const bool any = z >= blocks.lo.z && z < blocks.hi.z && y >= blocks.lo.y && y < blocks.hi.y;
+            const int by = y / kBlocksY;
+            for (int bx = pairs.lo.x / kBlocksX / kPair * kPair; bx * kBlocksX < pairs.hi.x; bx += kPair) {
                 if (!is_dead(bx, by, z)) set_least_bound(bx, by, z, 0);
-                if (is_open(bx, by, z)) {
-                    std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
-                    for (; x < next; ++x) {
-                        std::uint32_t& bound = row[x - bx * kBlocksX];
-                        if (bound != kDead) bound = 0;
-                    }
+                if (!any || !is_open(bx, by, z)) continue;
+                const int first = bx * kBlocksX;
+                std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
+                const int end = std::min(blocks.hi.x, first + kPair * kBlocksX);
+                for (int x = std::max(blocks.lo.x, first); x < end; ++x) {
+                    std::uint32_t& bound = row[x - first];
+                    if (bound != kDead) bound = 0;
                 }
-                x = next;
             }
         }
     }
@@ -182,12 +191,14 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         Entry& entry = found->second;
         ++entry.hits;
         entry.last_use = uses_;
-        const VoxelBox changed =
-            same_heights(entry.model, model) ? tables.changed_since(entry.version) : whole(tray.extent());
-        if (!changed.empty()) {
+        TrayTables::Change changed = tables.changed_since(entry.version);
+        const bool other_sums = tables.narrow() && !entry.planned_narrow && !tables.all_near();  // that tell of less
+        if (other_sums || !same_heights(entry.model, model)) changed = {whole(tray.extent()), whole(tray.extent())};
+        if (!changed.all.empty()) {
             workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
-                entry.states[k].forget(changed, shape.orientations[k].solid->extent());
+                entry.states[k].forget(changed.all, entry.planned_narrow ? changed.near : changed.all,
+                                       shape.orientations[k].solid->extent());
             });
         }
         entry.version = tables.version();
@@ -198,17 +209,17 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
         counts.push_back(tray.candidates(oriented.reach));
-        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back(), !shape.once);
+        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back(), !shape.is_once());
     }
     fresh.bytes = fresh.state_bytes;
     make_room(fresh.bytes);
     for (const Extent& count : counts) {
         PositionState state;
-        if (!shape.once && !count.empty() && !spare_.empty()) {
+        if (!shape.is_once() && !count.empty() && !spare_.empty()) {
             state = std::move(spare_.back());
             spare_.pop_back();
         }
-        state.reset(count, tray.extent(), !shape.once);
+        state.reset(count, tray.extent(), !shape.is_once());
         fresh.states.push_back(std::move(state));
     }
     fresh.runs.resize(fresh.states.size());

@@ -86,9 +86,9 @@ class PositionState {
     /// Looks, less often where it was in vain.
     void look_for_dead_layers(int bz);
 
-    /// phi fell within `changed`: bounds of blocks from which a shape of `extent` reaches into it
-    /// become 0.
-    void forget(const VoxelBox& changed, const Extent& extent);
+    /// phi fell within `changed`: what pairs of which some block reaches into it with a shape of `extent` are bounded
+    /// by becomes 0; and what blocks are bounded by that reach into `of_sums`, where the sums they come from changed.
+    void forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent);
 
     static std::int64_t bytes_for(const Extent& count, bool keeps);
 
@@ -102,6 +102,7 @@ class PositionState {
                static_cast<std::size_t>(bx / kPair);
     }
 
+    VoxelBox blocks_reaching(const VoxelBox& changed, const Extent& extent) const;
     void close(std::size_t pair) {
         place_[pair] = kNothing;
         least_[pair] = kDead;
@@ -115,10 +116,10 @@ class PositionState {
     // Pairs lie in the order in which they were opened, one brick layer's after the other's: what never is takes no
     // memory from the system and no room in caches.
     std::unique_ptr<OpenPair[]> open_;
-    std::size_t room_ = 0;              // pairs
-    std::vector<std::int32_t> place_;   // of each pair, which one of its layer's open ones it is; kFresh, kNothing
-    std::vector<std::uint32_t> least_;  // likewise, least_bound()
-    std::vector<std::int32_t> opened_;  // by brick layer
+    std::size_t room_ = 0;                   // pairs
+    std::vector<std::int32_t> place_;        // of each pair, which one of its layer's open ones it is; kFresh, kNothing
+    std::vector<std::uint32_t> least_;       // likewise, least_bound()
+    std::vector<std::int32_t> opened_;       // by brick layer
     std::vector<std::uint8_t> dead_layers_;  // likewise
     std::vector<Patience> looks_;            // for dead layers, likewise
 };

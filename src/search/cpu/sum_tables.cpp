@@ -35,12 +35,12 @@ SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
     if (window != kVoxel && window != kQuad && window != kBlock)
         throw InternalError("no sums are kept for such windows");
     values_ = ZeroedVector<T>(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun));
-    if (window != kVoxel || sizeof(T) == 1) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
+    if (window != kVoxel || kBytes) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
 }
 
 template <class T>
 const T* SumTables<T>::pooled_row(const DistanceGrid& phi, int y, int z) const {
-    if constexpr (sizeof(T) > 1) {
+    if constexpr (!kBytes) {
         if (window_ == kVoxel) return phi.row(y, z);
     }
     return pooled_.data() + row(y, z);
@@ -48,16 +48,16 @@ const T* SumTables<T>::pooled_row(const DistanceGrid& phi, int y, int z) const {
 
 template <class T>
 std::uint16_t SumTables<T>::most() const {
-    return apart_ ? kMostPooled : kNone;
+    return kBytes || apart_ ? kMostPooled : kNone;
 }
 
-/// Copies what lies in `layer`.
+/// Copies what lies in `layer`, as far as it is near.
 template <class T>
 void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unused]] const VoxelBox& layer) {
-    if constexpr (sizeof(T) == 1) {
+    if constexpr (kBytes) {
         const int z = layer.lo.z;
         for (int y = layer.lo.y; y < layer.hi.y; ++y) {
-            raise_row(pooled_.data() + row(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, kNone,
+            raise_row(pooled_.data() + row(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, most(),
                       static_cast<std::size_t>(layer.hi.x - layer.lo.x));
         }
     }

@@ -2,7 +2,8 @@
 /// Prefix sums of phi, or of phi pooled over several positions, along each axis, so that the sum over a run of
 /// voxels is the difference of two loads whatever its length.
 ///
-/// Elements are T, 16 bits or, of values that are small, bytes; b is their bits.
+/// Elements are T, 16 bits or bytes; b is their bits. Bytes are of what is near only: phi stands for min(phi,
+/// kMostPooled) there, so that sums are less than those of phi, or the same.
 /// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in
 /// W with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
@@ -68,7 +69,7 @@ class SumLayout {
     std::int64_t table_ = 0;
 };
 
-/// T: std::uint16_t, or std::uint8_t where no phi is above kMostPooled.
+/// T: std::uint16_t, or std::uint8_t for what is near.
 template <class T>
 class SumTables : public SumLayout {
   public:
@@ -76,8 +77,9 @@ class SumTables : public SumLayout {
     /// `window`: kVoxel, kQuad or kBlock. top() is 0.
     SumTables(const Extent& grid, const Extent& window, bool apart);
 
-    /// No pooled value is above it where `apart`. Of bytes: runs of 12 voxels and less are not split.
-    static constexpr int kMostPooled = sizeof(T) == 1 ? 21 : 64;
+    static constexpr bool kBytes = sizeof(T) == 1;
+    /// No pooled value is above it where `apart`, nor any of bytes, of which runs of 12 voxels and less are not split.
+    static constexpr int kMostPooled = kBytes ? 21 : 64;
     /// What an element holds: sums up to it are exact.
     static constexpr int kRange = std::numeric_limits<T>::max();
 

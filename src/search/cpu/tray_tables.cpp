@@ -88,7 +88,7 @@ void TrayTables::raise_phi(int top, const Workers& workers) {
     minima_.update(phi_, {{0, 0, before}, {n.x, n.y, phi_.top()}}, workers);
 }
 
-void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
+void TrayTables::rebuild_phi(const Tray& tray, bool near, const Workers& workers) {
     const Extent& n = tray.extent();
     phi_ = DistanceGrid(n, tray.setup().ceiling);
     minima_ = BlockMinima(n, kBlock);
@@ -96,18 +96,20 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     phi_.add(tray.omega_place(), {}, workers);
     ChangedLayers all(n.z);
     all.add({{0, 0, 0}, {n.x, n.y, phi_.top()}});
-    update_from_phi(all, workers);
+    note(all, all);
+    update_from_phi(all.hull(), near, workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
 }
 
-void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers& workers) {
+void TrayTables::rebuild(const Tray& tray, int margin, bool apart, bool near, const Workers& workers) {
     const Extent& n = tray.extent();
     // What there was makes room first.
     bits_ = {};
     crowd_ = {};
-    sums_ = {};
+    words_.reset();
+    bytes_.reset();
     quads_.reset();
     top_ = 0;
     minima_ = {};
@@ -121,8 +123,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, const Workers
             crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
             fill(bits_, crowd_, tray, workers);
         } else {
-            sums_ = make_sums<std::uint16_t>(n, apart, workers);
-            rebuild_phi(tray, workers);
+            rebuild_phi(tray, near, workers);
         }
     });
     instance_ = tray.instance();
@@ -135,46 +136,54 @@ void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
     }
 }
 
-void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
+void TrayTables::follow_phi(const Tray& tray, bool near, const Workers& workers) {
     if (any_removed(tray, version_)) {
-        rebuild_phi(tray, workers);
+        rebuild_phi(tray, near, workers);
         return;
     }
-    ChangedLayers all(tray.extent().z);
+    VoxelBox all;
     for (std::uint64_t v = version_; v < tray.version(); ++v) {
         const TrayObject& object = tray.object(tray.journal()[v].id);
         raise_phi(object.box().hi.z, workers);
         const ChangedLayers changed = phi_.add(*object.solid, object.position, workers);
-        changes_.push_back(changed.hull());
-        all.add(changed);
+        const ChangedLayers changed_near = changed.within(SumTables<std::uint8_t>::kMostPooled, object.box());
+        changes_.push_back({changed.hull(), changed_near.hull()});
+        note(changed, changed_near);
+        all = hull(all, changed.hull());
     }
-    update_from_phi(all, workers);
+    update_from_phi(all, near, workers);
 }
 
-/// Once phi is small it stays so until an object is removed.
-void TrayTables::update_from_phi(const ChangedLayers& changed, const Workers& workers) {
-    const bool to_be_narrow = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
-    if (to_be_narrow != narrow()) {
-        const Extent& n = phi_.extent();
-        sums_ = {};  // makes room first
-        quads_.reset();
-        if (to_be_narrow) {
-            sums_ = make_sums<std::uint8_t>(n, apart_, workers);
-        } else {
-            sums_ = make_sums<std::uint16_t>(n, apart_, workers);
-        }
-    }
-    std::visit([&](auto& sums) { sums.note(changed); }, sums_);
-    if (quads_) quads_->note(changed);
+void TrayTables::note(const ChangedLayers& changed, const ChangedLayers& near) {
+    if (words_) words_->note(changed);
+    if (bytes_) bytes_->note(near);
+    if (quads_) quads_->note(near);
     quads_follow_ = false;
+}
+
+/// What depends on phi, after it changed within `changed`.
+void TrayTables::update_from_phi(const VoxelBox& changed, bool near, const Workers& workers) {
     workers.for_each(2, [&](std::int64_t i) {
-        if (i == 0) follow_sums(workers);
-        if (i == 1) minima_.update(phi_, changed.hull(), workers);
+        if (i == 0) choose_sums(near, workers);
+        if (i == 1) minima_.update(phi_, changed, workers);
     });
 }
 
+/// Once all is near it stays so until an object is removed: then bytes are all that is needed.
+void TrayTables::choose_sums(bool near, const Workers& workers) {
+    narrow_ = may_be_narrow_ && (near || all_near());
+    if (may_be_narrow_ && all_near()) words_.reset();
+    if (narrow_ && !bytes_) bytes_ = make_sums<std::uint8_t>(phi_.extent(), apart_, workers);
+    if (!narrow_ && !words_) words_ = make_sums<std::uint16_t>(phi_.extent(), apart_, workers);
+    follow_sums(workers);
+}
+
 void TrayTables::follow_sums(const Workers& workers) {
-    std::visit([&](auto& sums) { sums.follow(phi_, top_, workers); }, sums_);
+    if (narrow_) {
+        bytes_->follow(phi_, top_, workers);
+    } else {
+        words_->follow(phi_, top_, workers);
+    }
 }
 
 void TrayTables::follow_quads(const Workers& workers) {
@@ -199,13 +208,16 @@ bool TrayTables::only_adds(const Tray& tray, int margin, bool apart) const {
     return !starts_afresh(tray, margin, apart) && !any_removed(tray, version_);
 }
 
-void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers& workers) {
+void TrayTables::follow(const Tray& tray, int margin, bool apart, bool near, const Workers& workers) {
     const bool afresh = starts_afresh(tray, margin, apart);
     if (afresh) {
         const bool same_tray = tray.instance() == instance_;
-        rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), workers);
+        rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), near, workers);
     } else if (tray.version() > version_) {
-        workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
+        workers.for_each(
+            2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, near, workers); });
+    } else {
+        choose_sums(near, workers);
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
     version_ = tray.version();
@@ -214,17 +226,19 @@ void TrayTables::follow(const Tray& tray, int margin, bool apart, const Workers&
 #endif
 }
 
-VoxelBox TrayTables::changed_since(std::uint64_t since) const {
-    VoxelBox box;
+TrayTables::Change TrayTables::changed_since(std::uint64_t since) const {
+    Change change;
     for (std::uint64_t v = std::max(since, epoch_start_); v < version_; ++v) {
-        box = hull(box, changes_[v - epoch_start_]);
+        const Change& one = changes_[v - epoch_start_];
+        change.all = hull(change.all, one.all);
+        change.near = hull(change.near, one.near);
     }
-    return box;
+    return change;
 }
 
 std::int64_t TrayTables::bytes() const {
-    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() +
-           std::visit([](const auto& sums) { return sums.bytes(); }, sums_) + (quads_ ? quads_->bytes() : 0);
+    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() + (words_ ? words_->bytes() : 0) +
+           (bytes_ ? bytes_->bytes() : 0) + (quads_ ? quads_->bytes() : 0);
 }
 
 void TrayTables::check(const Tray& tray) const {

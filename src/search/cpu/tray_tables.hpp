@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -47,8 +46,9 @@ class TrayTables {
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
     /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may
-    /// reach beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds.
-    void follow(const Tray& tray, int margin, bool apart, const Workers& workers);
+    /// reach beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds. `near`: sums of what
+    /// is near will do, which take less following.
+    void follow(const Tray& tray, int margin, bool apart, bool near, const Workers& workers);
     /// True when that would only add what came in, so that frame() stays right.
     bool only_adds(const Tray& tray, int margin, bool apart) const;
 
@@ -58,16 +58,25 @@ class TrayTables {
     const CrowdTables& crowd() const { return crowd_; }
     /// Right below its own top, which is a little higher than top() and where no block ends or begins in between.
     const DistanceGrid& phi() const { return phi_; }
-    /// Calls visit(sums) with the Sums there are: of bytes once phi is small everywhere, which is half of what the
-    /// search reads most; until then of 16 bits.
+    /// Calls visit(sums) with the Sums that follow: of bytes, which is half of what the search reads most, where only
+    /// what is near was asked for or all is; else of 16 bits.
     template <class Visit>
     void visit_sums(const Visit& visit) const {
-        std::visit(visit, sums_);
+        if (narrow_) {
+            visit(*bytes_);
+        } else {
+            visit(*words_);
+        }
     }
-    bool narrow() const { return std::holds_alternative<Sums<std::uint8_t>>(sums_); }
-    /// Of phi pooled over quads of positions. Not followed unless asked to: only solids of few runs ask for it.
+    bool narrow() const { return narrow_; }
+    /// True when nothing is farther than sums in bytes can tell.
+    bool all_near() const { return phi_.most() <= SumTables<std::uint8_t>::kMostPooled; }
+    /// True when sums are those of phi; else they may be less.
+    bool exact() const { return !narrow_ || all_near(); }
+    /// Of what is near, pooled over quads of positions. Not followed unless asked to: only solids of few runs ask for
+    /// it.
     const SumTables<std::uint8_t>& quads() const { return *quads_; }
-    /// Brings quads() to the version of the rest, below layer top() as well; where narrow() only.
+    /// Brings quads() to the version of the rest, below layer top() as well.
     void follow_quads(const Workers& workers);
     /// Sums, and quads where they followed, are right below this layer: the whole tray, or as far as anybody asked.
     int top() const { return top_; }
@@ -100,8 +109,12 @@ class TrayTables {
     /// Grows whenever what was derived before is void (a new tray, an object removed).
     std::uint64_t epoch() const { return epoch_; }
     std::uint64_t version() const { return version_; }
-    /// Box outside of which phi is as it was at version `since` of this epoch.
-    VoxelBox changed_since(std::uint64_t since) const;
+    struct Change {
+        VoxelBox all;   ///< phi is as it was outside of it
+        VoxelBox near;  ///< likewise as far as sums in bytes tell
+    };
+    /// What changed since version `since` of this epoch.
+    Change changed_since(std::uint64_t since) const;
 
     std::int64_t bytes() const;
 
@@ -111,12 +124,14 @@ class TrayTables {
 
   private:
     bool starts_afresh(const Tray& tray, int margin, bool apart) const;
-    void rebuild(const Tray& tray, int margin, bool apart, const Workers& workers);
-    void rebuild_phi(const Tray& tray, const Workers& workers);
+    void rebuild(const Tray& tray, int margin, bool apart, bool near, const Workers& workers);
+    void rebuild_phi(const Tray& tray, bool near, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
-    void follow_phi(const Tray& tray, const Workers& workers);
+    void follow_phi(const Tray& tray, bool near, const Workers& workers);
     void raise_phi(int top, const Workers& workers);
-    void update_from_phi(const ChangedLayers& changed, const Workers& workers);
+    void note(const ChangedLayers& changed, const ChangedLayers& near);
+    void update_from_phi(const VoxelBox& changed, bool near, const Workers& workers);
+    void choose_sums(bool near, const Workers& workers);
     void follow_sums(const Workers& workers);
     void note_occupied(const Tray& tray);
 
@@ -126,7 +141,10 @@ class TrayTables {
     BitTables bits_;
     CrowdTables crowd_;
     DistanceGrid phi_;
-    std::variant<Sums<std::uint16_t>, Sums<std::uint8_t>> sums_;
+    // Those that nobody asks for are not there, or fall behind: they know what changed meanwhile.
+    std::optional<Sums<std::uint16_t>> words_;
+    std::optional<Sums<std::uint8_t>> bytes_;
+    bool narrow_ = false;  // bytes_ follow
     std::optional<SumTables<std::uint8_t>> quads_;
     bool quads_follow_ = false;  // are of the version of the rest
     int top_ = 0;
@@ -136,7 +154,7 @@ class TrayTables {
     bool walls_ = false;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
     std::uint64_t epoch_start_ = 0;  // version at which the epoch began
-    std::vector<VoxelBox> changes_;  // of phi, one for each version since then
+    std::vector<Change> changes_;    // one for each version since then
 };
 
 }  // namespace spectralpack
