@@ -19,14 +19,16 @@ namespace {
 /// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
 /// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
-constexpr int kThin = 28;  // voxels
+constexpr int kThin = 28;  // voxels, along some axis
 constexpr int kManyCopies = 100;
 constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
 
-/// Of a thin solid, which fits in closely where all of it is near to something.
+/// True of a solid that, where it fits in closely, is near to something all over.
 bool is_thin(const Shape& shape) {
-    const Extent& a = shape.orientations.front().solid->extent();
-    return std::min({a.x, a.y, a.z}) <= kThin;
+    return std::ranges::all_of(shape.orientations, [](const OrientedShape& oriented) {
+        const Extent& a = oriented.solid->extent();
+        return std::min({a.x, a.y, a.z}) <= kThin;
+    });
 }
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.

@@ -1,11 +1,11 @@
 #pragma once
 /// The greatest rho that can still win, in each layer of a brick layer, and what that makes bounds of whole blocks.
 ///
-/// Of the layers that a block has each has a limit of its own, since height costs. So what is kept of a block bounds
-/// rho
-/// + rise(layer), the rise being what height adds since the lowest layer of the brick layer, in whole numbers. Nothing
-/// of the block can win if that is above reach(), the greatest limit + rise: then rho is above the limit in each of its
-/// layers, whatever the rises are. They have to stay what they were, though, while bounds are kept.
+/// Each layer of a block has a limit of its own, since height costs. So what is kept of a block is a bound of rho and
+/// its layer's rise together, the rise being what height adds since the lowest layer of the brick layer, in whole
+/// numbers. Nothing of the block can win if that is above reach(), the greatest limit and rise together: then rho is
+/// above the limit in each of its layers, whatever the rises are. While bounds are kept they have to stay what they
+/// are.
 
 #include <algorithm>
 #include <cstdint>
@@ -75,7 +75,7 @@ class LayerLimits {
         constexpr double kLayer = 1 << 28;
         const double unit = context.model.height_at == HeightAt::top ? kLayer : 1;
         for (int i = 1; i < kBrickZ; ++i) {
-            rises_[i] = static_cast<std::uint32_t>(std::min<double>(unit * (height(i) - height(0)), kSumLimit));
+            rises_[i] = static_cast<std::uint32_t>(std::clamp<double>(unit * (height(i) - height(0)), 0, kSumLimit));
         }
     }
 
