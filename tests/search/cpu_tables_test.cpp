@@ -432,8 +432,11 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     EXPECT_LT(tables.bytes(), words.bytes());
     tray.remove(last);
     follow(true);
+    const std::int64_t bytes = tables.bytes(), voxels = tray.extent().count();
     tray.remove(middle);
     follow(false);
+    EXPECT_GT(tables.bytes(), bytes + 6 * voxels);  // sums of 16 bits come, those over quads go
+    EXPECT_LT(tables.bytes(), bytes + 14 * voxels);
 }
 
 TEST(TrayTables, KeepBytesOfWhatIsNearWhereThatWillDo) {

@@ -169,10 +169,15 @@ void TrayTables::update_from_phi(const VoxelBox& changed, bool near, const Worke
     });
 }
 
-/// Once all is near it stays so until an object is removed: then bytes are all that is needed.
+/// Once all is near it stays so until an object is removed: then bytes are all that is needed. Until then nobody asks
+/// for quads.
 void TrayTables::choose_sums(bool near, const Workers& workers) {
     narrow_ = may_be_narrow_ && (near || all_near());
     if (may_be_narrow_ && all_near()) words_.reset();
+    if (!all_near()) {
+        quads_.reset();
+        quads_follow_ = false;
+    }
     if (narrow_ && !bytes_) bytes_ = make_sums<std::uint8_t>(phi_.extent(), apart_, workers);
     if (!narrow_ && !words_) words_ = make_sums<std::uint16_t>(phi_.extent(), apart_, workers);
     follow_sums(workers);
