@@ -1,6 +1,6 @@
 #pragma once
-/// The triangles of one leaf of a Bvh, ready to be compared with another's. Walks over pairs of leaves often come to
-/// the same one again at once, so it stays open until the next.
+/// The triangles of one leaf of a Bvh (mm, as its mesh), ready to be compared with another's. Walks over pairs of
+/// leaves often come to the same one again at once, so it stays open until the next.
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace spectralpack {
 template <class Outline>
 class OpenLeaf {
   public:
-    /// The leaf's triangles moved by `offset`; outline_of(corners) is asked for each. Always of the same tree and
+    /// The leaf's triangles moved by `offset` (mm); outline_of(corners) is asked for each. Always of the same tree and
     /// offset.
     template <class OutlineOf>
     void open(const Bvh& bvh, const Bvh::Node& leaf, const Vec3& offset, const OutlineOf& outline_of) {
@@ -29,6 +29,7 @@ class OpenLeaf {
             outlines_[i] = outline_of(corners_[i]);
         }
     }
+    /// Of its i-th triangle, in the tree's order.
     const Corners& corners(std::size_t i) const { return corners_[i]; }
     const Outline& outline(std::size_t i) const { return outlines_[i]; }
 

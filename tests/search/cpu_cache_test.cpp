@@ -51,6 +51,18 @@ TEST(ZeroedVector, IsZeroAlsoWhereMemoryWasUsedBefore) {
     }
 }
 
+/// Calls visit(bx, by, bz) for all pairs of bricks.
+template <class Visit>
+void for_each_pair(const PositionState& state, const Visit& visit) {
+    for (int bz = 0; bz < state.bricks().z; ++bz) {
+        for (int by = 0; by < state.bricks().y; ++by) {
+            for (int bx = 0; bx < state.bricks().x; bx += kPair) {
+                visit(bx, by, bz);
+            }
+        }
+    }
+}
+
 /// One orientation's state with some pairs opened.
 class OpenState : public testing::Test {
   protected:
@@ -58,22 +70,19 @@ class OpenState : public testing::Test {
 
     void SetUp() override {
         state.reset(kCount, kCount, true);
-        for (int bz = 0; bz < state.bricks().z; ++bz) {
-            for (int by = 0; by < state.bricks().y; ++by) {
-                for (int bx = 0; bx < state.bricks().x; bx += kPair) {
-                    OpenPair& pair = state.open(bx, by, bz);
-                    for (auto& words : pair.live) {
-                        std::ranges::fill(words, 0);
-                    }
-                    for (auto& row : pair.bound) {
-                        std::ranges::fill(row, 7u);
-                    }
-                    pair.bound[0][1] = kDead;
-                    state.set_least_bound(bx, by, bz, 5);
-                }
+        for_each_pair(state, [&](int bx, int by, int bz) {
+            OpenPair& pair = state.open(bx, by, bz);
+            for (auto& words : pair.live) {
+                std::ranges::fill(words, 0);
             }
-        }
+            for (auto& row : pair.bound) {
+                std::ranges::fill(row, 7u);
+            }
+            pair.bound[0][1] = kDead;
+            state.set_least_bound(bx, by, bz, 5);
+        });
     }
+
     PositionState state;
 };
 
@@ -142,12 +151,11 @@ class CacheInTheOpen : public testing::Test {
         entry.planned_narrow = tables.narrow();
         return entry;
     }
-    /// Follows, bounds everything, adds the crumb and follows again: the voxels outside of whose reach bounds are kept.
+    /// Follows, bounds everything, adds a crumb in the middle and follows again.
     PositionState& state_after(bool near_before, bool near, double penalty = 4) {
         PositionState& before = follow(near_before, 4).states.front();
         for_each_pair(before, [&](int bx, int by, int bz) {
-            OpenPair& pair = before.is_fresh(bx, by, bz) ? before.open(bx, by, bz) : before.open_pair(bx, by, bz);
-            for (auto& row : pair.bound) {
+            for (auto& row : before.open(bx, by, bz).bound) {
                 std::ranges::fill(row, kBound);
             }
         });
@@ -193,17 +201,6 @@ class CacheInTheOpen : public testing::Test {
         });
         return count;
     }
-    template <class Visit>
-    static void for_each_pair(PositionState& state, const Visit& visit) {
-        for (int bz = 0; bz < state.bricks().z; ++bz) {
-            for (int by = 0; by < state.bricks().y; ++by) {
-                for (int bx = 0; bx < state.bricks().x; bx += kPair) {
-                    visit(bx, by, bz);
-                }
-            }
-        }
-    }
-
     static constexpr int kAny = 1000, kNear = SumTables<std::uint8_t>::kMostPooled;
     Tray tray;
     Shape shape;

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "search/cpu/orientation_search.hpp"
+#include "search/cpu/sum_plan.hpp"
 
 namespace spectralpack {
 
@@ -39,6 +40,13 @@ class LayerLimits {
     std::int64_t most() const { return most_; }
     std::uint32_t rise(int layer) const { return rises_[layer]; }  ///< counted likewise
     std::uint32_t reach() const { return reach_; }
+    /// What sums of a layer with this limit have to be above to be given up. Copies are likely to be followed by
+    /// copies, for which limits are a little higher: sums that go on beyond theirs leave bounds that still rule out
+    /// then.
+    std::uint32_t stop_above(std::int64_t limit) const {
+        const std::int64_t beyond = task_.for_copy ? lane_limit(most_) / kBeyond : 0;
+        return lane_limit(lane_limit(limit) + beyond);
+    }
     /// Nothing can win from this one on, counted likewise.
     int layers() const { return layers_; }
     /// Of the layers that can win, the highest can with less than half the rho of a lower one: so much would do there
@@ -46,6 +54,8 @@ class LayerLimits {
     bool steep() const { return layers_ > 0 && limits_[layers_ - 1] < most_ / 2; }
 
   private:
+    static constexpr int kBeyond = 5;  // sums for copies go a fifth of the greatest limit beyond theirs
+
     void work_out() {
         const SearchContext& context = task_.context;
         const std::optional<Placed> best = context.incumbent.get();

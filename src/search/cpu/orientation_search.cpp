@@ -77,7 +77,7 @@ class Pass {
         if (!near_.asks()) return blocks;
         std::uint32_t rho = kDead;
         const std::uint32_t near = Within(t_.cells, bx, block_y, bz, blocks, rho);
-        if (near == 0) bound = std::min(bound, raised(rho, limits_.rise(Lowest(bz))));
+        if (near == 0) bound = std::min(bound, raised(rho, limits_.rise(state_.lowest_layer(bz))));
         near_.learn(near == blocks);
         return near;
     }
@@ -104,7 +104,7 @@ class Pass {
     std::uint32_t Within(const CellPlan& cells, int bx, int block_y, int bz, std::uint32_t blocks,
                          std::uint32_t& rho) const {
         return WithinLimit(context_.tables.minima().at({bx * kBlocksX, block_y, bz}), cells, lane_limit(limits_.most()),
-                           StopAbove(limits_.most(), limits_.most(), t_.for_copy), blocks, rho);
+                           limits_.stop_above(limits_.most()), blocks, rho);
     }
 
     /// The least of a pair's bounds that are above the limit.
@@ -117,9 +117,6 @@ class Pass {
         }
         return least;
     }
-
-    /// Of brick layer bz the lowest layer in which anything may be live, counted from its first.
-    int Lowest(int bz) const { return std::countr_one(state_.dead_layers(bz)); }
 
     /// Sifts two bricks side by side.
     void SiftPair(int bx, int by, int bz) {
@@ -166,13 +163,13 @@ class Pass {
             }
             first = last;
         }
-        const int lowest = kBrickZ * bz + Lowest(bz);
-        const std::uint32_t rise = limits_.rise(Lowest(bz));
+        const int lowest = kBrickZ * bz + state_.lowest_layer(bz);
+        const std::uint32_t rise = limits_.rise(state_.lowest_layer(bz));
         context_.tables.visit_sums([&](const auto& tables) {
             SumUp<true>(
                 t_.plan.coarse, std::span<const UnknownBlocks>(unknown_),
                 [&](const UnknownBlocks& blocks) { return tables.coarse.base(blocks.x, kBlock * blocks.y, lowest); },
-                StopAbove(limits_.most(), limits_.most(), t_.for_copy),
+                limits_.stop_above(limits_.most()),
                 [&](const UnknownBlocks& blocks, const std::uint32_t* sums) {
                     for (std::uint32_t left = blocks.lanes; left != 0; left &= left - 1) {
                         const int i = std::countr_zero(left);

@@ -15,12 +15,12 @@ Extent brick_count(const Extent& count) {
 }
 
 int pairs_along_x(const Extent& bricks) { return (bricks.x + kPair - 1) / kPair; }
+std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
+
 /// True when a layer costs as much by one as by the other.
 bool same_heights(const CostModel& a, const CostModel& b) {
     return a.height_penalty == b.height_penalty && a.height_at == b.height_at;
 }
-
-std::int64_t pair_count(const Extent& bricks) { return checked_product({pairs_along_x(bricks), bricks.y, bricks.z}); }
 
 }  // namespace
 

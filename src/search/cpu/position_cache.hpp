@@ -10,6 +10,7 @@
 /// Forgetting any of this costs time, never the answer.
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -83,6 +84,8 @@ class PositionState {
 
     /// Layers (bit i: the i-th) of brick layer bz in which nothing is live any more, as far as anybody looked.
     std::uint8_t dead_layers(int bz) const { return dead_layers_[static_cast<std::size_t>(bz)]; }
+    /// The lowest of the others, counted likewise; kBrickZ where there is none.
+    int lowest_layer(int bz) const { return std::countr_one(dead_layers(bz)); }
     /// Looks, less often where it was in vain.
     void look_for_dead_layers(int bz);
 
@@ -103,6 +106,7 @@ class PositionState {
     }
 
     VoxelBox blocks_reaching(const VoxelBox& changed, const Extent& extent) const;
+
     void close(std::size_t pair) {
         place_[pair] = kNothing;
         least_[pair] = kDead;
@@ -135,7 +139,7 @@ class PositionCache {
         std::vector<OrientationPlan> plans;  ///< likewise
         std::vector<Placed> seeds;           ///< good places that the last search found and did not choose
         int planned_classes = 0;             ///< that had objects then
-        bool planned_narrow = false;         ///< for sums in bytes
+        bool planned_narrow = false;         ///< for sums in bytes, as bounds were made
         std::uint64_t version = 0;           ///< of the tables the bounds belong to
         CostModel model;                     ///< what they are made for
         std::int64_t state_bytes = 0, bytes = 0;

@@ -125,7 +125,7 @@ class Settler {
     /// Chooses of a brick the positions whose blocks are near and within their layer's limit.
     void ChooseByBlocks(const Survivor& survivor, int bz, Chosen& chosen) const {
         const int half = survivor.bx % kPair;
-        const std::uint32_t lowest_rise = limits_.rise(std::countr_one(state_.dead_layers(bz)));
+        const std::uint32_t lowest_rise = limits_.rise(state_.lowest_layer(bz));
         for (int j = 0; j < kBlocksY; ++j) {
             const std::uint32_t* before = survivor.open->bound[j] + half * kBlocksX;
             // What sums over blocks say of rho they say of all layers alike.
@@ -176,7 +176,7 @@ class Settler {
         SumUp<true>(
             t_.plan.fine, std::span<const StretchOfQuads>(quads_),
             [&](const StretchOfQuads& quads) { return context_.quads->base(quads.x, quads.y, quads.z); },
-            StopAbove(limits_.most(), limits_.most(), t_.for_copy),
+            limits_.stop_above(limits_.most()),
             [&](const StretchOfQuads& quads, const std::uint32_t* sums) {
                 for (int i = 0; i < kQuad; ++i) {
                     const int layer = quads.z % kBrickZ + i;
@@ -304,7 +304,7 @@ class Settler {
             SumUp<false>(
                 t_.plan.fine, stretches.all(),
                 [&](const Stretch& row) { return tables.exact.base(kBrickX * bx + row.x, kBrickY * by + row.y, z); },
-                StopAbove(limit, limits_.most(), t_.for_copy),
+                limits_.stop_above(limit),
                 [&](const Stretch& row, const std::uint32_t* rho) {
                     const std::uint32_t within = row.lanes & AtMost(rho, most);
                     std::uint32_t above = state_.keeps() ? row.lanes & ~within : 0;

@@ -7,7 +7,6 @@
 #define SPECTRALPACK_CPU_STRETCH_SUMS_INL_H
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,16 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace spectralpack {
 namespace HWY_NAMESPACE {
-
-constexpr int kBeyond = 5;  // sums for copies go a fifth of the greatest limit beyond theirs
-
-/// What sums have to be above to be given up, where `most` is the greatest limit in any layer. Copies are likely to be
-/// followed by copies, for which limits are a little higher: sums that go on beyond theirs leave bounds that still rule
-/// out then.
-inline std::uint32_t StopAbove(std::int64_t limit, std::int64_t most, bool for_copy) {
-    const std::int64_t beyond = for_copy ? lane_limit(most) / kBeyond : 0;
-    return lane_limit(lane_limit(limit) + beyond);
-}
 
 /// SumLanes() of a plan for all of some stretches, two at a time: calls each(stretch, its sums). from(stretch) is
 /// the element of its table that the plan's offsets count from.

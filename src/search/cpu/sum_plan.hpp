@@ -1,6 +1,7 @@
 #pragma once
 /// Which loads from the tables of prefix sums make up rho (eq. 4), in which order.
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
