@@ -64,7 +64,7 @@ const VoxelBox kBox{kPlace, kPlace + VoxelIndex{24, 24, 24}};
 
 void dilated_bits(benchmark::State& state) {
     Scene scene;
-    BitTables tables(scene.tray.extent(), 0, 1, 1, 0);
+    BitTables tables({scene.tray.extent(), 0, 1, 1, 0});
     for (auto _ : state) {
         tables.refresh(0, {&scene.tray.occupied(0)}, kBox);
     }

@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/zeroed.hpp"
-#include "search/cpu/bit_tables.hpp"
+#include "search/cpu/bit_layout.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/dilated_layers.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
@@ -32,22 +32,16 @@ constexpr bool kHasReference = false;
 #endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel), and those of
-/// what is near in bytes (8; with those over quads 12, but then no others); bits dilated in all forms for each part of
-/// each gap class, each class as a whole and the walls, and twice more for each part on the way; margins round up; a
-/// bit of the crowd tables for 64 of those. For ways out the fine voxels' rows dilated, of one tray.
+/// what is near in bytes (8; with those over quads 12, but then no others); bit tables; a bit of the crowd tables for
+/// 64 of those. For ways out the fine voxels' rows dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
-    const auto padded = [&](int margin) {
-        return checked_product(
-            {need.tray.x + 64 + 2 * margin, need.tray.y + 8 + 2 * margin, need.tray.z + 1 + 2 * margin});
-    };
+    const std::int64_t voxels = checked_product({need.tray.x + 64, need.tray.y + 8, need.tray.z + 1});
     const int coarse_layers = (need.detail > 1 ? need.gap_classes : 0) + 1;
-    const int tables = BitTables::table_count(need.detail, need.gap_classes, coarse_layers);
-    const int spare = 2 * part_count(need.detail);
-    const std::int64_t rows = need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways);
-    const std::int64_t voxels = padded(0), bit_table = padded(need.overhang) / 8;
-    std::int64_t bytes = (tables + spare) * bit_table / 64 + rows;
-    for (const std::int64_t array : {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels,
-                                     voxels, tables * bit_table, spare * bit_table}) {
+    const BitLayout bits(need.tray, need.overhang, need.detail, need.gap_classes, coarse_layers);
+    const auto bit_words = static_cast<std::int64_t>(sizeof(BitLayout::Word)) * bits.words();
+    std::int64_t bytes = bit_words / 64 + (need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways));
+    for (const std::int64_t array :
+         {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels, voxels, bit_words}) {
         bytes += static_cast<std::int64_t>(zeroed_size(static_cast<std::size_t>(array)));
     }
     return bytes;

@@ -90,7 +90,7 @@ TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
         const int margin = between(random, 0, 3);
         const BitGrid occupied = random_bits(random, {s * n.x, s * n.y, s * n.z}, 60);
         const SplitVoxels split_up = split(occupied, {}, s);
-        BitTables tables(n, margin, s, 2, 0);
+        BitTables tables({n, margin, s, 2, 0});
         std::vector<const BitGrid*> parts;
         for (const BitGrid& part : split_up.parts) {
             parts.push_back(&part);
@@ -123,7 +123,7 @@ TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
         const Extent n = random_extent(random, {1, 1, 1}, {300, 50, 20});
         const int margin = between(random, 0, 3);
         const BitGrid occupied = random_bits(random, n, between(random, 1, 40));
-        BitTables bits(n, margin, 1, 1, 0);
+        BitTables bits({n, margin, 1, 1, 0});
         bits.refresh(0, {&occupied}, whole(n));
         CrowdTables crowd(bits);
         crowd.refresh(bits, 0, whole(n), one);
@@ -171,7 +171,7 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
     const Workers one(1);
     for (int s = 1; s <= 3; ++s) {
         BitGrid occupied({s * n.x, s * n.y, s * n.z});
-        BitTables tables(n, 2, s, 1, 0);
+        BitTables tables({n, 2, s, 1, 0});
         CrowdTables crowd(tables);
         for (int i = 0; i < 30; ++i) {
             const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {70, 9, 9}));
@@ -191,7 +191,7 @@ TEST(BitTables, FollowChangesAsIfMadeAfresh) {
             }
             tables.refresh(0, parts, changed);
             crowd.refresh(tables, 0, changed, one);
-            BitTables fresh(n, 2, s, 1, 0);
+            BitTables fresh({n, 2, s, 1, 0});
             fresh.refresh(0, parts, whole(n));
             EXPECT_TRUE(fresh == tables);
             CrowdTables fresh_crowd(fresh);

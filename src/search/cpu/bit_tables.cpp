@@ -9,34 +9,30 @@
 namespace spectralpack {
 namespace {
 
-using Word = std::uint64_t;
-
 /// 64 bits of a row from bit `first` on, 0 outside the row.
-Word row_bits(const Word* row, int words, int first) {
+BitTables::Word row_bits(const BitTables::Word* row, int words, int first) {
     const int w = first >= 0 ? first / 64 : -((63 - first) / 64);
     const int shift = first - 64 * w;
-    const auto at = [&](int i) { return i >= 0 && i < words ? row[i] : Word{0}; };
+    const auto at = [&](int i) { return i >= 0 && i < words ? row[i] : BitTables::Word{0}; };
     return shift == 0 ? at(w) : at(w) >> shift | at(w + 1) << (64 - shift);
 }
 
 }  // namespace
 
-BitTables::BitTables(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers)
-    : grid_(grid),
-      margin_(margin),
-      detail_(detail),
-      fine_layers_(fine_layers),
-      coarse_layers_(coarse_layers),
-      columns_((grid.x + 2 * margin + 63) / 64 + 1),
-      column_(grid.y + 2 * margin),
-      table_(checked_product({columns_, column_, grid.z + 2 * margin})) {
-    const std::int64_t words = checked_product({table_, tables()}) + (kTileLayers - 1) * up() + column_ + 64;
-    if (words > std::numeric_limits<std::int32_t>::max()) {
+BitTables::BitTables(const BitLayout& layout) : BitLayout(layout) {
+    if (words() > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
-    words_ = ZeroedVector<Word>(static_cast<std::size_t>(words));
-    spare_ =
-        ZeroedVector<Word>(static_cast<std::size_t>(2 * part_count(fine_layers > 0 ? detail : 1) * table_ + column_));
+    words_ = ZeroedVector<Word>(static_cast<std::size_t>(words()));
+}
+
+bool BitTables::operator==(const BitTables& other) const {
+    if (tables() != other.tables() || words_.size() != other.words_.size()) return false;
+    for (int z = 0; z < voxels().z; ++z) {  // spare tables are what they are
+        const Word* here = column(0, 0, z);
+        if (!std::equal(here, here + tables() * table_, other.column(0, 0, z))) return false;
+    }
+    return true;
 }
 
 VoxelBox BitTables::in_tables(const VoxelBox& voxels) const {
@@ -59,8 +55,7 @@ void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelB
         for (int y = changed.lo.y; y < changed.hi.y; ++y) {
             const Word* row = occupied.row(y - margin_, z - margin_);
             for (int w = changed.lo.x / 64; w <= (changed.hi.x - 1) / 64; ++w) {
-                plain[(static_cast<std::int64_t>(z) * columns_ + w) * column_ + y] =
-                    row_bits(row, occupied.words_per_row(), 64 * w - margin_);
+                plain[word(0, w, z) + y] = row_bits(row, occupied.words_per_row(), 64 * w - margin_);
             }
         }
     }
@@ -70,14 +65,14 @@ void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelB
 /// included).
 void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
                        const VoxelIndex& hi) {
-    const int rows = static_cast<int>(column_), layers = grid_.z + 2 * margin_;
+    const int rows = voxels().y, layers = voxels().z;
     const auto count = static_cast<std::size_t>(std::max(0, hi.y - lo.y));
     // What lies beyond the table's end is empty.
     const auto both = axis != 1 ? count : static_cast<std::size_t>(std::max(0, std::min(hi.y, rows - by) - lo.y));
-    const std::int64_t up = axis == 0 ? 0 : axis == 1 ? by : by * static_cast<std::int64_t>(columns_) * column_;
+    const std::int64_t up = axis == 0 ? 0 : axis == 1 ? by : by * up_;
     for (int z = lo.z; z < hi.z; ++z) {
         for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
-            const std::int64_t at = (static_cast<std::int64_t>(z) * columns_ + w) * column_ + lo.y;
+            const std::int64_t at = word(0, w, z) + lo.y;
             if (axis == 0 && by > 0) {
                 or_moved_down(to + at, from + at, moved + at, moved + at + column_, by, count);
                 continue;
@@ -126,12 +121,12 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
     // Words are written whole.
     box.lo.x = box.lo.x / 64 * 64;
     box.hi.x = std::min((box.hi.x + 63) / 64 * 64, grid_.x + 2 * margin_);
-    Tables now = tables(layer, from);
+    Tables now = tables_of(layer, from);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        Tables to = tables(layer, form);
+        Tables to = tables_of(layer, form);
         VoxelBox part = box;
         if (i + 1 < steps.size()) {
-            to = {spare_.data() + static_cast<std::int64_t>(i % 2) * part_count(s) * table_, table_};
+            to = spare_tables(static_cast<int>(i % 2));
             // What the steps that follow look at.
             for (std::size_t k = i + 1; k < steps.size(); ++k) {
                 const int axis = steps[k].axis;
@@ -146,7 +141,7 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
 void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed) {
     const VoxelBox box = in_tables(changed);
     if (box.empty()) return;
-    const Tables plain = tables(layer, {});
+    const Tables plain = tables_of(layer, {});
     for (int part = 0; part < part_count(detail_of(layer)); ++part) {
         refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
     }

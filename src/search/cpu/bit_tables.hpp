@@ -6,157 +6,34 @@
 ///   bit X of the table of a form = OR over i in the form of O(X + i), O = 0 outside the grid,
 /// for X from -margin to extent + margin on each axis. Fine layers have voxels of dx / s: there X and i count fine
 /// voxels, and each part p of them (voxel/split.hpp) has its own tables, bit x of which is fine voxel s x + p.
-///
-/// Words hold 64 voxels along x and lie in the order y, x, z with y fastest: eight neighbouring
-/// words are a tile of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight
-/// words elsewhere, shifted.
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "core/zeroed.hpp"
-#include "voxel/split.hpp"
-#include "voxel/voxel_box.hpp"
+#include "search/cpu/bit_layout.hpp"
 
 namespace spectralpack {
 
-/// The voxels from 0 to 2^level - 1 along some of the axes, 0 along the others: a run, a plate, a cube.
-struct Form {
-    int axes = 1;  ///< bit a: along axis a; never 0
-    int level = 0;
-
-    int size(int axis) const { return axes >> axis & 1 ? 1 << level : 1; }
-    int voxels() const { return size(0) * size(1) * size(2); }
-    bool operator==(const Form&) const = default;
-};
-
-/// The forms that something is looked up in: runs of 2^level voxels, level <= run_levels; square plates with sides of
-/// 2^level, kFirstPlate <= level <= last_plate; cubes, where there are any, likewise.
-struct Forms {
-    static constexpr int kFirstPlate = 2;
-
-    int run_levels = 0, last_plate = 0;
-    bool cubes = false;
-
-    constexpr int plates() const { return last_plate - kFirstPlate + 1; }
-    constexpr int count() const { return 1 + 3 * run_levels + (cubes ? 4 : 3) * plates(); }
-    /// 0 .. count() - 1; of one of them.
-    int index(const Form& form) const {
-        if (form.level == 0) return 0;
-        switch (form.axes) {
-            case 1:
-            case 2:
-            case 4:
-                return 1 + form.axes / 2 * run_levels + form.level - 1;
-            case 3:
-                return 1 + 3 * run_levels + form.level - kFirstPlate;
-            default:
-                return 1 + 3 * run_levels + (form.axes - 4) * plates() + form.level - kFirstPlate;
-        }
-    }
-    /// Calls visit(form) for all of them, each after those that its table is made from.
-    template <class Visit>
-    void for_each(const Visit& visit) const {
-        visit(Form{1, 0});
-        for (const int axes : {1, 2, 4}) {
-            for (int level = 1; level <= run_levels; ++level) {
-                visit(Form{axes, level});
-            }
-        }
-        for (const int axes : {3, 5, 6, 7}) {
-            if (axes == 7 && !cubes) continue;
-            for (int level = kFirstPlate; level <= last_plate; ++level) {
-                visit(Form{axes, level});
-            }
-        }
-    }
-};
-
-class BitTables {
+class BitTables : public BitLayout {
   public:
-    /// Of layers in voxels of dx, and of layers in finer ones: what is asked of those is mostly thin skins, in which
-    /// large forms are rare, and they have s^3 times as many tables.
-    static constexpr Forms kForms{.run_levels = 4, .last_plate = 4, .cubes = true};
-    static constexpr Forms kFineForms{.run_levels = 3, .last_plate = 3, .cubes = false};
-    // Of a plate or a cube that loses layers (plan.cpp) a run as long as its side may be left.
-    static_assert(kForms.run_levels >= kForms.last_plate && kFineForms.run_levels >= kFineForms.last_plate);
-
     BitTables() = default;
-    /// Throws ResourceError when an offset would not fit 31 bits. All empty.
-    /// `fine_layers` in voxels of dx / detail come first, then `coarse_layers`; grid and margin are in voxels of dx.
-    BitTables(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers);
+    /// All empty. Throws ResourceError when an offset would not fit 31 bits.
+    explicit BitTables(const BitLayout& layout);
 
     /// Makes the tables of `layer` right after its occupancy changed within the voxels of dx `changed`; O(words that
     /// can differ). `parts`: of a fine layer all its parts, of a coarse layer one grid.
     void refresh(int layer, const std::vector<const BitGrid*>& parts, const VoxelBox& changed);
 
-    bool operator==(const BitTables& other) const { return words_ == other.words_; }
+    /// True when all tables are the same.
+    bool operator==(const BitTables& other) const;
+    std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
 
-    int margin() const { return margin_; }
-    int detail() const { return detail_; }
-    int fine_layers() const { return fine_layers_; }
-    int layers() const { return fine_layers_ + coarse_layers_; }
-    /// Voxels of a layer to one of dx, along an axis.
-    int detail_of(int layer) const { return layer < fine_layers_ ? detail_ : 1; }
-    /// That a layer has tables of, if its voxels are `detail` to one of dx.
-    static constexpr const Forms& forms_for(int detail) { return detail > 1 ? kFineForms : kForms; }
-    const Forms& forms_of(int layer) const { return forms_for(detail_of(layer)); }
-    /// Of so many layers in voxels of dx / detail and in voxels of dx.
-    static int table_count(int detail, int fine_layers, int coarse_layers) {
-        return fine_layers * part_count(detail) * forms_for(detail).count() + coarse_layers * kForms.count();
-    }
-    std::int64_t bytes() const { return static_cast<std::int64_t>((words_.size() + spare_.size()) * sizeof(Word)); }
-
-    /// Words to the neighbouring tile along x.
-    std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
-    /// Words to the tile above.
-    std::ptrdiff_t up() const { return static_cast<std::ptrdiff_t>(columns_ * column_); }
-    /// Of a look-up for so many tiles one above the other the lowest need only be in the table; what the others hold
-    /// beyond it means nothing.
-    static constexpr int kTileLayers = 4;
     /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as
     /// offsets.
-    const std::uint64_t* tile(int bx, int y, int z) const {
-        return words_.data() + (z * static_cast<std::int64_t>(columns_) + bx) * column_ + y;
-    }
-    struct Place {
-        std::int32_t offset = 0;
-        int shift = 0;
-    };
-    /// A voxel of one of the tables, counted from the corner of its margin.
-    struct Spot {
-        int table = 0;
-        VoxelIndex at;
-    };
-    /// Where a piece of that form, one of forms_of(layer), with its corner at displacement d lies from a
-    /// tile; d in the layer's own voxels, not before the margin on any axis.
-    Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
-    Place place(const Spot& spot) const {
-        const std::int64_t offset = column(spot.table, spot.at.x / 64, spot.at.z) - words_.data() + spot.at.y;
-        return {static_cast<std::int32_t>(offset), spot.at.x % 64};
-    }
-    Spot spot(int layer, const Form& form, const VoxelIndex& d) const {
-        const int s = detail_of(layer);
-        VoxelIndex coarse;
-        for (int i = 0; i < 3; ++i) {
-            coarse[i] = floor_div(d[i], s);
-        }
-        const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
-        return {table_number(layer, part, form), coarse + VoxelIndex{margin_, margin_, margin_}};
-    }
-
-    int tables() const { return first_table(layers()); }
-    /// Of a layer: those of all its parts one after the other, before those of the next layer.
-    int first_table(int layer) const {
-        return table_count(detail_, std::min(layer, fine_layers_), std::max(0, layer - fine_layers_));
-    }
-    /// Of each table, margin included.
-    Extent voxels() const { return {grid_.x + 2 * margin_, grid_.y + 2 * margin_, grid_.z + 2 * margin_}; }
+    const Word* tile(int bx, int y, int z) const { return words_.data() + word(0, bx, z) + y; }
     /// Word w of the rows of a layer of voxels, which lie one after the other.
-    const std::uint64_t* column(int table, int w, int z) const {
-        return words_.data() + table * table_ + (static_cast<std::int64_t>(z) * columns_ + w) * column_;
-    }
+    const Word* column(int table, int w, int z) const { return words_.data() + word(table, w, z); }
     /// visit(table, form, box) for each table of a layer and the box, counted from the margin's corner, in which it may
     /// differ once the occupancy changed within the voxels of dx `changed`.
     template <class Visit>
@@ -171,8 +48,6 @@ class BitTables {
     }
 
   private:
-    using Word = std::uint64_t;
-
     /// One table for each part of a layer, or of what is on the way to one.
     struct Tables {
         Word* first;
@@ -180,13 +55,11 @@ class BitTables {
         Word* of(int part) const { return first + part * stride; }
     };
 
-    int table_number(int layer, int part, const Form& form) const {
-        const Forms& forms = forms_of(layer);
-        return first_table(layer) + part * forms.count() + forms.index(form);
-    }
-    Tables tables(int layer, const Form& form) {
+    Tables tables_of(int layer, const Form& form) {
         return {words_.data() + table_number(layer, 0, form) * table_, forms_of(layer).count() * table_};
     }
+    /// What is on the way to plates and cubes; i < kSpare.
+    Tables spare_tables(int i) { return {words_.data() + (tables() + i) * table_, kSpare * table_}; }
     /// Voxels of the grid, from the margin's corner; no box where there are none.
     VoxelBox in_tables(const VoxelBox& voxels) const;
     /// Where a form's table may differ when the plain one does in `changed`.
@@ -197,13 +70,7 @@ class BitTables {
     void dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box);
     void refresh_form(int layer, const Form& form, const VoxelBox& changed);
 
-    Extent grid_;
-    int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
-    int columns_ = 0;          // words along x, one of them a zero at the end
-    std::int64_t column_ = 0;  // words along y
-    std::int64_t table_ = 0;
     ZeroedVector<Word> words_;
-    ZeroedVector<Word> spare_;  // tables on the way to plates and cubes
 };
 
 }  // namespace spectralpack

@@ -9,11 +9,15 @@
 namespace spectralpack {
 namespace {
 
-constexpr int kOverrun = 256;  // lanes past the last position are read, never used
 constexpr std::uint16_t kNone = std::numeric_limits<std::uint16_t>::max();
 static_assert(SumLayout::kPooledBlock == 4);  // as the kernels have it
 
 }  // namespace
+
+std::int64_t SumLayout::elements() const {
+    constexpr int kOverrun = 256;  // lanes past the last position are read, never used
+    return checked_product({layer_, grid_.z + 1}) + stride_ + kOverrun;
+}
 
 SumLayout::SumLayout(const Extent& grid, int block)
     : grid_(grid),
@@ -21,10 +25,10 @@ SumLayout::SumLayout(const Extent& grid, int block)
       shift_(std::countr_zero(static_cast<unsigned>(block))),
       phase_((grid.x + block) / block),
       stride_(phase_ * block),
-      layer_(stride_ * (grid.y + 1)),
-      table_(checked_product({stride_, grid.y + 1, grid.z + 1})) {
+      table_(checked_product({stride_, grid.y + 1})),
+      layer_(3 * table_) {
     if (block != 1 && block != kPooledBlock) throw InternalError("no sums are kept for blocks of that size");
-    if (3 * table_ + stride_ + kOverrun > std::numeric_limits<std::int32_t>::max()) {
+    if (elements() > std::numeric_limits<std::int32_t>::max()) {
         throw ResourceError("the tray is too large for this engine");
     }
 }
@@ -34,8 +38,8 @@ SumTables<T>::SumTables(const Extent& grid, const Extent& window, bool apart)
     : SumLayout(grid, window.x), window_(window), apart_(apart), noted_(grid.z) {
     if (window != kVoxel && window != kQuad && window != kBlock)
         throw InternalError("no sums are kept for such windows");
-    values_ = ZeroedVector<T>(static_cast<std::size_t>(3 * table_ + stride_ + kOverrun));
-    if (window != kVoxel || kBytes) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_));
+    values_ = ZeroedVector<T>(static_cast<std::size_t>(elements()));
+    if (window != kVoxel || kBytes) pooled_ = ZeroedVector<T>(static_cast<std::size_t>(table_ * (grid.z + 1)));
 }
 
 template <class T>
@@ -43,7 +47,7 @@ const T* SumTables<T>::pooled_row(const DistanceGrid& phi, int y, int z) const {
     if constexpr (!kBytes) {
         if (window_ == kVoxel) return phi.row(y, z);
     }
-    return pooled_.data() + row(y, z);
+    return pooled_.data() + in_pooled(y, z);
 }
 
 template <class T>
@@ -57,7 +61,7 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     if constexpr (kBytes) {
         const int z = layer.lo.z;
         for (int y = layer.lo.y; y < layer.hi.y; ++y) {
-            raise_row(pooled_.data() + row(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, most(),
+            raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, most(),
                       static_cast<std::size_t>(layer.hi.x - layer.lo.x));
         }
     }
@@ -110,7 +114,7 @@ void SumTables<T>::pool_quads(const DistanceGrid& phi, const VoxelBox& layer) {
             return phi.row(std::min(y + dy, grid_.y - 1), std::min(z + dz, grid_.z - 1)) + layer.lo.x;
         };
         min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
-        raise_row(pooled_.data() + row(y, z) + layer.lo.x, least.data(), floor(), most(), width);
+        raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, least.data(), floor(), most(), width);
     }
 }
 
@@ -132,7 +136,7 @@ void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& layer) {
     for (int y = 0; y < layer.hi.y - layer.lo.y; ++y) {
         const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
         min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
-        deal_least_of_four(pooled_.data() + row(layer.lo.y + y, z) + layer.lo.x / block_,
+        deal_least_of_four(pooled_.data() + in_pooled(layer.lo.y + y, z) + layer.lo.x / block_,
                            static_cast<std::size_t>(phase_), least.data(), floor(), most(),
                            static_cast<std::size_t>((layer.hi.x - layer.lo.x) / block_));
     }
@@ -274,7 +278,8 @@ void SumTables<T>::refresh(const DistanceGrid& phi, const ChangedLayers& changed
 template <class T>
 bool SumTables<T>::same_sums(const SumTables& other) const {
     if (!SumLayout::operator==(other) || window_ != other.window_ || apart_ != other.apart_ || top_ > other.top_ ||
-        !std::equal(pooled_.begin(), pooled_.begin() + (pooled_.empty() ? 0 : row(0, top_)), other.pooled_.begin())) {
+        !std::equal(pooled_.begin(), pooled_.begin() + (pooled_.empty() ? 0 : in_pooled(0, top_)),
+                    other.pooled_.begin())) {
         return false;
     }
     for (int axis = 0; axis < 3; ++axis) {

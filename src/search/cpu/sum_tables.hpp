@@ -17,6 +17,7 @@
 /// a free q + d has phi > 0 there, so that voxel is among those that count).
 /// Blocks are only asked for at multiples of P, so that an element X lies at (X % P) * phase + X / P of its row:
 /// consecutive blocks are consecutive in memory. Quads lie as single voxels do, so that the same loads serve both.
+/// Layers of the three tables alternate, so that those above top(), never written, take no memory.
 
 #include <cstdint>
 #include <limits>
@@ -53,20 +54,23 @@ class SumLayout {
             case 1:
                 return from + length * stride_;
             default:
-                return from + length * layer_;
+                return from + static_cast<std::int32_t>(length * layer_);
         }
     }
 
   protected:
-    std::int64_t row(int y, int z) const { return (static_cast<std::int64_t>(z) * (grid_.y + 1) + y) * stride_; }
+    /// Of all three tables.
+    std::int64_t elements() const;
+    std::int64_t row(int y, int z) const { return z * layer_ + y * stride_; }
+    std::int64_t in_pooled(int y, int z) const { return z * table_ + y * stride_; }
     int within(int x) const { return (x & (block_ - 1)) * phase_ + (x >> shift_); }
 
     Extent grid_;
     int block_ = 1, shift_ = 0;  // block_ = 2^shift_
     int phase_ = 0;              // elements of one phase of a row
     int stride_ = 0;             // elements of a row
-    int layer_ = 0;              // elements of a layer
-    std::int64_t table_ = 0;
+    std::int64_t table_ = 0;     // elements of a table's layer
+    std::int64_t layer_ = 0;     // of all three tables'
 };
 
 /// T: std::uint16_t, or std::uint8_t for what is near.
@@ -121,7 +125,7 @@ class SumTables : public SumLayout {
     int top_ = 0;
     ChangedLayers noted_;  // of phi_W, since the tables followed
     ZeroedVector<T> values_;
-    ZeroedVector<T> pooled_;  // phi_W, laid out as a table; empty where phi is it, in as many bits
+    ZeroedVector<T> pooled_;  // phi_W; empty where phi is it, in as many bits
 };
 
 }  // namespace spectralpack

@@ -13,7 +13,8 @@ constexpr std::uint64_t kRebuildAfter = 64;  // pending changes that make a fres
 BitTables tables_for(const Tray& tray, int margin) {
     const int classes = tray.gap_classes();
     const bool walls = !tray.blocked().extent().empty();
-    return {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)};
+    return BitTables(
+        {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)});
 }
 
 template <class T>
