@@ -74,9 +74,10 @@ class BitLayout {
     /// Of layers in voxels of dx, and of layers in finer ones: what is asked of those is mostly thin skins, in which
     /// large forms are rare, and they have s^3 times as many tables.
     static constexpr Forms kForms{.run_levels = 4, .last_plate = 4, .cubes = true};
-    static constexpr Forms kFineForms{.run_levels = 3, .last_plate = 3, .cubes = false};
-    // Of a plate or a cube that loses layers (plan.cpp) a run as long as its side may be left.
+    static constexpr Forms kFineForms{.run_levels = 2, .last_plate = 2, .cubes = false};
+    // Of a plate or a cube that loses layers (lookup_plan.cpp) a run as long as its side may be left.
     static_assert(kForms.run_levels >= kForms.last_plate && kFineForms.run_levels >= kFineForms.last_plate);
+    static_assert(kFineForms.plates() > 0);  // cover() takes plates of the first size for granted
 
     BitLayout() = default;
     /// `fine_layers` in voxels of dx / detail come first, then `coarse_layers`; grid and margin are in voxels of dx.
