@@ -2,9 +2,9 @@
 
 #include "core/error.hpp"
 #include "core/zeroed.hpp"
-#include "search/cpu/bit_layout.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/dilated_layers.hpp"
+#include "search/cpu/tray_tables.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -36,12 +36,11 @@ constexpr bool kHasReference = false;
 /// 64 of those. For ways out the fine voxels' rows dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const std::int64_t voxels = checked_product({need.tray.x + 64, need.tray.y + 8, need.tray.z + 1});
-    const int coarse_layers = (need.detail > 1 ? need.gap_classes : 0) + 1;
-    const BitLayout bits(need.tray, need.overhang, need.detail, need.gap_classes, coarse_layers);
-    const auto bit_words = static_cast<std::int64_t>(sizeof(BitLayout::Word)) * bits.words();
-    std::int64_t bytes = bit_words / 64 + (need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways));
+    const std::int64_t bit_words = bit_layout(need.tray, need.overhang, need.detail, need.gap_classes, true).words();
+    const auto bits = static_cast<std::int64_t>(sizeof(BitLayout::Word)) * bit_words;
+    std::int64_t bytes = bits / 64 + (need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways));
     for (const std::int64_t array :
-         {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels, voxels, bit_words}) {
+         {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels, voxels, bits}) {
         bytes += static_cast<std::int64_t>(zeroed_size(static_cast<std::size_t>(array)));
     }
     return bytes;

@@ -83,9 +83,8 @@ class BitLayout {
     /// `fine_layers` in voxels of dx / detail come first, then `coarse_layers`; grid and margin are in voxels of dx.
     BitLayout(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers)
         : grid_(grid), margin_(margin), detail_(detail), fine_layers_(fine_layers), coarse_layers_(coarse_layers) {
-        columns_ = ceil_div(voxels().x, 64) + 1;
         column_ = voxels().y;
-        table_ = checked_product({columns_, column_});
+        table_ = checked_product({ceil_div(voxels().x, 64) + 1, column_});  // a zero at the end of each row
         up_ = checked_product({table_, tables() + kSpare * part_count(fine_layers > 0 ? detail : 1)});
     }
 
@@ -109,9 +108,9 @@ class BitLayout {
     }
 
     /// Words to the neighbouring tile along x.
-    std::ptrdiff_t next() const { return static_cast<std::ptrdiff_t>(column_); }
+    std::ptrdiff_t next() const { return column_; }
     /// Words to the tile above.
-    std::ptrdiff_t up() const { return static_cast<std::ptrdiff_t>(up_); }
+    std::ptrdiff_t up() const { return up_; }
     /// Of a look-up for so many tiles one above the other the lowest need only be in the table; what the others hold
     /// beyond it means nothing.
     static constexpr int kTileLayers = 4;
@@ -156,10 +155,9 @@ class BitLayout {
 
     Extent grid_;
     int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
-    int columns_ = 0;          // words along x, one of them a zero at the end
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;   // words of a layer of one table
-    std::int64_t up_ = 0;      // of all tables
+    std::int64_t up_ = 0;      // of all tables, spare ones included
 };
 
 }  // namespace spectralpack

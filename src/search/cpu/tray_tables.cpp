@@ -9,12 +9,9 @@ namespace {
 
 constexpr std::uint64_t kRebuildAfter = 64;  // pending changes that make a fresh start cheaper
 
-/// Layers of bit tables: a fine one for each gap class; with s > 1 a coarse one for each as well; the walls, if any.
 BitTables tables_for(const Tray& tray, int margin) {
-    const int classes = tray.gap_classes();
     const bool walls = !tray.blocked().extent().empty();
-    return BitTables(
-        {tray.extent(), margin, tray.detail(), classes, (tray.detail() > 1 ? classes : 0) + (walls ? 1 : 0)});
+    return BitTables(bit_layout(tray.extent(), margin, tray.detail(), tray.gap_classes(), walls));
 }
 
 template <class T>
@@ -70,6 +67,10 @@ bool any_removed(const Tray& tray, std::uint64_t since) {
 }
 
 }  // namespace
+
+BitLayout bit_layout(const Extent& tray, int margin, int detail, int gap_classes, bool walls) {
+    return {tray, margin, detail, gap_classes, (detail > 1 ? gap_classes : 0) + (walls ? 1 : 0)};
+}
 
 void TrayTables::note_occupied(const Tray& tray) {
     class_used_.clear();

@@ -18,6 +18,10 @@
 
 namespace spectralpack {
 
+/// Of bit tables of a tray in voxels of dx: a fine layer for each gap class; with detail > 1 a coarse one for each as
+/// well; one of the walls, if there may be any.
+BitLayout bit_layout(const Extent& tray, int margin, int detail, int gap_classes, bool walls);
+
 /// Of phi and of phi pooled over blocks.
 template <class T>
 struct Sums {
