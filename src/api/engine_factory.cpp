@@ -36,8 +36,8 @@ constexpr bool kHasReference = false;
 /// 64 of those. For ways out the fine voxels' rows dilated, of one tray.
 std::int64_t memory_of_cpu(const EngineNeed& need) {
     const std::int64_t voxels = checked_product({need.tray.x + 64, need.tray.y + 8, need.tray.z + 1});
-    const std::int64_t bit_words = bit_layout(need.tray, need.overhang, need.detail, need.gap_classes, true).words();
-    const auto bits = static_cast<std::int64_t>(sizeof(BitLayout::Word)) * bit_words;
+    const BitLayout layout = bit_layout(need.tray, need.overhang, need.detail, need.gap_classes, true);
+    const auto bits = static_cast<std::int64_t>(sizeof(BitLayout::Word)) * (layout.words() + layout.spare_words());
     std::int64_t bytes = bits / 64 + (need.ways.empty() ? 0 : DilatedLayers::most_bytes(need.ways));
     for (const std::int64_t array :
          {2 * voxels, 6 * voxels, 6 * voxels, 2 * voxels, 3 * voxels, voxels, 3 * voxels, voxels, bits}) {

@@ -32,14 +32,13 @@ const Word* source_row(const BitGrid& grid, int axis, int at, int other) {
 
 /// Bit 63 becomes bit 0 (Hacker's Delight, section 7-1).
 Word reversed_bits(Word word) {
-    constexpr Word kMasks[] = {0x5555555555555555u, 0x3333333333333333u, 0x0f0f0f0f0f0f0f0fu,
-                               0x00ff00ff00ff00ffu, 0x0000ffff0000ffffu, 0x00000000ffffffffu};
+    constexpr Word kMasks[] = {0x5555555555555555u, 0x3333333333333333u, 0x0f0f0f0f0f0f0f0fu};
     int step = 1;
     for (const Word mask : kMasks) {
         word = (word >> step & mask) | (word & mask) << step;
         step *= 2;
     }
-    return word;
+    return __builtin_bswap64(word);
 }
 
 /// Bit n - 1 of a row of that many words becomes its bit 0.

@@ -49,6 +49,28 @@ inline VoxelBox turned(const VoxelBox& box, const AxisTurn& turn, const Extent& 
     return result;
 }
 
+/// Where many boxes of one size come to lie: the lowest voxels of them, as turned() boxes have them.
+class TurnedCorners {
+  public:
+    TurnedCorners(const AxisTurn& turn, const Extent& grid, const Extent& box) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int from = turn.order[axis];
+            along_[axis] = from == 0 ? &VoxelIndex::x : from == 1 ? &VoxelIndex::y : &VoxelIndex::z;
+            step_[axis] = turn.reversed[axis] ? -1 : 1;
+            first_[axis] = turn.reversed[axis] ? grid[from] - box[from] : 0;
+        }
+    }
+    VoxelIndex operator()(const VoxelIndex& corner) const { return {at(0, corner), at(1, corner), at(2, corner)}; }
+
+  private:
+    int at(std::size_t axis, const VoxelIndex& corner) const {
+        return first_[axis] + step_[axis] * corner.*along_[axis];
+    }
+
+    std::array<int VoxelIndex::*, 3> along_{};
+    std::array<int, 3> step_{}, first_{};
+};
+
 /// The box turned about the origin.
 Box turned(const Box& box, const AxisTurn& turn);
 

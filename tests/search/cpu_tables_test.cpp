@@ -65,16 +65,23 @@ void for_each_voxel_of(const Form& form, const VoxelIndex& corner, const Visit& 
     });
 }
 
-/// The pieces' voxels; they must lie in the grid.
-BitGrid drawn(const std::vector<Piece>& pieces, const Extent& extent) {
+/// The pieces' voxels; they must lie in the grid, which lies at `offset`.
+BitGrid drawn(const Pieces& pieces, const Extent& extent, const VoxelIndex& offset = {}) {
     BitGrid bits(extent);
-    for (const Piece& piece : pieces) {
-        for_each_voxel_of(piece.form, piece.corner, [&](const VoxelIndex& v) {
-            ASSERT_TRUE(extent.contains(v));
-            bits.set(v.x, v.y, v.z);
-        });
+    for (const Pieces::OfForm& of : pieces.forms) {
+        for (const VoxelIndex& corner : pieces.corners_of(of)) {
+            for_each_voxel_of(of.form, corner - offset, [&](const VoxelIndex& v) {
+                ASSERT_TRUE(extent.contains(v));
+                bits.set(v.x, v.y, v.z);
+            });
+        }
     }
     return bits;
+}
+
+/// Where a piece lies in bit tables.
+BitTables::Place place_of(const BitTables& bits, int layer, const Form& form, const VoxelIndex& d) {
+    return bits.place(BitTables::SpotsOf(bits, layer, form)(d));
 }
 
 /// A bit of a row whose next word lies `next` words on.
@@ -106,10 +113,10 @@ TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
             for_each_voxel_of(form, at, [&](const VoxelIndex& v) {
                 expected |= occupied.extent().contains(v) && occupied.get(v.x, v.y, v.z);
             });
-            const BitTables::Place place = tables.place(1, form, at);
+            const BitTables::Place place = place_of(tables, 1, form, at);
             const std::uint64_t word = tables.tile(0, 0, 0)[place.offset];
             ASSERT_EQ((word >> place.shift & 1) != 0, expected);
-            ASSERT_EQ(tables.tile(0, 0, 0)[tables.place(0, form, at).offset], 0u);
+            ASSERT_EQ(tables.tile(0, 0, 0)[place_of(tables, 0, form, at).offset], 0u);
         }
     }
 }
@@ -144,13 +151,13 @@ TEST(CrowdTables, TellWhatCollidesWhereverInABlock) {
                     at[a] = (b * block[a] + d[a] + margin) / b * b - margin + step[a];
                     if (at[a] >= n[a] + margin) return;
                 }
-                const BitTables::Place place = bits.place(0, form, at);
+                const BitTables::Place place = place_of(bits, 0, form, at);
                 const bool meets = bits.tile(0, 0, 0)[place.offset] >> place.shift & 1;
                 all_within_reach = all_within_reach && meets;
                 const VoxelIndex within = at - d - VoxelIndex{b * block.x, b * block.y, b * block.z};
                 if (Extent{b, b, b}.contains(within)) all = all && meets;
             });
-            const BitTables::Place place = crowd.place(bits.spot(0, form, d));
+            const BitTables::Place place = crowd.place(BitTables::SpotsOf(bits, 0, form)(d));
             const std::uint64_t* tile =
                 crowd.tile(block.x / CrowdTables::kTileX, block.y / CrowdTables::kTileY, block.z);
             const std::uint64_t* word = tile + place.offset + block.y % CrowdTables::kTileY;
@@ -227,19 +234,22 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
             subtract(wanted, random_solid(random, random_extent(random, {1, 1, 1}, {60, 30, 30})), {3, 2, 1});
         }
         const Forms& forms = BitTables::forms_for(between(random, 1, 2));
-        const std::vector<Piece> pieces = cover(solid, wanted, forms);
+        const Pieces pieces = cover(solid, wanted, forms);
         const std::vector<Form> known = in_order(forms);
-        for (const Piece& piece : pieces) {
-            const Form form{piece.form.level == 0 ? 1 : piece.form.axes, piece.form.level};
+        std::uint32_t end = 0;
+        for (const Pieces::OfForm& of : pieces.forms) {
+            const Form form{of.form.level == 0 ? 1 : of.form.axes, of.form.level};
             EXPECT_TRUE(std::ranges::find(known, form) != known.end());
+            EXPECT_EQ(std::exchange(end, of.end), of.begin);
         }
+        EXPECT_EQ(end, pieces.corners.size());
         const BitGrid covered = drawn(pieces, solid.extent());
         BitGrid beyond = covered;
         subtract(beyond, solid, {});
         EXPECT_TRUE(beyond.none());
         subtract(wanted, covered, {});
         EXPECT_TRUE(wanted.none());
-        large += std::ranges::any_of(pieces, [](const Piece& piece) { return piece.form.voxels() > 32; });
+        large += std::ranges::any_of(pieces.forms, [](const auto& of) { return of.form.voxels() > 32; });
     }
     EXPECT_GT(large, 10);
 }
@@ -247,7 +257,7 @@ TEST(Cover, HoldsAllThatIsWantedAndNothingBeyondTheSolid) {
 TEST(Cover, TakesACubeAtOnce) {
     BitGrid solid({16, 16, 16});
     solid.fill(true);
-    EXPECT_EQ(cover(solid, solid, BitTables::kForms).size(), 1u);
+    EXPECT_EQ(cover(solid, solid, BitTables::kForms).corners.size(), 1u);
 }
 
 /// What cells say, whatever their order.
@@ -277,8 +287,7 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const OrientationRuns before =
             make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
         const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables.frame());
-        EXPECT_EQ(runs.widened.front().offset, wide_then.offset);
-        EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent()), wide_then.voxels);
+        EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent(), wide_then.offset), wide_then.voxels);
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
@@ -557,7 +566,8 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
     const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables.frame(), Workers(2));
-    const std::size_t pieces = runs.widened.front().pieces.size(), core = runs.widened.front().core.size();
+    const std::size_t pieces = runs.widened.front().pieces.corners.size(),
+                      core = runs.widened.front().core.corners.size();
     ASSERT_GT(core, 0u);
     std::vector<std::int32_t> all;
     std::size_t sift = 0;

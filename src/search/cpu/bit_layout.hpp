@@ -30,6 +30,7 @@ struct Forms {
     int run_levels = 0, last_plate = 0;
     bool cubes = false;
 
+    constexpr int longest() const { return 1 << std::max(run_levels, last_plate); }
     constexpr int plates() const { return last_plate - kFirstPlate + 1; }
     constexpr int count() const { return 1 + 3 * run_levels + (cubes ? 4 : 3) * plates(); }
     /// 0 .. count() - 1; of one of them.
@@ -65,8 +66,9 @@ struct Forms {
 };
 
 /// Words hold 64 voxels along x and lie in the order y, x, table, z with y fastest: eight neighbouring words are a tile
-/// of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight words elsewhere, shifted. What all
-/// tables hold of a layer of voxels lies together, so that those above all objects, never written, take no memory.
+/// of 64 x 8 positions, and a look-up displaced by (dx, dy, dz) is the same eight words elsewhere, shifted. The bits
+/// that it takes from beyond the end of a row mean nothing: no piece of a candidate lies there. What all tables hold of
+/// a layer of voxels lies together, so that those above all objects, never written, take no memory.
 class BitLayout {
   public:
     using Word = std::uint64_t;
@@ -84,8 +86,9 @@ class BitLayout {
     BitLayout(const Extent& grid, int margin, int detail, int fine_layers, int coarse_layers)
         : grid_(grid), margin_(margin), detail_(detail), fine_layers_(fine_layers), coarse_layers_(coarse_layers) {
         column_ = voxels().y;
-        table_ = checked_product({ceil_div(voxels().x, 64) + 1, column_});  // a zero at the end of each row
-        up_ = checked_product({table_, tables() + kSpare * part_count(fine_layers > 0 ? detail : 1)});
+        columns_ = ceil_div(voxels().x, 64);
+        table_ = checked_product({columns_, column_});
+        up_ = checked_product({table_, tables()});
     }
 
     int margin() const { return margin_; }
@@ -117,6 +120,12 @@ class BitLayout {
     /// All there are. Tiles at the end read on beyond it.
     std::int64_t words() const { return checked_product({up_, voxels().z + kTileLayers - 1}) + column_ + 64; }
 
+    /// At most, for what is on the way to plates and cubes, which are made kSlab layers at a time.
+    std::int64_t spare_words() const {
+        const int layers = std::min(kSlab + kForms.longest() / 2, voxels().z);
+        return kSpare * checked_product({table_, layers, part_count(fine_layers_ > 0 ? detail_ : 1)});
+    }
+
     struct Place {
         std::int32_t offset = 0;  ///< from a tile's first word
         int shift = 0;
@@ -126,25 +135,34 @@ class BitLayout {
         int table = 0;
         VoxelIndex at;
     };
-    /// Where a piece of that form, one of forms_of(layer), with its corner at displacement d lies from a
-    /// tile; d in the layer's own voxels, not before the margin on any axis.
-    Place place(int layer, const Form& form, const VoxelIndex& d) const { return place(spot(layer, form, d)); }
+    /// Of pieces of one form by their corners' displacements d from a position, in the layer's own voxels, not before
+    /// the margin on any axis.
+    class SpotsOf {
+      public:
+        /// `form`: one of forms_of(layer).
+        SpotsOf(const BitLayout& layout, int layer, const Form& form)
+            : first_(layout.table_number(layer, 0, form)),
+              next_(layout.forms_of(layer).count()),
+              margin_(layout.margin_),
+              s_(layout.detail_of(layer)) {}
+        Spot operator()(const VoxelIndex& d) const {
+            const VoxelIndex coarse{floor_div(d.x, s_), floor_div(d.y, s_), floor_div(d.z, s_)};
+            const int part = ((d.z - s_ * coarse.z) * s_ + d.y - s_ * coarse.y) * s_ + d.x - s_ * coarse.x;
+            return {first_ + next_ * part, coarse + VoxelIndex{margin_, margin_, margin_}};
+        }
+
+      private:
+        int first_, next_;  // tables: of part 0, and from a part to the next
+        int margin_, s_;
+    };
+    /// Where it lies from a tile.
     Place place(const Spot& spot) const {
         const std::int64_t offset = word(spot.table, spot.at.x / 64, spot.at.z) + spot.at.y;
         return {static_cast<std::int32_t>(offset), spot.at.x % 64};
     }
-    Spot spot(int layer, const Form& form, const VoxelIndex& d) const {
-        const int s = detail_of(layer);
-        VoxelIndex coarse;
-        for (int i = 0; i < 3; ++i) {
-            coarse[i] = floor_div(d[i], s);
-        }
-        const int part = ((d.z - s * coarse.z) * s + d.y - s * coarse.y) * s + d.x - s * coarse.x;
-        return {table_number(layer, part, form), coarse + VoxelIndex{margin_, margin_, margin_}};
-    }
 
   protected:
-    static constexpr int kSpare = 2;  // tables for each part behind the others
+    static constexpr int kSlab = 32, kSpare = 2;
 
     int table_number(int layer, int part, const Form& form) const {
         const Forms& forms = forms_of(layer);
@@ -155,9 +173,10 @@ class BitLayout {
 
     Extent grid_;
     int margin_ = 0, detail_ = 1, fine_layers_ = 0, coarse_layers_ = 0;
+    int columns_ = 0;          // words along x
     std::int64_t column_ = 0;  // words along y
     std::int64_t table_ = 0;   // words of a layer of one table
-    std::int64_t up_ = 0;      // of all tables, spare ones included
+    std::int64_t up_ = 0;      // of all tables
 };
 
 }  // namespace spectralpack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <vector>
 
 #include "search/cpu/kernels.hpp"
 
@@ -24,15 +25,20 @@ BitTables::BitTables(const BitLayout& layout) : BitLayout(layout) {
         throw ResourceError("the tray is too large for this engine");
     }
     words_ = ZeroedVector<Word>(static_cast<std::size_t>(words()));
+    none_.assign(static_cast<std::size_t>(column_), 0);
 }
 
 bool BitTables::operator==(const BitTables& other) const {
-    if (tables() != other.tables() || words_.size() != other.words_.size()) return false;
-    for (int z = 0; z < voxels().z; ++z) {  // spare tables are what they are
-        const Word* here = column(0, 0, z);
-        if (!std::equal(here, here + tables() * table_, other.column(0, 0, z))) return false;
-    }
-    return true;
+    return tables() == other.tables() && words_ == other.words_;
+}
+
+BitTables::Tables BitTables::spare_tables(int i, int parts, const VoxelBox& box) {
+    const int first = box.lo.x / 64;
+    const std::int64_t column = box.hi.y - box.lo.y, up = column * (ceil_div(box.hi.x, 64) - first),
+                       next = up * (box.hi.z - box.lo.z);
+    std::vector<Word>& words = spare_[i];
+    words.resize(std::max(words.size(), static_cast<std::size_t>(parts * next)));
+    return {words.data(), next, up, column, box.lo.z * up + first * column + box.lo.y};
 }
 
 VoxelBox BitTables::in_tables(const VoxelBox& voxels) const {
@@ -50,36 +56,40 @@ VoxelBox BitTables::reach(int layer, const Form& form, VoxelBox changed) const {
 }
 
 /// `changed` in table coordinates.
-void BitTables::refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed) {
+void BitTables::refresh_plain(const Tables& plain, int part, const BitGrid& occupied, const VoxelBox& changed) {
     for (int z = changed.lo.z; z < changed.hi.z; ++z) {
         for (int y = changed.lo.y; y < changed.hi.y; ++y) {
             const Word* row = occupied.row(y - margin_, z - margin_);
             for (int w = changed.lo.x / 64; w <= (changed.hi.x - 1) / 64; ++w) {
-                plain[word(0, w, z) + y] = row_bits(row, occupied.words_per_row(), 64 * w - margin_);
+                *plain.at(part, w, y, z) = row_bits(row, occupied.words_per_row(), 64 * w - margin_);
             }
         }
     }
 }
 
-/// to = from OR `moved` moved down by `by` voxels of dx along the axis, for the words of lo <= X < hi (margin
-/// included).
-void BitTables::dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
-                       const VoxelIndex& hi) {
+/// Part `part` of to = that of from OR part `other` of from moved down by `by` voxels of dx along the axis, for the
+/// words of the box (margin included).
+void BitTables::dilate(const Tables& to, const Tables& from, int part, int other, int axis, int by,
+                       const VoxelBox& box) {
     const int rows = voxels().y, layers = voxels().z;
+    const auto& [lo, hi] = box;
     const auto count = static_cast<std::size_t>(std::max(0, hi.y - lo.y));
     // What lies beyond the table's end is empty.
     const auto both = axis != 1 ? count : static_cast<std::size_t>(std::max(0, std::min(hi.y, rows - by) - lo.y));
-    const std::int64_t up = axis == 0 ? 0 : axis == 1 ? by : by * up_;
     for (int z = lo.z; z < hi.z; ++z) {
         for (int w = lo.x / 64; w <= (hi.x - 1) / 64; ++w) {
-            const std::int64_t at = word(0, w, z) + lo.y;
+            Word* out = to.at(part, w, lo.y, z);
+            const Word* a = from.at(part, w, lo.y, z);
             if (axis == 0 && by > 0) {
-                or_moved_down(to + at, from + at, moved + at, moved + at + column_, by, count);
+                const Word* after = w + 1 < columns_ ? from.at(other, w + 1, lo.y, z) : none_.data() + lo.y;
+                or_moved_down(out, a, from.at(other, w, lo.y, z), after, by, count);
                 continue;
             }
             const std::size_t reached = axis == 2 && z + by >= layers ? 0 : both;
-            if (reached > 0) or_rows(to + at, from + at, moved + at + up, reached);
-            std::copy(from + at + reached, from + at + count, to + at + reached);
+            if (reached > 0) {
+                or_rows(out, a, from.at(other, w, axis == 1 ? lo.y + by : lo.y, axis == 2 ? z + by : z), reached);
+            }
+            std::copy(a + reached, a + count, out + reached);
         }
     }
 }
@@ -91,7 +101,7 @@ void BitTables::dilate(const Tables& to, const Tables& from, int s, int axis, in
     for (int part = 0; part < part_count(s); ++part) {
         const int along = part / stride % s;
         const int other = part + ((along + by) % s - along) * stride;
-        dilate(to.of(part), from.of(part), from.of(other), axis, (along + by) / s, box.lo, box.hi);
+        dilate(to, from, part, other, axis, (along + by) / s, box);
     }
 }
 
@@ -117,24 +127,29 @@ void BitTables::refresh_form(int layer, const Form& form, const VoxelBox& change
             steps.push_back({last, by});
         }
     }
+    const VoxelIndex end{voxels().x, voxels().y, voxels().z};
     VoxelBox box = reach(layer, form, changed);
     // Words are written whole.
     box.lo.x = box.lo.x / 64 * 64;
-    box.hi.x = std::min((box.hi.x + 63) / 64 * 64, grid_.x + 2 * margin_);
-    Tables now = tables_of(layer, from);
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        Tables to = tables_of(layer, form);
-        VoxelBox part = box;
-        if (i + 1 < steps.size()) {
-            to = spare_tables(static_cast<int>(i % 2));
-            // What the steps that follow look at.
-            for (std::size_t k = i + 1; k < steps.size(); ++k) {
-                const int axis = steps[k].axis;
-                part.hi[axis] = std::min(part.hi[axis] + ceil_div(steps[k].by, s), grid_[axis] + 2 * margin_);
+    box.hi.x = std::min((box.hi.x + 63) / 64 * 64, end.x);
+    // A few layers at a time, so that what is on the way stays in the caches.
+    for (VoxelBox slab = box; slab.lo.z < box.hi.z; slab.lo.z = slab.hi.z) {
+        slab.hi.z = std::min(slab.lo.z + kSlab, box.hi.z);
+        Tables now = tables_of(layer, from);
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            Tables to = tables_of(layer, form);
+            VoxelBox part = slab;
+            if (i + 1 < steps.size()) {
+                // What the steps that follow look at.
+                for (std::size_t k = i + 1; k < steps.size(); ++k) {
+                    const int axis = steps[k].axis;
+                    part.hi[axis] = std::min(part.hi[axis] + ceil_div(steps[k].by, s), end[axis]);
+                }
+                to = spare_tables(static_cast<int>(i % kSpare), part_count(s), part);
             }
+            dilate(to, now, s, steps[i].axis, steps[i].by, part);
+            now = to;
         }
-        dilate(to, now, s, steps[i].axis, steps[i].by, part);
-        now = to;
     }
 }
 
@@ -143,7 +158,7 @@ void BitTables::refresh(int layer, const std::vector<const BitGrid*>& parts, con
     if (box.empty()) return;
     const Tables plain = tables_of(layer, {});
     for (int part = 0; part < part_count(detail_of(layer)); ++part) {
-        refresh_plain(plain.of(part), *parts[static_cast<std::size_t>(part)], box);
+        refresh_plain(plain, part, *parts[static_cast<std::size_t>(part)], box);
     }
     forms_of(layer).for_each([&](const Form& form) {
         if (form.level > 0) refresh_form(layer, form, box);

@@ -27,7 +27,9 @@ class BitTables : public BitLayout {
 
     /// True when all tables are the same.
     bool operator==(const BitTables& other) const;
-    std::int64_t bytes() const { return static_cast<std::int64_t>(words_.size() * sizeof(Word)); }
+    std::int64_t bytes() const {
+        return static_cast<std::int64_t>((words_.size() + spare_[0].size() + spare_[1].size()) * sizeof(Word));
+    }
 
     /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as
     /// offsets.
@@ -48,29 +50,33 @@ class BitTables : public BitLayout {
     }
 
   private:
-    /// One table for each part of a layer, or of what is on the way to one.
+    /// One grid of words for each part of a layer: a table, or within a box what is on the way to one.
     struct Tables {
-        Word* first;
-        std::int64_t stride;  // to the next part
-        Word* of(int part) const { return first + part * stride; }
+        Word* first;  // word w of row (y, z) of part p lies at p next + z up + w column + y - origin
+        std::int64_t next, up, column, origin;
+        Word* at(int part, int w, int y, int z) const {
+            return first + (part * next + z * up + w * column + y - origin);
+        }
     };
 
     Tables tables_of(int layer, const Form& form) {
-        return {words_.data() + table_number(layer, 0, form) * table_, forms_of(layer).count() * table_};
+        return {words_.data() + table_number(layer, 0, form) * table_, forms_of(layer).count() * table_, up_, column_,
+                0};
     }
-    /// What is on the way to plates and cubes; i < kSpare.
-    Tables spare_tables(int i) { return {words_.data() + (tables() + i) * table_, kSpare * table_}; }
+    /// What is on the way to plates and cubes, for the voxels of a box; i < kSpare. It holds until there are others.
+    Tables spare_tables(int i, int parts, const VoxelBox& box);
     /// Voxels of the grid, from the margin's corner; no box where there are none.
     VoxelBox in_tables(const VoxelBox& voxels) const;
     /// Where a form's table may differ when the plain one does in `changed`.
     VoxelBox reach(int layer, const Form& form, VoxelBox changed) const;
-    void refresh_plain(Word* plain, const BitGrid& occupied, const VoxelBox& changed);
-    void dilate(Word* to, const Word* from, const Word* moved, int axis, int by, const VoxelIndex& lo,
-                const VoxelIndex& hi);
+    void refresh_plain(const Tables& plain, int part, const BitGrid& occupied, const VoxelBox& changed);
+    void dilate(const Tables& to, const Tables& from, int part, int other, int axis, int by, const VoxelBox& box);
     void dilate(const Tables& to, const Tables& from, int s, int axis, int by, const VoxelBox& box);
     void refresh_form(int layer, const Form& form, const VoxelBox& changed);
 
     ZeroedVector<Word> words_;
+    std::vector<Word> none_;           // a column of zeros, beyond the end of rows
+    std::vector<Word> spare_[kSpare];  // what is on the way to plates and cubes
 };
 
 }  // namespace spectralpack

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include "search/cpu/runs.hpp"
@@ -111,12 +112,12 @@ std::vector<Fits> all_fits(const BitGrid& solid, const Forms& forms) {
 
 /// Visits the words of a piece's voxels with a mask of those, until it answers false.
 template <class Visit>
-void for_each_word(BitGrid& bits, const Piece& piece, const Visit& visit) {
-    const int length = piece.form.size(0);
+void for_each_word(BitGrid& bits, const Form& form, const VoxelIndex& corner, const Visit& visit) {
+    const int length = form.size(0);
     const Word ones = (Word{1} << length) - 1;
-    const int w = piece.corner.x / 64, shift = piece.corner.x % 64;
-    for (int z = piece.corner.z; z < piece.corner.z + piece.form.size(2); ++z) {
-        for (int y = piece.corner.y; y < piece.corner.y + piece.form.size(1); ++y) {
+    const int w = corner.x / 64, shift = corner.x % 64;
+    for (int z = corner.z; z < corner.z + form.size(2); ++z) {
+        for (int y = corner.y; y < corner.y + form.size(1); ++y) {
             Word* row = bits.row(y, z);
             if (!visit(row[w], ones << shift)) return;
             if (shift + length > 64 && !visit(row[w + 1], ones >> (64 - shift))) return;
@@ -124,26 +125,26 @@ void for_each_word(BitGrid& bits, const Piece& piece, const Visit& visit) {
     }
 }
 
-/// Takes the piece if half of its rows are wanted whole.
-void take(const Piece& piece, BitGrid& wanted, std::vector<Piece>& pieces) {
-    const bool straddles = piece.corner.x % 64 + piece.form.size(0) > 64;
-    const int words = piece.form.size(1) * piece.form.size(2) * (straddles ? 2 : 1);
+/// Takes the piece with that corner if half of its rows are wanted whole.
+void take(const Form& form, const VoxelIndex& corner, BitGrid& wanted, std::vector<VoxelIndex>& corners) {
+    const bool straddles = corner.x % 64 + form.size(0) > 64;
+    const int words = form.size(1) * form.size(2) * (straddles ? 2 : 1);
     int missing = 0;
-    for_each_word(wanted, piece, [&](const Word& word, Word mask) {
+    for_each_word(wanted, form, corner, [&](const Word& word, Word mask) {
         missing += (word & mask) != mask;
         return 2 * missing <= words;
     });
     if (2 * missing > words) return;
-    for_each_word(wanted, piece, [](Word& word, Word mask) {
+    for_each_word(wanted, form, corner, [](Word& word, Word mask) {
         word &= ~mask;
         return true;
     });
-    pieces.push_back(piece);
+    corners.push_back(corner);
 }
 
 /// Takes pieces of one form whose middle is wanted: first those with a wanted voxel in the lower corner, then, for what
 /// stands out above, in the upper corner.
-void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
+void take_all(const Fits& fits, BitGrid& wanted, std::vector<VoxelIndex>& taken) {
     const Form& form = fits.form;
     const int words = wanted.words_per_row();
     const VoxelIndex last{form.size(0) - 1, form.size(1) - 1, form.size(2) - 1};
@@ -159,7 +160,7 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
             for (Word bits = candidates(); bits != 0; bits = candidates()) {
                 const int x = std::countr_zero(bits);
                 behind = x == 63 ? 0 : ~Word{0} << (x + 1);
-                take({form, {64 * w + x, y, z}}, wanted, pieces);
+                take(form, {64 * w + x, y, z}, wanted, taken);
             }
         }
     }
@@ -167,22 +168,29 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<Piece>& pieces) {
 
 }  // namespace
 
-std::vector<Piece> cover(const BitGrid& solid, BitGrid wanted, const Forms& forms) {
-    std::vector<Piece> pieces;
+Pieces cover(const BitGrid& solid, BitGrid wanted, const Forms& forms) {
+    Pieces pieces;
+    const auto end_form = [&](const Form& form) {
+        const std::uint32_t begin = pieces.forms.empty() ? 0 : pieces.forms.back().end;
+        const auto end = static_cast<std::uint32_t>(pieces.corners.size());
+        if (end > begin) pieces.forms.push_back({form, begin, end});
+    };
     for (const Fits& fits : all_fits(solid, forms)) {
-        take_all(fits, wanted, pieces);
+        take_all(fits, wanted, pieces.corners);
+        end_form(fits.form);
     }
     const Runs rest = fewest_runs(wanted);
-    for (const Run& run : rest.runs) {
-        Form form{1 << rest.axis, 0};
-        while (form.level < forms.run_levels && (2 << form.level) <= run.length)
-            ++form.level;
-        const int size = 1 << form.level;
-        for (int done = 0; done < run.length; done += size) {
-            VoxelIndex corner = run.start;
-            corner[rest.axis] += std::min(done, run.length - size);
-            pieces.push_back({form, corner});
+    for (int level = forms.run_levels; level >= 0; --level) {
+        const int size = 1 << level,
+                  longest = level < forms.run_levels ? 2 * size - 1 : std::numeric_limits<int>::max();
+        for (const Run& run : rest.runs) {
+            if (run.length < size || run.length > longest) continue;
+            for (int done = 0; done < run.length; done += size) {
+                VoxelIndex& corner = pieces.corners.emplace_back(run.start);
+                corner[rest.axis] += std::min(done, run.length - size);
+            }
         }
+        end_form({1 << rest.axis, level});
     }
     return pieces;
 }

@@ -2,6 +2,7 @@
 /// How deep a solid's voxels lie inside it, which bounds phi from below where the solid is free: all voxels nearer to x
 /// than delta(x) belong to the solid, so at a free position q none of them is occupied and phi(x + q) >= delta(x).
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -44,17 +45,19 @@ class TurnedDepths {
   public:
     /// `solid`: the extents after the turn. Refers to `depths`.
     TurnedDepths(const Depths& depths, const AxisTurn& turn, const Extent& solid)
-        : depths_(depths), back_(inverse(turn)), solid_(solid) {}
+        : depths_(depths), back_(inverse(turn), solid, {1, 1, 1}) {}
 
     /// As Depths::sum(), in the turned solid, whose runs lie along `axis`.
     std::uint32_t sum(const Run& run, int axis) const {
-        return depths_.sum({turned(box_of(run, axis), back_, solid_).lo, run.length});
+        VoxelIndex last = run.start;
+        last[axis] += run.length - 1;
+        const VoxelIndex a = back_(run.start), b = back_(last);
+        return depths_.sum({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}, run.length});
     }
 
   private:
     const Depths& depths_;
-    AxisTurn back_;
-    Extent solid_;
+    TurnedCorners back_;
 };
 
 }  // namespace spectralpack

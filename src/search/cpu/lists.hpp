@@ -7,13 +7,15 @@
 #include <numeric>
 #include <vector>
 
+#include "voxel/grid.hpp"
+
 namespace spectralpack {
 
-/// Calls visit(i) once for each i in [0, count): every n-th in ascending order, then every n-th
-/// from another start, so that each stretch of about `stretch` is spread over all and yet walks
-/// memory in one direction.
+/// Calls visit(i), until it answers false, once for each i in [0, count): every n-th in ascending order, then every
+/// n-th from another start, so that each stretch of about `stretch` is spread over all and yet walks memory in one
+/// direction. True if it never did.
 template <class Visit>
-void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit) {
+bool for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit) {
     const std::size_t strides = (count + stretch - 1) / stretch;
     std::size_t size = 1;
     while (size < strides)
@@ -25,20 +27,10 @@ void for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
         }
         if (start >= strides) continue;
         for (std::size_t k = start; k < count; k += strides) {
-            visit(k);
+            if (!visit(k)) return false;
         }
     }
-}
-
-/// The items that `order` names, in its order.
-template <class T>
-std::vector<T> in_order(const std::vector<T>& items, const std::vector<std::uint32_t>& order) {
-    std::vector<T> result;
-    result.reserve(order.size());
-    for (const std::uint32_t i : order) {
-        result.push_back(items[i]);
-    }
-    return result;
+    return true;
 }
 
 /// Indices of `items`: what `level` rates highest comes first (levels 0 .. levels - 1); among equals, bunches of
@@ -65,33 +57,33 @@ std::vector<std::uint32_t> by_level(const std::vector<T>& items, std::size_t lev
             for (std::size_t k = i * bunch; k < std::min(count, (i + 1) * bunch); ++k) {
                 *next++ = from[k];
             }
+            return true;
         });
     }
     return result;
 }
 
-/// Indices of `items` by z, y, x of their voxels, which are not negative: what asks for them then walks memory in one
-/// direction. Of those that have the axes from `first` on in common the order is right already. By counting, an axis at
-/// a time: O(items + extents).
-template <class T, class Voxel>
-std::vector<std::uint32_t> by_place(const std::vector<T>& items, int first, const Voxel& voxel) {
-    std::vector<std::uint32_t> order(items.size()), before(items.size());
+/// Indices of voxels by z, y, x, none of which is negative: what asks for them then walks memory in one direction. Of
+/// those that have the axes from `first` on in common the order is right already. By counting, an axis at a time:
+/// O(voxels + extents).
+inline std::vector<std::uint32_t> by_place(const std::vector<VoxelIndex>& voxels, int first) {
+    std::vector<std::uint32_t> order(voxels.size()), before(voxels.size());
     std::iota(order.begin(), order.end(), 0);
     std::vector<std::uint32_t> begin;
     for (int axis = first; axis < 3; ++axis) {
-        const auto place = [&](const T& item) { return static_cast<std::size_t>(voxel(item)[axis]); };
-        std::size_t last = 0;
-        for (const T& item : items) {
-            last = std::max(last, place(item));
+        int VoxelIndex::*const along = axis == 0 ? &VoxelIndex::x : axis == 1 ? &VoxelIndex::y : &VoxelIndex::z;
+        int last = 0;
+        for (const VoxelIndex& voxel : voxels) {
+            last = std::max(last, voxel.*along);
         }
-        begin.assign(last + 2, 0);
-        for (const T& item : items) {
-            ++begin[place(item) + 1];
+        begin.assign(static_cast<std::size_t>(last) + 2, 0);
+        for (const VoxelIndex& voxel : voxels) {
+            ++begin[static_cast<std::size_t>(voxel.*along) + 1];
         }
         std::partial_sum(begin.begin(), begin.end(), begin.begin());
         before.swap(order);
         for (const std::uint32_t i : before) {
-            order[begin[place(items[i])]++] = i;
+            order[begin[static_cast<std::size_t>(voxels[i].*along)]++] = i;
         }
     }
     return order;

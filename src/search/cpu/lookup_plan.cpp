@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -19,122 +20,154 @@ constexpr std::size_t kOfStacks = 16;      // look-ups
 constexpr int kLeastOfStacks = 4;          // voxels of a piece
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
 
-struct Lookup {
-    BitTables::Spot spot;
-    int rank = 0;
-    bool of_blocks = false;  // the crowd tables have it
-};
-
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
 constexpr int kRanks = 1 + std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate + 2);
 int rank_of(const Form& form) { return form.level + std::popcount(static_cast<unsigned>(form.axes)) - 1; }
 /// With s > 1 pieces in voxels of dx decide more, and there are s^3 times fewer tables to look them up in: all of them
 /// come first.
-constexpr int kCoarse = kRanks, kAllRanks = 2 * kRanks;
+constexpr int kCoarse = kRanks;
 
-/// Puts look-ups that share the shift of a bit within its word one after the other, since a group of them is shifted
-/// once; but those in voxels of dx stay first.
-void by_shift(std::span<Lookup> lookups, const BitTables& bits) {
-    std::ranges::stable_sort(lookups, {},
-                             [&](const Lookup& of) { return std::pair(of.rank < kCoarse, bits.place(of.spot).shift); });
+/// Pieces of one form that are looked up in one layer.
+struct Lot {
+    std::span<const VoxelIndex> corners;
+    Form form;
+    VoxelIndex offset;  // of the corners
+    int layer = 0, rank = 0;
+    BitTables::SpotsOf spots;
+};
+
+/// Calls visit(lots of one rank), until it answers false: those first that are likely to decide most. The lots are
+/// ordered likewise.
+template <class Visit>
+void for_each_rank(std::vector<Lot>& lots, const Visit& visit) {
+    std::ranges::stable_sort(lots, std::greater(), &Lot::rank);
+    for (auto first = lots.begin(); first != lots.end();) {
+        const auto last = std::find_if(first, lots.end(), [&](const Lot& lot) { return lot.rank != first->rank; });
+        if (!visit(std::span<const Lot>(first, last))) return;
+        first = last;
+    }
 }
 
-/// Of every form the largest in one of that form without its lowest `layers`; of one voxel where it has no more.
-class Lowered {
-  public:
-    explicit Lowered(int layers) {
-        for (int axes = 1; axes < 8; ++axes) {
-            for (int level = 0; level <= BitTables::kForms.run_levels; ++level) {
-                of(axes, level) = largest({axes, level}, layers);
+/// Where look-ups lie, those that decide most first.
+struct Places {
+    std::vector<BitTables::Place> all;
+    std::size_t coarse = 0;  // of kCoarse ranks: the first of them
+
+    /// Puts those among the first `count` that share the shift of a bit within its word one after the other, since a
+    /// group of them is shifted once; but those in voxels of dx stay first.
+    void by_shift(std::size_t count) {
+        const std::size_t end = std::min(count, all.size()), middle = std::min(coarse, end);
+        std::ranges::sort(std::span(all).first(middle), {}, &BitTables::Place::shift);
+        std::ranges::sort(std::span(all).subspan(middle, end - middle), {}, &BitTables::Place::shift);
+    }
+};
+
+std::size_t pieces_in(std::span<const Lot> lots) {
+    std::size_t count = 0;
+    for (const Lot& lot : lots) {
+        count += lot.corners.size();
+    }
+    return count;
+}
+
+/// Of all pieces; those of one rank as for_each_spread() has them.
+Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
+    Places places;
+    places.all.reserve(pieces_in(lots));
+    std::vector<BitTables::Place> of_rank;
+    for_each_rank(lots, [&](std::span<const Lot> same) {
+        of_rank.clear();
+        for (const Lot& lot : same) {
+            for (const VoxelIndex& corner : lot.corners) {
+                of_rank.push_back(bits.place(lot.spots(corner + lot.offset)));
             }
         }
-    }
-    const Form& operator()(const Form& form) const { return of(form.axes, form.level); }
-
-  private:
-    static Form largest(const Form& form, int layers) {
-        Form result{1, 0};
-        const int height = form.size(2) - layers;
-        if (height <= 0) return result;
-        const auto consider = [&](const Form& smaller) {
-            if (smaller.voxels() > result.voxels()) result = smaller;
-        };
-        if (const int flat = form.axes & 3; flat != 0) consider({flat, form.level});
-        const int least = form.axes == 4 ? 1 : Forms::kFirstPlate;
-        for (int level = least; level <= form.level && 1 << level <= height; ++level) {
-            consider({form.axes, level});
-        }
-        return result;
-    }
-    const Form& of(int axes, int level) const {
-        return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)];
-    }
-    Form& of(int axes, int level) { return forms_[static_cast<std::size_t>(axes)][static_cast<std::size_t>(level)]; }
-
-    std::array<std::array<Form, BitTables::kForms.run_levels + 1>, 8> forms_;
-};
-
-/// The first of the pieces in what candidates fill from all positions of a stack, those first that are likely to decide
-/// most.
-class StackPieces {
-  public:
-    void add(const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int detail, int first_rank) {
-        const int rise = detail * (BitTables::kTileLayers - 1);  // from the lowest position to the highest
-        const Lowered lowered(rise);
-        all_.reserve(all_.size() + pieces.size());
-        for (const Piece& piece : pieces) {
-            const Form& form = lowered(piece.form);
-            if (form.voxels() < kLeastOfStacks) continue;
-            const VoxelIndex spared{(piece.form.size(0) - form.size(0)) / 2, (piece.form.size(1) - form.size(1)) / 2,
-                                    rise + (piece.form.size(2) - rise - form.size(2)) / 2};
-            all_.push_back({{form, piece.corner + offset + spared}, layer, first_rank + rank_of(form)});
-        }
-    }
-
-    std::vector<Lookup> first(const BitTables& bits) {
-        leave_highest_ranks();
-        std::vector<Lookup> lookups;
-        for (const std::uint32_t i :
-             by_level(all_, kAllRanks, kFirstBatch, 1, [](const OfLayer& of) { return of.rank; })) {
-            if (lookups.size() == kOfStacks) break;
-            lookups.push_back(
-                {.spot = bits.spot(all_[i].layer, all_[i].piece.form, all_[i].piece.corner), .rank = all_[i].rank});
-        }
-        by_shift(lookups, bits);
-        return lookups;
-    }
-
-  private:
-    struct OfLayer {
-        Piece piece;
-        int layer, rank;
-    };
-
-    /// Leaves only pieces of ranks among which first() stops.
-    void leave_highest_ranks() {
-        std::array<std::size_t, kAllRanks> of_rank{};
-        for (const OfLayer& of : all_) {
-            ++of_rank[static_cast<std::size_t>(of.rank)];
-        }
-        int least = kAllRanks;
-        for (std::size_t more = 0; least > 0 && more < kOfStacks;) {
-            more += of_rank[static_cast<std::size_t>(--least)];
-        }
-        std::erase_if(all_, [&](const OfLayer& of) { return of.rank < least; });
-    }
-
-    std::vector<OfLayer> all_;
-};
-
-/// Where look-ups lie in tables that know where a spot is.
-template <class Tables>
-std::vector<BitTables::Place> places_of(std::span<const Lookup> lookups, const Tables& tables) {
-    std::vector<BitTables::Place> places;
-    places.reserve(lookups.size());
-    for (const Lookup& lookup : lookups) {
-        places.push_back(tables.place(lookup.spot));
-    }
+        for_each_spread(of_rank.size(), kFirstBatch, [&](std::size_t k) {
+            places.all.push_back(of_rank[k]);
+            return true;
+        });
+        if (same.front().rank >= kCoarse) places.coarse = places.all.size();
+        return true;
+    });
     return places;
+}
+
+/// Of the first `most` of them, in tables that know where a spot is.
+template <class Tables>
+Places first_places(std::vector<Lot>& lots, const Tables& tables, std::size_t most) {
+    Places places;
+    for_each_rank(lots, [&](std::span<const Lot> same) {
+        auto lot = same.begin();
+        std::size_t before = 0;  // pieces of the lots before it
+        return for_each_spread(pieces_in(same), kFirstBatch, [&](std::size_t k) {
+            if (places.all.size() == most) return false;
+            if (k < before) {
+                lot = same.begin();
+                before = 0;
+            }
+            while (k - before >= lot->corners.size())
+                before += lot++->corners.size();
+            places.all.push_back(tables.place(lot->spots(lot->corners[k - before] + lot->offset)));
+            places.coarse += lot->rank >= kCoarse;
+            return true;
+        });
+    });
+    return places;
+}
+
+/// The largest form in one of that form without its lowest `layers`; of one voxel where it has no more.
+Form lowered(const Form& form, int layers) {
+    Form result{1, 0};
+    const int height = form.size(2) - layers;
+    if (height <= 0) return result;
+    const auto consider = [&](const Form& smaller) {
+        if (smaller.voxels() > result.voxels()) result = smaller;
+    };
+    if (const int flat = form.axes & 3; flat != 0) consider({flat, form.level});
+    const int least = form.axes == 4 ? 1 : Forms::kFirstPlate;
+    for (int level = least; level <= form.level && 1 << level <= height; ++level) {
+        consider({form.axes, level});
+    }
+    return result;
+}
+
+/// Pieces in what candidates fill from all positions of a stack.
+std::vector<Lot> lots_of_stacks(const std::vector<Lot>& lots, const BitTables& bits) {
+    std::vector<Lot> result;
+    for (const Lot& lot : lots) {
+        const int rise = bits.detail_of(lot.layer) * (BitTables::kTileLayers - 1);  // from the lowest to the highest
+        const Form form = lowered(lot.form, rise);
+        if (form.voxels() < kLeastOfStacks) continue;
+        const VoxelIndex spared{(lot.form.size(0) - form.size(0)) / 2, (lot.form.size(1) - form.size(1)) / 2,
+                                rise + (lot.form.size(2) - rise - form.size(2)) / 2};
+        result.push_back({lot.corners, form, spared, lot.layer, lot.rank - rank_of(lot.form) + rank_of(form),
+                          BitTables::SpotsOf(bits, lot.layer, form)});
+    }
+    return result;
+}
+
+/// All that an orientation is looked up in.
+std::vector<Lot> lots_of(const OrientationRuns& runs, const TrayTables& tables) {
+    std::vector<Lot> lots;
+    const auto add = [&](const Pieces& pieces, int layer, int first_rank) {
+        for (const Pieces::OfForm& of : pieces.forms) {
+            lots.push_back({pieces.corners_of(of),
+                            of.form,
+                            {},
+                            layer,
+                            first_rank + rank_of(of.form),
+                            BitTables::SpotsOf(tables.bits(), layer, of.form)});
+        }
+    };
+    for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
+        const int gap_class = static_cast<int>(c);
+        if (!tables.occupied(gap_class)) continue;
+        const auto& widened = runs.widened[static_cast<std::size_t>(runs.of_class[c])];
+        if (!widened.core.corners.empty()) add(widened.core, tables.coarse_layer(gap_class), kCoarse);
+        add(widened.pieces, tables.fine_layer(gap_class), 0);
+    }
+    if (tables.walls()) add(runs.walled, tables.wall_layer(), 0);
+    return lots;
 }
 
 /// Appends a batch of look-ups, grouped by shift.
@@ -171,51 +204,27 @@ void append_batches(std::span<const BitTables::Place> places, LookupPlan& plan) 
 }  // namespace
 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
-    std::vector<Lookup> lookups;
-    StackPieces of_stacks;
-    const auto look_up = [&](const std::vector<Piece>& pieces, const VoxelIndex& offset, int layer, int first_rank) {
-        of_stacks.add(pieces, offset, layer, tables.bits().detail_of(layer), first_rank);
-        lookups.reserve(lookups.size() + pieces.size());
-        for (const Piece& piece : pieces) {
-            // Field by field: a whole one that was just put together out of smaller parts is slow to copy.
-            Lookup& lookup = lookups.emplace_back();
-            lookup.spot = tables.bits().spot(layer, piece.form, piece.corner + offset);
-            lookup.rank = first_rank + rank_of(piece.form);
-            lookup.of_blocks = tables.crowd().holds(layer, piece.form);
-        }
-    };
-    for (std::size_t c = 0; c < runs.of_class.size(); ++c) {
-        const int gap_class = static_cast<int>(c);
-        if (!tables.occupied(gap_class)) continue;
-        const auto& widened = runs.widened[static_cast<std::size_t>(runs.of_class[c])];
-        if (!widened.core.empty()) {
-            look_up(widened.core, widened.core_offset, tables.coarse_layer(gap_class), kCoarse);
-        }
-        look_up(widened.pieces, widened.offset, tables.fine_layer(gap_class), 0);
-    }
-    if (tables.walls()) look_up(runs.walled, {}, tables.wall_layer(), 0);
     const BitTables& bits = tables.bits();
-    std::vector<Lookup> ordered = in_order(
-        lookups, by_level(lookups, kAllRanks, kFirstBatch, 1, [](const Lookup& lookup) { return lookup.rank; }));
-    by_shift(std::span(ordered).first(std::min(ordered.size(), kAllThrough)), bits);
+    std::vector<Lot> lots = lots_of(runs, tables);
+    Places all = all_places(lots, bits);
+    all.by_shift(kAllThrough);
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
-    const std::vector<BitTables::Place> all = places_of(ordered, bits);
-    plan.of_positions.offsets.reserve(all.size());
+    plan.of_positions.offsets.reserve(all.all.size());
     std::size_t size = kFirstBatch;
-    for (std::size_t begin = 0; begin < all.size();) {
-        const std::size_t count = std::min(all.size() - begin, size);
-        append_batch(std::span(all).subspan(begin, count), plan.of_positions);
+    for (std::size_t begin = 0; begin < all.all.size();) {
+        const std::size_t count = std::min(all.all.size() - begin, size);
+        append_batch(std::span(all.all).subspan(begin, count), plan.of_positions);
         begin += count;
         if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
-    append_batches(places_of(of_stacks.first(bits), bits), plan.of_stacks);
-    std::vector<Lookup> of_blocks;
-    for (const Lookup& lookup : ordered) {
-        if (of_blocks.size() == kMostOfBlocks) break;
-        if (lookup.of_blocks) of_blocks.push_back(lookup);
-    }
-    append_batches(places_of(of_blocks, tables.crowd()), plan.of_blocks);
+    std::vector<Lot> lots_in_stacks = lots_of_stacks(lots, bits);
+    Places of_stacks = first_places(lots_in_stacks, bits, kOfStacks);
+    of_stacks.by_shift(kOfStacks);
+    append_batches(of_stacks.all, plan.of_stacks);
+    const CrowdTables& crowd = tables.crowd();
+    std::erase_if(lots, [&](const Lot& lot) { return !crowd.holds(lot.layer, lot.form); });
+    append_batches(first_places(lots, crowd, kMostOfBlocks).all, plan.of_blocks);
     return plan;
 }
 

@@ -1,8 +1,6 @@
 #include "search/cpu/orientation_runs.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <tuple>
 #include <utility>
 
 #include "search/cpu/lists.hpp"
@@ -29,69 +27,69 @@ void clear_stretch(BitGrid::Word* row, int begin, int end) {
     row[last] &= ~to;
 }
 
-VoxelBox box_of(const Piece& piece) {
-    const Form& form = piece.form;
-    return {piece.corner, piece.corner + VoxelIndex{form.size(0), form.size(1), form.size(2)}};
+/// The extents of a grid once it is turned.
+Extent turned(const Extent& grid, const AxisTurn& turn) {
+    return {grid[turn.order[0]], grid[turn.order[1]], grid[turn.order[2]]};
 }
 
-/// Calls visit(i, corner) for items that were by z, y, x, in that order again once the grid with these extents in which
-/// `box_of` them lie is turned.
-template <class T, class BoxOf, class Visit>
-void for_each_turned(const std::vector<T>& items, const AxisTurn& turn, const Extent& grid, const BoxOf& box_of,
-                     const Visit& visit) {
-    std::vector<VoxelIndex> corners;
-    corners.reserve(items.size());
-    for (const T& item : items) {
-        corners.push_back(turned(box_of(item), turn, grid).lo);
+/// A form once it is turned.
+Form turned(const Form& form, const AxisTurn& turn) {
+    int axes = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        axes |= (form.axes >> turn.order[axis] & 1) << axis;
     }
-    const int first = turn.reverses() ? 0 : turn.order[0] > turn.order[1] ? 1 : 2;
-    for (const std::uint32_t i : by_place(corners, first, std::identity{})) {
-        visit(i, corners[i]);
-    }
+    return {axes, form.level};
 }
 
-/// Pieces of a grid with these extents once it is turned.
-std::vector<Piece> turned(const std::vector<Piece>& pieces, const AxisTurn& turn, const Extent& grid) {
-    std::vector<Piece> result;
-    result.reserve(pieces.size());
-    const auto box = [](const Piece& piece) { return box_of(piece); };
-    for_each_turned(pieces, turn, grid, box, [&](std::size_t i, const VoxelIndex& corner) {
-        int axes = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            axes |= (pieces[i].form.axes >> turn.order[axis] & 1) << axis;
+/// Pieces in and around a grid with these extents once that is turned.
+Pieces turned(const Pieces& pieces, const AxisTurn& turn, const Extent& grid) {
+    Pieces result;
+    result.forms.reserve(pieces.forms.size());
+    result.corners.reserve(pieces.corners.size());
+    for (const Pieces::OfForm& of : pieces.forms) {
+        result.forms.push_back({turned(of.form, turn), of.begin, of.end});
+        const TurnedCorners there(turn, grid, {of.form.size(0), of.form.size(1), of.form.size(2)});
+        for (const VoxelIndex& corner : pieces.corners_of(of)) {
+            result.corners.push_back(there(corner));
         }
-        result.push_back({{axes, pieces[i].form.level}, corner});
-    });
+    }
     return result;
 }
 
-/// Pieces at an offset in a grid with these extents once that is turned, and their offset then.
-std::pair<std::vector<Piece>, VoxelIndex> turned(const std::vector<Piece>& pieces, const VoxelIndex& offset,
-                                                 const AxisTurn& turn, const Extent& grid) {
-    VoxelBox all;
-    for (const Piece& piece : pieces) {
-        all = hull(all, box_of(piece));
+/// The runs of a solid with these extents, and what is known of their least sums, once it is turned.
+void turn_runs(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, OrientationRuns& result) {
+    const Runs& before = runs.solid;
+    const auto axis = static_cast<std::size_t>(std::ranges::find(turn.order, before.axis) - turn.order.begin());
+    result.solid.axis = static_cast<int>(axis);
+    result.solid.voxels = before.voxels;
+    const TurnedCorners turned(turn, solid, {1, 1, 1});
+    std::vector<VoxelIndex> starts;
+    starts.reserve(before.runs.size());
+    for (const Run& run : before.runs) {
+        VoxelIndex& start = starts.emplace_back(turned(run.start));
+        if (turn.reversed[axis]) start[result.solid.axis] -= run.length - 1;
     }
-    const VoxelBox box{offset, offset + all.hi};
-    return {turned(pieces, turn, {all.hi.x, all.hi.y, all.hi.z}), turned(box, turn, grid).lo};
+    result.solid.runs.reserve(before.runs.size());
+    result.least.reserve(before.runs.size());
+    const int first = turn.reverses() ? 0 : turn.order[0] > turn.order[1] ? 1 : 2;
+    for (const std::uint32_t i : by_place(starts, first)) {
+        result.solid.runs.push_back({starts[i], before.runs[i].length});
+        result.least.push_back(runs.least[i]);
+    }
 }
 
-/// cover() by z, y, x of the corners, of voxels that are `detail` to one of dx.
-std::vector<Piece> ordered_cover(const BitGrid& solid, BitGrid wanted, int detail = 1) {
-    const std::vector<Piece> pieces = cover(solid, std::move(wanted), BitTables::forms_for(detail));
-    return in_order(pieces, by_place(pieces, 0, [](const Piece& piece) { return piece.corner; }));
+/// cover() of voxels that are `detail` to one of dx, in a grid that lies at `offset` from a position.
+Pieces cover_at(const VoxelIndex& offset, const BitGrid& solid, BitGrid wanted, int detail = 1) {
+    Pieces pieces = cover(solid, std::move(wanted), BitTables::forms_for(detail));
+    for (VoxelIndex& corner : pieces.corners) {
+        corner = corner + offset;
+    }
+    return pieces;
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
-    OrientationRuns::Widened result;
-    result.offset = wide.offset;
-    if (detail == 1) {
-        result.pieces = ordered_cover(wide.voxels, wide.voxels);
-        return result;
-    }
+    if (detail == 1) return {cover_at(wide.offset, wide.voxels, wide.voxels), {}};
     const CoarseVoxels core = filled_voxels(wide.voxels, wide.offset, detail);
-    result.core = ordered_cover(core.voxels, core.voxels);
-    result.core_offset = core.offset;
     BitGrid skin = wide.voxels;
     for (const Run& run : runs_along(core.voxels, 0).runs) {
         VoxelIndex first;
@@ -103,8 +101,8 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
                           first.x + detail * run.length);
         }
     }
-    result.pieces = ordered_cover(wide.voxels, std::move(skin), detail);
-    return result;
+    return {cover_at(wide.offset, wide.voxels, std::move(skin), detail),
+            cover_at(core.offset, core.voxels, core.voxels)};
 }
 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
@@ -159,7 +157,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         if (i == 0) {
             add_solid();
         } else if (i == 1) {
-            if (frame.walls) result.walled = ordered_cover(*shape.solid, *shape.solid);
+            if (frame.walls) result.walled = cover_at({}, *shape.solid, *shape.solid);
         } else {
             const auto k = static_cast<std::size_t>(i - 2);
             result.widened[k] = pieces_of(*shape.widened[distinct[k]], detail);
@@ -171,26 +169,15 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
                        const std::optional<Depths>& depths, const TrayTables::Frame& frame) {
     OrientationRuns result;
-    result.solid.axis = static_cast<int>(std::ranges::find(turn.order, runs.solid.axis) - turn.order.begin());
-    result.solid.voxels = runs.solid.voxels;
-    result.solid.runs.reserve(runs.solid.runs.size());
-    result.least.reserve(runs.solid.runs.size());
-    const auto box = [&](const Run& run) { return box_of(run, runs.solid.axis); };
-    for_each_turned(runs.solid.runs, turn, solid, box, [&](std::size_t i, const VoxelIndex& start) {
-        result.solid.runs.push_back({start, runs.solid.runs[i].length});
-        result.least.push_back(runs.least[i]);
-    });
+    turn_runs(runs, turn, solid, result);
     const Extent fine{detail * solid.x, detail * solid.y, detail * solid.z};  // exact where it is asked for
     for (const OrientationRuns::Widened& wide : runs.widened) {
-        OrientationRuns::Widened& to = result.widened.emplace_back();
-        std::tie(to.pieces, to.offset) = turned(wide.pieces, wide.offset, turn, fine);
-        std::tie(to.core, to.core_offset) = turned(wide.core, wide.core_offset, turn, solid);
+        result.widened.push_back({turned(wide.pieces, turn, fine), turned(wide.core, turn, solid)});
     }
     result.of_class = runs.of_class;
     result.walled = turned(runs.walled, turn, solid);
     if (turn.reverses()) {
-        const Extent& n = solid;
-        add_cells(result, turn, {n[turn.order[0]], n[turn.order[1]], n[turn.order[2]]}, depths, frame);
+        add_cells(result, turn, turned(solid, turn), depths, frame);
         return result;
     }
     result.cells = runs.cells;
@@ -206,6 +193,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
 
 bool covers_solid(const Shape& shape) {
     for (const OrientedShape& oriented : shape.orientations) {
+        if (oriented.is_turned()) continue;  // it does if what it follows from does
         for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
             if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
             const WidenedVoxels& widened = *oriented.widened[c];
@@ -234,10 +222,11 @@ int overhang(const Shape& shape, int detail) {
 }
 
 std::int64_t bytes_of(const OrientationRuns& runs) {
-    std::int64_t bytes = bytes_of(runs.solid.runs) + bytes_of(runs.least) + bytes_of(runs.walled) +
+    const auto pieces = [](const Pieces& of) { return bytes_of(of.forms) + bytes_of(of.corners); };
+    std::int64_t bytes = bytes_of(runs.solid.runs) + bytes_of(runs.least) + pieces(runs.walled) +
                          bytes_of(runs.cells.cells) + bytes_of(runs.fine_cells.cells);
     for (const OrientationRuns::Widened& wide : runs.widened) {
-        bytes += bytes_of(wide.pieces) + bytes_of(wide.core);
+        bytes += pieces(wide.pieces) + pieces(wide.core);
     }
     return bytes;
 }

@@ -23,14 +23,11 @@ struct OrientationRuns {
     /// A+g in pieces. With s > 1 its voxels of dx / s are not all covered: what lies in voxels of dx that are filled
     /// altogether, the core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
     struct Widened {
-        std::vector<Piece> pieces;
-        VoxelIndex offset;
-        std::vector<Piece> core;
-        VoxelIndex core_offset;
+        Pieces pieces, core;
     };
     std::vector<Widened> widened;  ///< the distinct ones
     std::vector<int> of_class;     ///< into `widened`, for each gap class
-    std::vector<Piece> walled;     ///< A in pieces; none where the tray has no walls of its own
+    Pieces walled;                 ///< A in pieces; none where the tray has no walls of its own
     CellPlan cells;                ///< for the tables of one tray
     CellPlan fine_cells;           ///< none where sums cost little more
 };

@@ -24,38 +24,44 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
     const Runs& runs = orientation.solid;
     SumPlan plan;
     plan.loads.reserve(order.size());
+    plan.batches.reserve(order.size() / kLoadsPerBatch + 1);
     const int longest = range / std::max(1, most);
     const int together = kSumRange / std::max(1, most);  // voxels of a batch
-    int room = 0;                                        // that it can still take
-    std::size_t count = kLoadsPerBatch;
+    SumBatch batch;
+    int room = together;  // that it can still take
+    const auto close_batch = [&] {
+        batch.end = static_cast<std::int32_t>(plan.loads.size());
+        if (batch.end == batch.begin) return;
+        plan.batches.push_back(batch);
+        batch = {batch.end, batch.end};
+        room = together;
+    };
+    const auto add = [&](std::int32_t from, std::int32_t to, int length, std::uint32_t least) {
+        if (length > room || plan.loads.size() - static_cast<std::size_t>(batch.begin) == kLoadsPerBatch) close_batch();
+        const auto part = static_cast<std::uint16_t>(std::min(least, static_cast<std::uint32_t>(range)));
+        plan.loads.push_back({to, from, part});
+        plan.least += part;
+        batch.least = static_cast<std::uint16_t>(batch.least + part);
+        room -= length;
+    };
     for (const std::uint32_t i : order) {
         const Run& run = runs.runs[i];
         VoxelIndex at = run.start;
         std::int32_t from = tables.offset(runs.axis, at);
+        if (run.length <= longest) {
+            add(from, tables.further(runs.axis, at, from, run.length), run.length, orientation.least[i]);
+            continue;
+        }
         for (int left = run.length; left > 0;) {
             const int length = std::min(left, longest);
-            if (length > room || count == kLoadsPerBatch) {
-                const auto begin = static_cast<std::int32_t>(plan.loads.size());
-                plan.batches.push_back({begin, begin});
-                room = together;
-                count = 0;
-            }
             const std::int32_t to = tables.further(runs.axis, at, from, length);
-            // Of a run that is split, no part is known to hold the deep voxels.
-            const std::uint32_t known = length == run.length ? orientation.least[i] : 0;
-            const auto part = static_cast<std::uint16_t>(std::min(known, static_cast<std::uint32_t>(range)));
-            plan.loads.push_back({to, from, part});
-            plan.least += part;
-            SumBatch& batch = plan.batches.back();
-            batch.end = static_cast<std::int32_t>(plan.loads.size());
-            batch.least = static_cast<std::uint16_t>(batch.least + part);
-            room -= length;
-            ++count;
+            add(from, to, length, 0);  // no part is known to hold the deep voxels
             left -= length;
             at[runs.axis] += length;
             from = to;
         }
     }
+    close_batch();
     return plan;
 }
 
