@@ -84,6 +84,16 @@ void tell_turned(Shape& shape, const std::vector<Source>& sources, const std::ve
     }
 }
 
+/// A, from the fine voxels or by a turn.
+std::shared_ptr<const BitGrid> coarse_voxels(const OrientedShape& oriented, const Shape& shape, int detail) {
+    if (detail == 1) return oriented.fine;
+    if (!oriented.is_turned()) {
+        return std::make_shared<const BitGrid>(reached_voxels(*oriented.fine, {}, detail).voxels);
+    }
+    const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
+    return std::make_shared<const BitGrid>(turned(*from.solid, oriented.turn));
+}
+
 }  // namespace
 
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
@@ -118,11 +128,14 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         shape.orientations.push_back(std::move(made));
     }
     tell_turned(shape, sources, rotations, detail);
-    workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
-        OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
-        made.solid =
-            detail == 1 ? made.fine : std::make_shared<const BitGrid>(reached_voxels(*made.fine, {}, detail).voxels);
-    });
+    // What follows by a turn, after what it follows from: by one that reverses an axis first, then by exchanges alone.
+    for (const int turns : {0, 1, 2}) {
+        workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
+            OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
+            if (turns != (made.is_exchanged() ? 2 : made.is_turned() ? 1 : 0)) return;
+            made.solid = coarse_voxels(made, shape, detail);
+        });
+    }
 
     // Widening costs more than all else here, so each root is widened and the others get its grids turned: of the
     // cube's 24 rotations one is a root.

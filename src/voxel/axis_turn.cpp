@@ -54,37 +54,46 @@ void reverse_row(Word* row, std::size_t words, int n) {
 
 }  // namespace
 
-BitGrid permuted(const BitGrid& grid, const AxisOrder& order) {
+BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
     const Extent& n = grid.extent();
+    const AxisOrder& order = turn.order;
     BitGrid result({n[order[0]], n[order[1]], n[order[2]]});
     const Extent& m = result.extent();
+    const auto there = [](bool reversed, int at, int length) { return reversed ? length - 1 - at : at; };
     if (order[0] == 0) {
+        const auto words = static_cast<std::size_t>(grid.words_per_row());
         for (int z = 0; z < m.z; ++z) {
+            const int from_z = there(turn.reversed[2], z, m.z);
             for (int y = 0; y < m.y; ++y) {
-                std::copy_n(source_row(grid, order[1], y, z), grid.words_per_row(), result.row(y, z));
+                Word* row = result.row(y, z);
+                std::copy_n(source_row(grid, order[1], there(turn.reversed[1], y, m.y), from_z), words, row);
+                if (turn.reversed[0]) reverse_row(row, words, m.x);
             }
         }
         return result;
     }
-    // Planes of the source's x and the axis that becomes x, turned over block by block.
+    // Planes of the source's x and the axis that becomes x, turned over block by block; in a row of blocks the source's
+    // rows are taken in the order in which they become bits.
     const int across = order[0], third = 3 - across;
     const bool x_becomes_y = order[1] == 0;
+    const bool x_reversed = turn.reversed[x_becomes_y ? 1 : 2], layers_reversed = turn.reversed[x_becomes_y ? 2 : 1];
     Block block;
     for (int layer = 0; layer < n[third]; ++layer) {
-        for (int from = 0; from < n[across]; from += kSide) {
-            const int rows = std::min(kSide, n[across] - from);
+        const int to_layer = there(layers_reversed, layer, n[third]);
+        for (int to = 0; to < n[across]; to += kSide) {
+            const int rows = std::min(kSide, n[across] - to);
             for (int word = 0; word < grid.words_per_row(); ++word) {
                 const int columns = std::min(kSide, n.x - word * kSide);
                 const auto side = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(rows, columns))));
                 std::fill_n(block.begin(), side, Word{0});
                 for (int i = 0; i < rows; ++i) {
-                    block[i] = source_row(grid, across, from + i, layer)[word];
+                    block[i] = source_row(grid, across, there(turn.reversed[0], to + i, n[across]), layer)[word];
                 }
                 transpose(block, side);
                 for (int i = 0; i < columns; ++i) {
-                    const int x = word * kSide + i;
-                    Word* row = x_becomes_y ? result.row(x, layer) : result.row(layer, x);
-                    row[from / kSide] = block[i];
+                    const int x = there(x_reversed, word * kSide + i, n.x);
+                    Word* row = x_becomes_y ? result.row(x, to_layer) : result.row(to_layer, x);
+                    row[to / kSide] = block[i];
                 }
             }
         }
@@ -114,23 +123,6 @@ std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to) {
         if (equal) return turn;
     } while (std::ranges::next_permutation(turn.order).found);
     return std::nullopt;
-}
-
-BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
-    BitGrid result = permuted(grid, turn.order);
-    const Extent& n = result.extent();
-    const auto words = static_cast<std::size_t>(result.words_per_row());
-    for (int z = 0; z < n.z; ++z) {
-        const int from_z = turn.reversed[2] ? n.z - 1 - z : z;
-        for (int y = 0; y < n.y; ++y) {
-            const int from_y = turn.reversed[1] ? n.y - 1 - y : y;
-            if (z < from_z || (z == from_z && y < from_y)) {
-                std::swap_ranges(result.row(y, z), result.row(y, z) + words, result.row(from_y, from_z));
-            }
-            if (turn.reversed[0]) reverse_row(result.row(y, z), words, n.x);
-        }
-    }
-    return result;
 }
 
 Box turned(const Box& box, const AxisTurn& turn) {

@@ -30,11 +30,8 @@ AxisTurn inverse(const AxisTurn& turn);
 /// row order[i] of `from`, negated where reversed[i].
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
 
-/// The grid whose axis i is axis order[i] of `grid`. O(words), some six steps each where x changes its place.
-BitGrid permuted(const BitGrid& grid, const AxisOrder& order);
-
-/// The grid turned; reversed along an axis, its last voxel there becomes the first. As permuted(), for a turn that
-/// reverses nothing.
+/// The grid turned: its axis i is axis order[i] of `grid`; reversed along an axis, its last voxel there becomes the
+/// first. O(words), some six steps each where x changes its place or is reversed.
 BitGrid turned(const BitGrid& grid, const AxisTurn& turn);
 
 /// Where a box of voxels of a grid with these extents comes to lie as that is turned; it may reach beyond the grid.

@@ -132,9 +132,6 @@ TEST(Turned, MovesEveryVoxel) {
                     }
                 }
             }
-            if (!turn.reverses()) {
-                EXPECT_TRUE(result == permuted(grid, order));
-            }
         }
     }
 }
