@@ -93,16 +93,29 @@ TEST(BitTables, AreDilationsByRunsPlatesAndCubes) {
     RandomStream random(2);
     for (int i = 0; i < 24; ++i) {
         const int s = between(random, 1, 3);
-        const Extent n = random_extent(random, {1, 1, 1}, {90, 12, 10});
+        const Extent n = random_extent(random, {1, 1, 1}, i % 3 == 0 ? Extent{70, 12, 90} : Extent{130, 12, 10});
         const int margin = between(random, 0, 3);
-        const BitGrid occupied = random_bits(random, {s * n.x, s * n.y, s * n.z}, 60);
-        const SplitVoxels split_up = split(occupied, {}, s);
+        BitGrid occupied = random_bits(random, {s * n.x, s * n.y, s * n.z}, 60);
         BitTables tables({n, margin, s, 2, 0});
-        std::vector<const BitGrid*> parts;
-        for (const BitGrid& part : split_up.parts) {
-            parts.push_back(&part);
+        const auto refresh = [&](const VoxelBox& changed) {
+            const SplitVoxels split_up = split(occupied, {}, s);
+            std::vector<const BitGrid*> parts;
+            for (const BitGrid& part : split_up.parts) {
+                parts.push_back(&part);
+            }
+            tables.refresh(1, parts, changed);
+        };
+        refresh(whole(n));
+        VoxelBox box;
+        for (int a = 0; a < 3; ++a) {
+            box.lo[a] = between(random, 0, n[a] - 1);
+            box.hi[a] = between(random, box.lo[a] + 1, n[a]);
         }
-        tables.refresh(1, parts, whole(n));
+        const VoxelIndex size = box.hi - box.lo;
+        for_each_voxel({s * size.x, s * size.y, s * size.z}, [&](int x, int y, int z) {
+            occupied.set(s * box.lo.x + x, s * box.lo.y + y, s * box.lo.z + z, one_in(random, 90));
+        });
+        refresh(box);
         for (int question = 0; question < 1000; ++question) {
             const Form form = random_form(random, BitTables::forms_for(s));
             VoxelIndex at;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "voxel/bit_grid.hpp"
-#include "voxel/voxel_box.hpp"
 
 namespace spectralpack {
 
@@ -24,13 +23,6 @@ struct Runs {
     std::vector<Run> runs;
     std::int64_t voxels = 0;
 };
-
-/// The voxels of a run along `axis`.
-inline VoxelBox box_of(const Run& run, int axis) {
-    VoxelBox box{run.start, run.start + VoxelIndex{1, 1, 1}};
-    box.hi[axis] = run.start[axis] + run.length;
-    return box;
-}
 
 /// Number of maximal runs along each axis; O(words).
 std::vector<std::int64_t> count_runs(const BitGrid& bits);
