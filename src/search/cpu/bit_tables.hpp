@@ -28,7 +28,11 @@ class BitTables : public BitLayout {
     /// True when all tables are the same.
     bool operator==(const BitTables& other) const;
     std::int64_t bytes() const {
-        return static_cast<std::int64_t>((words_.size() + spare_[0].size() + spare_[1].size()) * sizeof(Word));
+        std::size_t words = words_.size();
+        for (const std::vector<Word>& spare : spare_) {
+            words += spare.size();
+        }
+        return static_cast<std::int64_t>(words * sizeof(Word));
     }
 
     /// The tile of positions (64 bx .. 64 bx + 63, y .. y + 7, z); displacements are added to it as

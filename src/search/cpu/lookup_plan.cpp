@@ -70,7 +70,8 @@ std::size_t pieces_in(std::span<const Lot> lots) {
     return count;
 }
 
-/// Of all pieces; those of one rank as for_each_spread() has them.
+/// Of all pieces; those of one rank as for_each_spread() has them. They are worked out in the order in which they lie
+/// and dealt out afterwards, which takes less for each than to look for them in their lots, as first_places() does.
 Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
     Places places;
     places.all.reserve(pieces_in(lots));

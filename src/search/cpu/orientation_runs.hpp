@@ -22,6 +22,7 @@ struct OrientationRuns {
     std::vector<std::uint32_t> least;
     /// A+g in pieces. With s > 1 its voxels of dx / s are not all covered: what lies in voxels of dx that are filled
     /// altogether, the core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
+    /// Corners are displacements from a position, in voxels of dx / s and, of the core, of dx.
     struct Widened {
         Pieces pieces, core;
     };
