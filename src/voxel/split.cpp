@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <span>
 
 namespace spectralpack {
 namespace {
@@ -29,7 +30,7 @@ Layout layout_of(const Extent& fine, const VoxelIndex& at, int detail) {
 enum class Rule { some, every };
 
 /// 64 bits of a row from bit `first` on, 0 outside the row; first > -64.
-Word bits_at(const std::vector<Word>& row, int first) {
+Word bits_at(std::span<const Word> row, int first) {
     if (first < 0) return row[0] << -first;
     const auto w = static_cast<std::size_t>(first / kWordBits);
     const int shift = first % kWordBits;
@@ -46,6 +47,26 @@ Word every_second(Word bits) {
     bits = (bits | bits >> 4) & 0x00FF00FF00FF00FFu;
     bits = (bits | bits >> 8) & 0x0000FFFF0000FFFFu;
     return (bits | bits >> 16) & 0x00000000FFFFFFFFu;
+}
+
+/// Voxel detail * i + p - rest of a row becomes voxel i of part_row(p); i < count.
+template <class PartRow>
+void deal_out(std::span<const Word> row, int rest, int count, int detail, const PartRow& part_row) {
+    if (detail == 2) {  // as nearly always: half a word at once
+        for (int p = 0; p < 2; ++p) {
+            Word* to = part_row(p);
+            for (int x = 0; x < count; x += kWordBits / 2) {
+                to[x / kWordBits] |= every_second(bits_at(row, 2 * x + p - rest)) << (x % kWordBits);
+            }
+        }
+        return;
+    }
+    for (std::size_t w = 0; w < row.size(); ++w) {
+        for (Word bits = row[w]; bits != 0; bits &= bits - 1) {
+            const int x = kWordBits * static_cast<int>(w) + std::countr_zero(bits) + rest;
+            part_row(x % detail)[x / detail / kWordBits] |= Word{1} << (x / detail % kWordBits);
+        }
+    }
 }
 
 /// The coarse voxels of which some or every fine voxel is set.
@@ -96,14 +117,10 @@ SplitVoxels split(const BitGrid& fine, const VoxelIndex& at, int detail) {
         for (int y = 0; y < fine.extent().y; ++y) {
             const int fy = y + layout.rest.y, fz = z + layout.rest.z;
             const int first = (fz % detail * detail + fy % detail) * detail;
-            const Word* row = fine.row(y, z);
-            for (int w = 0; w < fine.words_per_row(); ++w) {
-                for (Word bits = row[w]; bits != 0; bits &= bits - 1) {
-                    const int fx = kWordBits * w + std::countr_zero(bits) + layout.rest.x;
-                    result.parts[static_cast<std::size_t>(first + fx % detail)].set(fx / detail, fy / detail,
-                                                                                    fz / detail);
-                }
-            }
+            const std::span row(fine.row(y, z), static_cast<std::size_t>(fine.words_per_row()));
+            deal_out(row, layout.rest.x, layout.extent.x, detail, [&](int part) {
+                return result.parts[static_cast<std::size_t>(first + part)].row(fy / detail, fz / detail);
+            });
         }
     }
     return result;
