@@ -5,6 +5,7 @@
 
 #include "search/cpu/cpu_search.hpp"
 #include "search/random_scene.hpp"
+#include "support/trials.hpp"
 
 namespace spectralpack::test {
 
@@ -14,7 +15,7 @@ void expect_the_best_of_the_admitted(const SceneLimits& limits, std::uint64_t sc
     const auto engine = make_cpu_search({}, Workers(2));
     Search search(*engine);
     int differs = 0, answers = 0;
-    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+    for (std::uint64_t seed = 0; seed < trials(scenes); ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
         Scene scene = random_scene(random, limits, 1 + 100 * seed);
@@ -32,8 +33,8 @@ void expect_the_best_of_the_admitted(const SceneLimits& limits, std::uint64_t sc
             if (one_in(random, 6)) search.forget();
         }
     }
-    EXPECT_GT(answers, 100);
-    EXPECT_GT(differs, 10) << "scenes in which it matters";
+    EXPECT_GT(answers, trials(100));
+    EXPECT_GT(differs, trials(10)) << "scenes in which it matters";
 }
 
 }  // namespace spectralpack::test

@@ -4,6 +4,7 @@
 
 #include "reference.hpp"
 #include "scenes.hpp"
+#include "support/trials.hpp"
 #include "verify/triangle_sweep.hpp"
 
 namespace spectralpack::test {
@@ -140,7 +141,7 @@ TEST(Sweep, ALooseRingComesOffItsPinOneWayOnly) {
 TEST(Sweep, AgreesWithFineStepsOnLatticeBlocks) {
     RandomStream random(5);
     int met = 0;
-    const int rounds = 150;
+    const int rounds = trials(150);
     for (int round = 0; round < rounds; ++round) {
         const Mesh a = block_mesh(random_cells(random, {2, 3, 2}, 0.6), random.unit() < 0.5);
         const Mesh b = shifted(block_mesh(random_cells(random, {3, 2, 3}, 0.6), random.unit() < 0.5),

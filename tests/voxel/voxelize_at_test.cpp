@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "support/trials.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -14,7 +15,7 @@ namespace {
 const Workers kOne(1);
 
 TEST(VoxelizeAt, IsThePlainDefinitionSeenFromTheGrid) {
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::trials(300u); ++seed) {
         test::RandomMesh random(seed);
         const Mesh mesh = seed % 4 ? random.closed() : random.soup();
         const double voxel_size = random.within(0.4, 1.5);

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "support/trials.hpp"
 
 namespace spectralpack {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using test::box_mesh;
 using test::merged;
 using test::RandomMesh;
+using test::trials;
 
 const Workers kOne(1);
 
@@ -148,7 +150,7 @@ TEST(Voxelize, WhatAnOpenMeshEnclosesIsFilled) {
 }
 
 TEST(Voxelize, OfClosedMeshesIsThePlainDefinition) {
-    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    for (std::uint64_t seed = 0; seed < trials(100u); ++seed) {
         RandomMesh random(seed);
         const Mesh mesh = random.closed();
         const double voxel_size = random.below(2) == 0 ? 1 : random.within(0.4, 1.5);
@@ -157,7 +159,7 @@ TEST(Voxelize, OfClosedMeshesIsThePlainDefinition) {
 }
 
 TEST(Voxelize, OfLooseTrianglesIsThePlainDefinition) {
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (std::uint64_t seed = 0; seed < trials(500u); ++seed) {
         RandomMesh random(seed);
         const Mesh mesh = random.soup();
         const double voxel_size = random.within(0.3, 2);
