@@ -6,6 +6,7 @@
 
 #include "cli/program.hpp"
 #include "formats/csv.hpp"
+#include "support/sanitized.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -55,6 +56,7 @@ class Bench : public testing::Test {
 };
 
 TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
+    if (kSanitized) GTEST_SKIP() << "many whole runs; other tests of bench run with sanitizers";
     const Ran ran = bench("order");
     ASSERT_EQ(ran.status, 0) << ran.err;
     const auto all = rows("order");
@@ -90,6 +92,7 @@ TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
 }
 
 TEST_F(Bench, WhatWasRunIsNotRunAgain) {
+    if (kSanitized) GTEST_SKIP() << "many whole runs; other tests of bench run with sanitizers";
     const std::vector<std::string> options{"--threads", "1"};
     const Ran cut = bench("4", options, "run 4 of 6");  // three sets, twice each
     EXPECT_EQ(cut.status, 130) << cut.err;
@@ -165,6 +168,7 @@ TEST_F(Bench, ToriOnAWideBaseStandWholeHoweverTheyAreKeptFromLocking) {
 }
 
 TEST_F(Bench, LettersAndToriRun) {
+    if (kSanitized) GTEST_SKIP() << "many whole runs; other tests of bench run with sanitizers";
     const Ran letters = bench("letters");
     EXPECT_EQ(letters.status, 0) << letters.err;
     EXPECT_EQ(rows("letters").size(), 1u) << "one letter, no fixed set";
@@ -174,6 +178,7 @@ TEST_F(Bench, LettersAndToriRun) {
 }
 
 TEST_F(Bench, PolyhedraOfEightyAndSeventySevenAtTwoVoxelSizes) {
+    if (kSanitized) GTEST_SKIP() << "many whole runs; other tests of bench run with sanitizers";
     const Ran ran = bench("polyhedra");
     ASSERT_EQ(ran.status, 0) << ran.err;
     const auto all = rows("polyhedra");

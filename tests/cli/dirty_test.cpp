@@ -4,6 +4,7 @@
 
 #include "cli/program.hpp"
 #include "formats/csv.hpp"
+#include "support/sanitized.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -11,11 +12,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-#ifdef SPECTRALPACK_SANITIZED
-constexpr Limits kLimits{0, 40, 200};  // shadow memory takes terabytes of address space
-#else
-constexpr Limits kLimits{rlim_t{1} << 30, 10, 100};  // two threads for five seconds
-#endif
+// Two threads for five seconds; or, where shadow memory takes terabytes of address space, no bound on that.
+constexpr Limits kLimits = kSanitized ? Limits{0, 40, 200} : Limits{rlim_t{1} << 30, 10, 100};
 
 struct Row {
     std::string file, expect, what, volume;

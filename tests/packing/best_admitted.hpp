@@ -5,7 +5,7 @@
 
 #include "search/cpu/cpu_search.hpp"
 #include "search/random_scene.hpp"
-#include "support/trials.hpp"
+#include "support/sanitized.hpp"
 
 namespace spectralpack::test {
 

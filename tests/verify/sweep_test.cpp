@@ -4,7 +4,7 @@
 
 #include "reference.hpp"
 #include "scenes.hpp"
-#include "support/trials.hpp"
+#include "support/sanitized.hpp"
 #include "verify/triangle_sweep.hpp"
 
 namespace spectralpack::test {

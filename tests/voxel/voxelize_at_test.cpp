@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
-#include "support/trials.hpp"
+#include "support/sanitized.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {

@@ -5,7 +5,7 @@
 #include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
-#include "support/trials.hpp"
+#include "support/sanitized.hpp"
 
 namespace spectralpack {
 namespace {
