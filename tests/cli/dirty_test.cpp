@@ -12,7 +12,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-// Two threads for five seconds; or, where shadow memory takes terabytes of address space, no bound on that.
+// A gigabyte, and two threads for five seconds. With sanitizers more, and no bound on memory: theirs takes terabytes of
+// address space.
 constexpr Limits kLimits = kSanitized ? Limits{0, 40, 200} : Limits{rlim_t{1} << 30, 10, 100};
 
 struct Row {
