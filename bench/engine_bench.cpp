@@ -54,7 +54,7 @@ Shape shape_of(const BitGrid& solid) {
     Shape shape;
     shape.id = 1;
     const auto voxels = std::make_shared<const BitGrid>(solid);
-    const auto widened = std::make_shared<const WidenedVoxels>(WidenedVoxels{solid, {}});
+    const WidenedVoxels widened{voxels, {}};
     shape.orientations.push_back({0, {2.0 * e.x, 2.0 * e.y, 2.0 * e.z}, {}, voxels, {widened}});
     return shape;
 }

@@ -35,16 +35,16 @@ class GpuPlainSearch final : public PlacementSearch {
         version_ = tray.version();
         std::vector<GpuOrientation> orientations;
         for (const OrientedShape& oriented : shape.orientations) {
-            const WidenedVoxels& wide = *oriented.widened.front();
+            const WidenedVoxels& wide = oriented.widened.front();
             const Extent count = tray.candidates(oriented.reach);
             for (int axis = 0; axis < 3; ++axis) {
-                const int beyond = std::max(-wide.offset[axis], wide.voxels.extent()[axis] + wide.offset[axis] -
-                                                                    oriented.solid->extent()[axis]);
+                const int beyond = std::max(
+                    -wide.offset[axis], wide.voxels.extent()[axis] + wide.offset[axis] - oriented.solid.extent()[axis]);
                 if (beyond > kOverhang) throw UsageError("the gap is too wide for the GPU's plain method");
             }
             orientations.push_back({voxels(*oriented.solid, {}),
-                                    voxels(wide.voxels, wide.offset),
-                                    wide.offset == VoxelIndex{} && wide.voxels == *oriented.solid,
+                                    voxels(*wide.voxels, wide.offset),
+                                    wide.offset == VoxelIndex{} && *wide.voxels == *oriented.solid,
                                     {count.x, count.y, count.z}});
         }
         std::vector<double> penalties;

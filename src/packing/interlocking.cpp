@@ -65,8 +65,8 @@ constexpr int kPlacesTried = 4;
 
 /// Whether a copy's boxes there have their centres less than half a box apart along every axis: in the same hole.
 bool near(const Shape& shape, const Place& a, const Place& b) {
-    const Extent& at_a = shape.orientations[static_cast<std::size_t>(a.index)].solid->extent();
-    const Extent& at_b = shape.orientations[static_cast<std::size_t>(b.index)].solid->extent();
+    const Extent& at_a = shape.orientations[static_cast<std::size_t>(a.index)].solid.extent();
+    const Extent& at_b = shape.orientations[static_cast<std::size_t>(b.index)].solid.extent();
     for (int axis = 0; axis < 3; ++axis) {
         const int twice = 2 * (a.position[axis] - b.position[axis]) + at_a[axis] - at_b[axis];
         if (std::abs(twice) >= std::min(at_a[axis], at_b[axis])) return false;

@@ -9,7 +9,7 @@ namespace {
 int most_layers(const Shape& shape) {
     int most = 0;
     for (const OrientedShape& oriented : shape.orientations) {
-        most = std::max(most, oriented.solid->extent().z);
+        most = std::max(most, oriented.solid.extent().z);
     }
     return most;
 }
@@ -19,7 +19,7 @@ int overhang_below(const Shape& shape, int detail) {
     int most = 0;
     for (const OrientedShape& oriented : shape.orientations) {
         for (const auto& wide : oriented.widened) {
-            most = std::max(most, ceil_div(-wide->offset.z, detail));
+            most = std::max(most, ceil_div(-wide.offset.z, detail));
         }
     }
     return most;
@@ -31,7 +31,7 @@ bool holds_in_any_grid(const Tray& tray, const Shape& shape, const CostModel& mo
     const int layers = tray.extent().z;
     if (model.height_at == HeightAt::top) {
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best.index)];
-        return best.position.z + oriented.solid->extent().z < layers;
+        return best.position.z + oriented.solid.extent().z < layers;
     }
     const int unseen = std::max(0, layers - most_layers(shape) + 1);
     return best.cost.primary < height_penalty_at(model, unseen, tray.reference_layers());

@@ -83,7 +83,7 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     for (std::size_t i = 0; i < known.size(); ++i) {
         const OrientedShape& oriented = shape.orientations[i];
         if (tray.candidates(oriented.reach).empty()) continue;
-        const std::shared_ptr<const BitGrid>& solid = s == 1 ? oriented.solid : oriented.fine;
+        const std::shared_ptr<const BitGrid> solid = (s == 1 ? oriented.solid : oriented.fine).share();
         read(solid, known[i].of_solid);
         auto sample = std::make_shared<const BitGrid>(row_sample(*solid, rows_along_));
         if (*sample != *solid) read(std::move(sample), known[i].of_sample);

@@ -13,10 +13,11 @@ constexpr std::size_t kOrientationsAhead = 768;  // made at a time
 std::int64_t bytes_of(const Shape& shape) {
     std::int64_t bytes = 0;
     for (const OrientedShape& oriented : shape.orientations) {
-        bytes += oriented.solid->bytes();
-        if (oriented.fine && oriented.fine != oriented.solid) bytes += oriented.fine->bytes();
+        bytes += oriented.solid.bytes();
+        if (oriented.fine != oriented.solid) bytes += oriented.fine.bytes();
         for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
-            if (c == 0 || oriented.widened[c] != oriented.widened[c - 1]) bytes += oriented.widened[c]->voxels.bytes();
+            const LazyGrid& wide = oriented.widened[c].voxels;
+            if (wide != (c == 0 ? oriented.fine : oriented.widened[c - 1].voxels)) bytes += wide.bytes();
         }
     }
     return bytes;

@@ -10,7 +10,12 @@ Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double vox
     }
     const VoxelIndex& q = best.position;
     return {corner - oriented.corner,
-            {oriented.solid, q, shape.gap_class, false, oriented.fine, {detail * q.x, detail * q.y, detail * q.z}}};
+            {oriented.solid.share(),
+             q,
+             shape.gap_class,
+             false,
+             oriented.fine.share(),
+             {detail * q.x, detail * q.y, detail * q.z}}};
 }
 
 }  // namespace spectralpack

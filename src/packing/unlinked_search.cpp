@@ -92,7 +92,7 @@ class UnlinkedSearch::Asking {
         const std::lock_guard lock(moving.mutex);
         if (!moving.sample) {
             const OrientedShape& oriented = shape_.orientations[static_cast<std::size_t>(index)];
-            const BitGrid& solid = *(tray_.detail() == 1 ? oriented.solid : oriented.fine);
+            const BitGrid& solid = tray_.detail() == 1 ? *oriented.solid : *oriented.fine;
             moving.sample = std::make_shared<const BitGrid>(link_sample(solid));
             moving.in_cells = std::make_shared<const BitGrid>(sample_in_cells(*moving.sample));
             moving.outlines = std::make_shared<const Outlines>(solid);

@@ -11,19 +11,44 @@
 namespace spectralpack {
 namespace {
 
-using Widened = std::vector<std::shared_ptr<const WidenedVoxels>>;  ///< one for each gap class
+using Widened = std::vector<WidenedVoxels>;  ///< one for each gap class
 
 constexpr double kSameReach = 1e-6;  ///< mm: what reaches as far but for this has the same candidates
 
-bool same(const OrientedVoxels& a, const OrientedVoxels& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(a.reach[axis] - b.reach[axis]) > kSameReach) return false;
+/// By what turns each grid that others are turned from comes to be the same again; each is tried once.
+class Symmetries {
+  public:
+    explicit Symmetries(const std::vector<OrientedVoxels>& voxels) : voxels_(voxels), told_(voxels.size()) {}
+
+    bool have(std::size_t origin, const AxisTurn& turn) {
+        std::vector<Told>& told = told_[origin];
+        const auto known = std::ranges::find(told, turn, &Told::turn);
+        if (known != told.end()) return known->symmetric;
+        told.push_back({turn, is_symmetric(*voxels_[origin].solid, turn)});
+        return told.back().symmetric;
     }
-    return a.solid == b.solid;
-}
+
+  private:
+    struct Told {
+        AxisTurn turn;
+        bool symmetric;
+    };
+    const std::vector<OrientedVoxels>& voxels_;
+    std::vector<std::vector<Told>> told_;
+};
 
 /// The first of each set of equal orientations.
 std::vector<std::size_t> distinct_orientations(const std::vector<OrientedVoxels>& voxels) {
+    Symmetries symmetries(voxels);
+    const auto same = [&](const OrientedVoxels& a, const OrientedVoxels& b) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(a.reach[axis] - b.reach[axis]) > kSameReach) return false;
+        }
+        if (a.solid.extent() != b.solid.extent()) return false;
+        // Of one origin, no voxels need be turned to tell.
+        if (a.origin == b.origin) return symmetries.have(a.origin, chained(b.turn, inverse(a.turn)));
+        return *a.solid == *b.solid;
+    };
     std::vector<std::size_t> distinct;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
         const bool seen =
@@ -39,9 +64,7 @@ Widened for_each_gap(double own_gap, const std::vector<double>& gap_classes, con
     Widened widened;
     for (std::size_t c = 0; c < gap_classes.size(); ++c) {
         const bool as_before = c > 0 && gap_classes[c] <= own_gap;  // both ask for the own gap
-        widened.push_back(as_before
-                              ? widened.back()
-                              : std::make_shared<const WidenedVoxels>(make(c, std::max(own_gap, gap_classes[c]))));
+        widened.push_back(as_before ? widened.back() : make(c, std::max(own_gap, gap_classes[c])));
     }
     return widened;
 }
@@ -72,7 +95,7 @@ void tell_turned(Shape& shape, const std::vector<Source>& sources, const std::ve
                 const std::optional<AxisTurn> turn =
                     axis_turn(rotations[static_cast<std::size_t>(from.orientation)], rotation);
                 if (!turn || turn->reverses() != reversing) continue;
-                if (!keeps_coarse_voxels(*turn, from.fine->extent(), detail)) continue;
+                if (!keeps_coarse_voxels(*turn, from.fine.extent(), detail)) continue;
                 oriented.turned_from = static_cast<int>(first);
                 oriented.turn = *turn;
                 return;
@@ -84,14 +107,26 @@ void tell_turned(Shape& shape, const std::vector<Source>& sources, const std::ve
     }
 }
 
-/// A, from the fine voxels or by a turn.
-std::shared_ptr<const BitGrid> coarse_voxels(const OrientedShape& oriented, const Shape& shape, int detail) {
-    if (detail == 1) return oriented.fine;
-    if (!oriented.is_turned()) {
-        return std::make_shared<const BitGrid>(reached_voxels(*oriented.fine, {}, detail).voxels);
+/// A of each orientation, from its fine voxels or by a turn.
+void add_coarse_voxels(Shape& shape, int detail, const Workers& workers) {
+    std::vector<OrientedShape>& all = shape.orientations;
+    if (detail == 1) {
+        for (OrientedShape& oriented : all) {
+            oriented.solid = oriented.fine;
+        }
+        return;
     }
-    const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
-    return std::make_shared<const BitGrid>(turned(*from.solid, oriented.turn));
+    workers.for_each(std::ssize(all), [&](std::int64_t i) {
+        OrientedShape& oriented = all[static_cast<std::size_t>(i)];
+        if (!oriented.is_turned()) oriented.solid = LazyGrid(reached_voxels(*oriented.fine, {}, detail).voxels);
+    });
+    // What is reversed before what is only exchanged, which may follow from it.
+    for (const bool exchanged : {false, true}) {
+        for (OrientedShape& oriented : all) {
+            if (!oriented.is_turned() || oriented.is_exchanged() != exchanged) continue;
+            oriented.solid = turned(all[static_cast<std::size_t>(oriented.turned_from)].solid, oriented.turn);
+        }
+    }
 }
 
 }  // namespace
@@ -119,23 +154,10 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         }
         if (!source) roots.push_back(sources.size());
         sources.push_back(source.value_or(Source{sources.size(), {}}));
-        OrientedShape made{static_cast<int>(i),
-                           voxels[i].reach,
-                           voxels[i].corner,
-                           nullptr,
-                           {},
-                           std::make_shared<const BitGrid>(std::move(voxels[i].solid))};
-        shape.orientations.push_back(std::move(made));
+        shape.orientations.push_back({static_cast<int>(i), voxels[i].reach, voxels[i].corner, {}, {}, voxels[i].solid});
     }
     tell_turned(shape, sources, rotations, detail);
-    // What follows by a turn, after what it follows from: by one that reverses an axis first, then by exchanges alone.
-    for (const int turns : {0, 1, 2}) {
-        workers.for_each(static_cast<std::int64_t>(shape.orientations.size()), [&](std::int64_t i) {
-            OrientedShape& made = shape.orientations[static_cast<std::size_t>(i)];
-            if (turns != (made.is_exchanged() ? 2 : made.is_turned() ? 1 : 0)) return;
-            made.solid = coarse_voxels(made, shape, detail);
-        });
-    }
+    add_coarse_voxels(shape, detail, workers);
 
     // Widening costs more than all else here, so each root is widened and the others get its grids turned: of the
     // cube's 24 rotations one is a root.
@@ -145,17 +167,16 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         const Mesh turned_mesh = transformed(mesh, {rotation, {}});
         root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
             return wanted > 0 ? widen(*root.fine, turned_mesh, root.corner, fine_size, wanted, workers)
-                              : WidenedVoxels{*root.fine, {}};
+                              : WidenedVoxels{root.fine, {}};
         });
     });
-    workers.for_each(static_cast<std::int64_t>(sources.size()), [&](std::int64_t k) {
-        const auto i = static_cast<std::size_t>(k);
-        if (sources[i].root == i) return;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i].root == i) continue;
         const OrientedShape& root = shape.orientations[sources[i].root];
         shape.orientations[i].widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double) {
-            return turned(*root.widened[c], root.fine->extent(), sources[i].turn);
+            return turned(root.widened[c], root.fine.extent(), sources[i].turn);
         });
-    });
+    }
     return shape;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// What the placement search sees of a part: its voxels in each distinct orientation. Immutable
-/// once made and shared by all copies of the part.
+/// once made (but for voxels that are turned when asked for) and shared by all copies of the part.
 
 #include <cstdint>
 #include <functional>
@@ -15,17 +15,17 @@
 namespace spectralpack {
 
 struct OrientedShape {
-    int orientation = 0;                   ///< index in the job's orientation set
-    Vec3 reach;                            ///< from the corner to the box maximum, mm: decides the candidates
-    Vec3 corner;                           ///< of voxel (0,0,0), in the turned mesh's coordinates, mm
-    std::shared_ptr<const BitGrid> solid;  ///< A
+    int orientation = 0;  ///< index in the job's orientation set
+    Vec3 reach;           ///< from the corner to the box maximum, mm: decides the candidates
+    Vec3 corner;          ///< of voxel (0,0,0), in the turned mesh's coordinates, mm
+    LazyGrid solid;       ///< A
     /// A+g, in voxels of dx / s, against the objects of each gap class of the tray, where g = max(own
     /// gap, the class's gap); for g = 0 the unwidened voxels with offset 0. One per class, in the
     /// tray's order; equal g share one grid.
-    std::vector<std::shared_ptr<const WidenedVoxels>> widened;
+    std::vector<WidenedVoxels> widened;
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.
-    std::shared_ptr<const BitGrid> fine{};
+    LazyGrid fine{};
     /// All voxels here, those of dx and finer ones, are those of orientation `turned_from` of the shape turned like
     /// that; -1: of none that comes before. Where the turn reverses an axis, that one follows from none; where it only
     /// exchanges axes, from none or by a turn that reverses one.

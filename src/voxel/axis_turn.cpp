@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <vector>
 
 namespace spectralpack {
 namespace {
@@ -28,6 +29,15 @@ void transpose(Block& block, int side) {
 /// The source's row at these coordinates along the axes other than x.
 const Word* source_row(const BitGrid& grid, int axis, int at, int other) {
     return axis == 1 ? grid.row(at, other) : grid.row(other, at);
+}
+
+int there(bool reversed, int at, int length) { return reversed ? length - 1 - at : at; }
+
+/// The source's row that comes to lie at (y, z), if perhaps reversed, by a turn that keeps x.
+const Word* row_turned_to(const BitGrid& grid, const AxisTurn& turn, int y, int z) {
+    const Extent& n = grid.extent();
+    return source_row(grid, turn.order[1], there(turn.reversed[1], y, n[turn.order[1]]),
+                      there(turn.reversed[2], z, n[turn.order[2]]));
 }
 
 /// Bit 63 becomes bit 0 (Hacker's Delight, section 7-1).
@@ -59,14 +69,12 @@ BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
     const AxisOrder& order = turn.order;
     BitGrid result({n[order[0]], n[order[1]], n[order[2]]});
     const Extent& m = result.extent();
-    const auto there = [](bool reversed, int at, int length) { return reversed ? length - 1 - at : at; };
     if (order[0] == 0) {
         const auto words = static_cast<std::size_t>(grid.words_per_row());
         for (int z = 0; z < m.z; ++z) {
-            const int from_z = there(turn.reversed[2], z, m.z);
             for (int y = 0; y < m.y; ++y) {
                 Word* row = result.row(y, z);
-                std::copy_n(source_row(grid, order[1], there(turn.reversed[1], y, m.y), from_z), words, row);
+                std::copy_n(row_turned_to(grid, turn, y, z), words, row);
                 if (turn.reversed[0]) reverse_row(row, words, m.x);
             }
         }
@@ -101,6 +109,22 @@ BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
     return result;
 }
 
+bool is_symmetric(const BitGrid& grid, const AxisTurn& turn) {
+    const Extent& n = grid.extent();
+    if (turned(n, turn) != n) return false;
+    if (turn.order[0] != 0) return turned(grid, turn) == grid;
+    const auto words = static_cast<std::size_t>(grid.words_per_row());
+    std::vector<Word> row(words);
+    for (int z = 0; z < n.z; ++z) {
+        for (int y = 0; y < n.y; ++y) {
+            std::copy_n(row_turned_to(grid, turn, y, z), words, row.data());
+            if (turn.reversed[0]) reverse_row(row.data(), words, n.x);
+            if (!std::equal(row.begin(), row.end(), grid.row(y, z))) return false;
+        }
+    }
+    return true;
+}
+
 AxisTurn inverse(const AxisTurn& turn) {
     AxisTurn back;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -109,6 +133,16 @@ AxisTurn inverse(const AxisTurn& turn) {
         back.reversed[from] = turn.reversed[axis];
     }
     return back;
+}
+
+AxisTurn chained(const AxisTurn& first, const AxisTurn& second) {
+    AxisTurn both;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto between = static_cast<std::size_t>(second.order[axis]);
+        both.order[axis] = first.order[between];
+        both.reversed[axis] = first.reversed[between] != second.reversed[axis];
+    }
+    return both;
 }
 
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to) {

@@ -26,6 +26,9 @@ struct AxisTurn {
 /// The turn that leads back.
 AxisTurn inverse(const AxisTurn& turn);
 
+/// `first`, then `second`.
+AxisTurn chained(const AxisTurn& first, const AxisTurn& second);
+
 /// The turn by which rotation `to` follows from rotation `from`, to the last bit, where there is one: row i of `to` is
 /// row order[i] of `from`, negated where reversed[i].
 std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
@@ -33,6 +36,13 @@ std::optional<AxisTurn> axis_turn(const Mat3& from, const Mat3& to);
 /// The grid turned: its axis i is axis order[i] of `grid`; reversed along an axis, its last voxel there becomes the
 /// first. O(words), some six steps each where x changes its place or is reversed.
 BitGrid turned(const BitGrid& grid, const AxisTurn& turn);
+
+/// True if turned() gives back the grid. O(words), but as a rule it ends at the first rows that differ.
+bool is_symmetric(const BitGrid& grid, const AxisTurn& turn);
+
+inline Extent turned(const Extent& grid, const AxisTurn& turn) {
+    return {grid[turn.order[0]], grid[turn.order[1]], grid[turn.order[2]]};
+}
 
 /// Where a box of voxels of a grid with these extents comes to lie as that is turned; it may reach beyond the grid.
 inline VoxelBox turned(const VoxelBox& box, const AxisTurn& turn, const Extent& grid) {

@@ -129,7 +129,6 @@ std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::v
         result[i].reach = box.size() + in;
         return in == inset(box.size(), voxel_size);
     };
-    std::vector<AxisTurn> turns(rotations.size());
     std::vector<Box> boxes(rotations.size());
     std::vector<std::size_t> origins;  // whose voxels others may have
     std::vector<std::size_t> own;      // whose voxels are made from the mesh
@@ -142,7 +141,7 @@ std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::v
         boxes[i] = turn ? turned(boxes[result[i].origin], *turn) : bounding_box(transformed(mesh, {rotations[i], {}}));
         const bool in_the_middle = stand(i, boxes[i]);
         if (turn && in_the_middle) {
-            turns[i] = *turn;
+            result[i].turn = *turn;
             continue;
         }
         result[i].origin = i;
@@ -152,12 +151,11 @@ std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::v
     workers.for_each(static_cast<std::int64_t>(own.size()), [&](std::int64_t k) {
         const std::size_t i = own[static_cast<std::size_t>(k)];
         const Mesh one = transformed(mesh, {rotations[i], {}});
-        result[i].solid = voxels_of(one, boxes[i], result[i].corner, closed, voxel_size, workers);
+        result[i].solid = LazyGrid(voxels_of(one, boxes[i], result[i].corner, closed, voxel_size, workers));
     });
-    workers.for_each(static_cast<std::int64_t>(rotations.size()), [&](std::int64_t k) {
-        const auto i = static_cast<std::size_t>(k);
-        if (result[i].origin != i) result[i].solid = turned(result[result[i].origin].solid, turns[i]);
-    });
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        if (result[i].origin != i) result[i].solid = turned(result[result[i].origin].solid, result[i].turn);
+    }
     return result;
 }
 

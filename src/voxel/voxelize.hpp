@@ -18,6 +18,7 @@
 #include "core/parallel.hpp"
 #include "geometry/mesh.hpp"
 #include "voxel/bit_grid.hpp"
+#include "voxel/lazy_grid.hpp"
 
 namespace spectralpack {
 
@@ -54,16 +55,17 @@ inline constexpr Vec3 kAnyRoom{Box::kInfinity, Box::kInfinity, Box::kInfinity};
 
 /// A mesh in one orientation.
 struct OrientedVoxels {
-    BitGrid solid;
+    LazyGrid solid;
     Vec3 corner;  ///< of voxel (0,0,0), in the turned mesh's coordinates: position q moves it by q * dx - corner
     Vec3 reach;   ///< from there to the turned mesh's box maximum, mm
-    std::size_t origin = 0;  ///< of the rotation that was voxelised; the voxels follow from its by axis_turn()
+    std::size_t origin = 0;  ///< the rotation that was voxelised and whose voxels these are, turned:
+    AxisTurn turn;
 };
 
 /// The voxels for every rotation, in their order. Of rotations that differ by an axis_turn() the first is voxelised,
-/// and its voxels are turned for the others: one of the cube's 24 rotations, 14 of the 208 in steps of 45 degrees. But
-/// where the inset keeps a turned mesh out of `room`, mm, into which its box fits, it is voxelised by itself, with the
-/// box minimum on the corner along those axes.
+/// and its voxels are turned for the others once they are asked for: one of the cube's 24 rotations, 14 of the 208 in
+/// steps of 45 degrees. But where the inset keeps a turned mesh out of `room`, mm, into which its box fits, it is
+/// voxelised by itself, with the box minimum on the corner along those axes.
 std::vector<OrientedVoxels> voxelize_orientations(const Mesh& mesh, const std::vector<Mat3>& rotations,
                                                   double voxel_size, const Workers& workers,
                                                   const Vec3& room = kAnyRoom);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "voxel/grid_mesh.hpp"
@@ -19,7 +20,7 @@ constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, double voxel_size, double gap,
                     const Workers& workers) {
     const double reach = (gap - kGapTolerance) / voxel_size;
-    if (!(reach > 0)) return {solid, {}};
+    if (!(reach > 0)) return {LazyGrid(solid), {}};
     if (!(reach <= kMaxReach)) {
         throw ResourceError("a gap of " + std::to_string(gap) + " mm is too large for voxels of " +
                             std::to_string(voxel_size) + " mm");
@@ -33,14 +34,14 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, 
         first[axis] = std::min(0, static_cast<int>(std::floor(below - reach)));
         extent[axis] = std::max(solid.extent()[axis], static_cast<int>(std::ceil(above + reach))) - first[axis];
     }
-    WidenedVoxels result{BitGrid(extent), first};
-    unite(result.voxels, solid, VoxelIndex{} - first);
+    BitGrid wide(extent);
+    unite(wide, solid, VoxelIndex{} - first);
     workers.for_ranges(grid_mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            set_near(result.voxels, first, grid_mesh[i], reach);
+            set_near(wide, first, grid_mesh[i], reach);
         }
     });
-    return result;
+    return {LazyGrid(std::move(wide)), first};
 }
 
 WidenedVoxels turned(const WidenedVoxels& widened, const Extent& solid, const AxisTurn& turn) {

@@ -6,13 +6,17 @@
 #include "geometry/mesh.hpp"
 #include "voxel/axis_turn.hpp"
 #include "voxel/bit_grid.hpp"
+#include "voxel/lazy_grid.hpp"
 
 namespace spectralpack {
 
 /// Voxels whose open interior lies nearer than `gap` (Euclidean, less kGapTolerance) to the solid.
 struct WidenedVoxels {
-    BitGrid voxels;
+    LazyGrid voxels;
     VoxelIndex offset;  ///< of its voxel (0,0,0) in the unwidened grid; components <= 0
+
+    /// The very same grid, not an equal one.
+    bool operator==(const WidenedVoxels&) const = default;
 };
 
 inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly `gap` away stays out
@@ -23,7 +27,8 @@ inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly 
 WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, double voxel_size, double gap,
                     const Workers& workers);
 
-/// What widen() gives for the mesh turned, from that of the mesh; `solid` is the extent of the unwidened voxels.
+/// What widen() gives for the mesh turned, from that of the mesh, voxels once they are asked for; `solid` is the extent
+/// of the unwidened voxels.
 WidenedVoxels turned(const WidenedVoxels& widened, const Extent& solid, const AxisTurn& turn);
 
 }  // namespace spectralpack

@@ -46,7 +46,7 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
         const auto engine = make_cpu_search({}, Workers(1));
         const FreePositions free = engine->free_positions(tray, shape, 0, {});
         const BitGrid expected = test::plain_region(free);
-        const auto tiles = engine->free_tiles(tray, shape.orientations.front().solid, {});
+        const auto tiles = engine->free_tiles(tray, shape.orientations.front().solid.share(), {});
         ReachableRegion region(*tiles, a, whole(n), {});
         const Extent& e = free.free.extent();
         for (int asked = 0; asked < 1500; ++asked) {

@@ -13,13 +13,14 @@ namespace spectralpack::test {
 /// A cube in voxels of 1 mm; `made` counts.
 inline std::shared_ptr<const Shape> box_shape(std::uint64_t id, int side, std::atomic<int>* made = nullptr) {
     if (made) ++*made;
-    auto solid = std::make_shared<BitGrid>(Extent{side, side, side});
-    solid->fill(true);
+    BitGrid filled({side, side, side});
+    filled.fill(true);
+    const LazyGrid solid(std::move(filled));
     OrientedShape oriented;
     const double mm = side;
     oriented.reach = {mm, mm, mm};
     oriented.solid = solid;
-    oriented.widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}})};
+    oriented.widened = {{solid, {}}};
     auto shape = std::make_shared<Shape>();
     shape->id = id;
     shape->orientations = {oriented};

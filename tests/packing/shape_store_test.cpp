@@ -126,8 +126,7 @@ TEST(ShapeStore, KeepsWhatATrayLeftOverAsFarAsItsBytesGo) {
     const auto shape = [&](int part, const Workers&) {
         auto made_shape = std::make_shared<Shape>(*test::box_shape(static_cast<std::uint64_t>(part), 8, &made));
         // Finer voxels count as well.
-        auto fine = std::make_shared<BitGrid>(Extent{16, 16, 16});
-        made_shape->orientations.front().fine = fine;
+        made_shape->orientations.front().fine = LazyGrid(BitGrid({16, 16, 16}));
         return made_shape;
     };
     const std::int64_t bytes = BitGrid(Extent{16, 16, 16}).bytes();

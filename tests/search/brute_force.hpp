@@ -124,7 +124,7 @@ class BruteForceSearch : public PlacementSearch {
 
         explicit Figure(const OrientedShape& oriented) : shape(oriented), a(set_voxels(*oriented.solid)) {
             for (const auto& wide : oriented.widened) {
-                widened.push_back(set_voxels(wide->voxels, wide->offset));
+                widened.push_back(set_voxels(*wide.voxels, wide.offset));
             }
         }
     };
@@ -193,7 +193,7 @@ class BruteForceSearch : public PlacementSearch {
         }
 
         Cost cost(const CostModel& model, const Figure& figure, int z, std::int64_t rho_at) const {
-            return cost_of(model, z, figure.shape.solid->extent().z, tray.reference_layers(), rho_at);
+            return cost_of(model, z, figure.shape.solid.extent().z, tray.reference_layers(), rho_at);
         }
     };
 };

@@ -57,7 +57,7 @@ struct Question {
         tray.add({std::make_shared<const BitGrid>(random_bits(random, tray.extent(), 90)), {}});
         solid = std::make_shared<const BitGrid>(random_solid(random, random_extent(random, {20, 1, 1}, {62, 4, 3})));
         tables.follow(tray, 0, true, false, Workers(1));
-        const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}});
+        const WidenedVoxels wide{solid, {}};
         const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1));
         plan = plan_collision(runs, tables, 0).of_positions;
     }

@@ -5,10 +5,12 @@
 
 #include "brute_force.hpp"
 #include "engines.hpp"
+#include "model/orientation.hpp"
 #include "random_scene.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/kernels.hpp"
 #include "search/verifying_search.hpp"
+#include "support/shapes.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -102,7 +104,7 @@ void expect_answers_in_the_open(const CpuOptions& options) {
             ASSERT_NO_THROW(result = search.best_placement(tray, shape, model, {}));
             if (!result.best || step % 4 != 3) continue;
             const auto index = static_cast<std::size_t>(result.best->index);
-            tray.add({shape.orientations[index].solid, result.best->position});
+            tray.add({shape.orientations[index].solid.share(), result.best->position});
             ++placed;
         }
     }
@@ -163,6 +165,23 @@ TEST(CpuSearch, KeepsLessOfWhatIsAskedAboutOnce) {
         return search->memory();
     };
     EXPECT_LT(memory_for(true), memory_for(false));
+}
+
+TEST(CpuSearch, NeedsNoVoxelsOfTurnedOrientations) {
+    const auto search = make_cpu_search({}, Workers(2));
+    for (const int detail : {1, 2}) {
+        TraySetup setup;
+        setup.size = {20, 20, 20};
+        setup.voxel_size = 1;
+        setup.detail = detail;
+        setup.gap_classes = {0.5};
+        const Shape shape = make_shape(1, bracket(), orientation_set("90"), 1, detail, 0.5, {0.5}, Workers(2));
+        ASSERT_TRUE(search->best_placement(Tray(setup), shape, {}, {}).best);
+        for (const OrientedShape& oriented : shape.orientations) {
+            if (!oriented.is_turned()) continue;
+            EXPECT_EQ(oriented.solid.bytes() + oriented.fine.bytes() + oriented.widened.front().voxels.bytes(), 0);
+        }
+    }
 }
 
 TEST(CpuSearch, KeepsNothingOfATrayThatIsGone) {

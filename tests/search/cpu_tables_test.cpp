@@ -294,13 +294,13 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto solid = std::make_shared<const BitGrid>(random_solid(random, extent));
         const AxisTurn turn = random_turn(random, i % 2 == 1);
         const auto solid_then = std::make_shared<const BitGrid>(turned(*solid, turn));
-        const auto wide = std::make_shared<const WidenedVoxels>(random_widened(random, *solid, 3));
-        const WidenedVoxels wide_then = turned(*wide, extent, turn);
+        const WidenedVoxels wide = random_widened(random, *solid, 3);
+        const WidenedVoxels wide_then = turned(wide, extent, turn);
         std::optional<Depths> depths;
         const OrientationRuns before =
             make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
         const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables.frame());
-        EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent(), wide_then.offset), wide_then.voxels);
+        EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent(), wide_then.offset), *wide_then.voxels);
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
@@ -577,7 +577,7 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     TrayTables tables;
     tables.follow(tray, 0, false, false, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
-    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
+    const WidenedVoxels wide{fine, {}};
     const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables.frame(), Workers(2));
     const std::size_t pieces = runs.widened.front().pieces.corners.size(),
                       core = runs.widened.front().core.corners.size();
@@ -622,11 +622,11 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         subtract(part, random_bits(random, part.extent(), 60), {});
         const auto fine = std::make_shared<const BitGrid>(part);
         const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, s).voxels);
-        const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}});
+        const WidenedVoxels wide{fine, {}};
         TrayTables tables;
         tables.follow(tray, 0, false, false, Workers(1));
-        const OrientationRuns runs =
-            make_runs({0, {}, {}, solid, {wide}, s > 1 ? fine : nullptr}, s, true, tables.frame(), Workers(2));
+        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, true,
+                                               tables.frame(), Workers(2));
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};

@@ -100,7 +100,7 @@ TEST_P(EngineTest, AnswersTheDefinitionForCopiesUnderASteepPenalty) {
             ASSERT_NO_THROW(result = search.best_placement(tray, shape, model, {}));
             if (!result.best) continue;
             const auto index = static_cast<std::size_t>(result.best->index);
-            tray.add({shape.orientations[index].solid, result.best->position});
+            tray.add({shape.orientations[index].solid.share(), result.best->position});
             ++placed;
         }
     }
@@ -171,7 +171,7 @@ TEST_P(EngineTest, FitsPartsIntoSharedVoxels) {
     Shape shape{1, 0, {plain_shape(full_box({2, 2, 2}))}};
     shape.orientations[0].reach = {1.5, 2, 2};
     shape.orientations[0].fine = fine;
-    shape.orientations[0].widened = {std::make_shared<const WidenedVoxels>(WidenedVoxels{*fine, {}})};
+    shape.orientations[0].widened = {{fine, {}}};
     tray.add(fine_object(fine, {3, 0, 0}, 2, 0));
     const auto result = make_engine()->best_placement(tray, shape, {}, {});
     ASSERT_TRUE(result.best);
@@ -283,7 +283,7 @@ TEST_P(EngineTest, TellsFreePositionsInTilesOfAnyVoxels) {
             query.padding = between(random, 1, 3);
             if (!scene.present.empty()) query.without = scene.present[random.below(scene.present.size())];
             query.for_readers = one_in(random, 2);
-            const auto tiles = engine->free_tiles(scene.tray, shape.orientations.front().solid, query);
+            const auto tiles = engine->free_tiles(scene.tray, shape.orientations.front().solid.share(), query);
             const FreePositions all = engine->free_positions(scene.tray, shape, 0, query);
             ASSERT_EQ(tiles->origin(), all.origin);
             ASSERT_EQ(tiles->extent(), all.free.extent());
@@ -457,7 +457,7 @@ TEST_P(EngineTest, KeepsAGapFromObjectsButNotFromWalls) {
     BitGrid wide({4, 3, 2});
     wide.fill(true);
     Shape shape{1, 1, {plain_shape(full_box({2, 3, 2}), 2)}};
-    const auto widened = std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-1, 0, 0}});
+    const WidenedVoxels widened{LazyGrid(wide), {-1, 0, 0}};
     shape.orientations[0].widened = {widened, widened};
     const auto engine = make_engine();
     const FreePositions moving = engine->free_positions(tray, shape, 0, {});
@@ -483,8 +483,7 @@ TEST_P(EngineTest, NeverWrapsWhatOverhangs) {
     BitGrid wide({9, 9, 8});
     wide.fill(true);
     Shape shape{1, 0, {plain_shape(full_box({3, 3, 2}))}};
-    shape.orientations[0].widened = {
-        std::make_shared<const WidenedVoxels>(WidenedVoxels{wide, VoxelIndex{-3, -3, -3}})};
+    shape.orientations[0].widened = {{LazyGrid(wide), {-3, -3, -3}}};
     const auto result = make_engine()->best_placement(tray, shape, {}, {});
     ASSERT_TRUE(result.best);
     EXPECT_EQ(result.best->position, (VoxelIndex{0, 0, 0}));

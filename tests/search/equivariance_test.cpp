@@ -41,7 +41,7 @@ Shape permuted_shape(const Shape& original, const AxisOrder& order) {
         oriented.turned_from = -1;  // it would be another turn
         oriented.solid = std::make_shared<const BitGrid>(permuted_bits(*oriented.solid, order));
         change_widened(oriented, [&](const WidenedVoxels& wide) {
-            return WidenedVoxels{permuted_bits(wide.voxels, order), permuted(wide.offset, order)};
+            return WidenedVoxels{LazyGrid(permuted_bits(*wide.voxels, order)), permuted(wide.offset, order)};
         });
     }
     return shape;
@@ -71,9 +71,10 @@ OrientedShape touching_its_box(const OrientedShape& original) {
     BitGrid solid = *original.solid;
     solid.set(0, 0, 0);
     solid.set(a.x - 1, a.y - 1, a.z - 1);
-    change_widened(shape, [&](WidenedVoxels wide) {
-        unite(wide.voxels, solid, VoxelIndex{} - wide.offset);
-        return wide;
+    change_widened(shape, [&](const WidenedVoxels& wide) {
+        BitGrid voxels = *wide.voxels;
+        unite(voxels, solid, VoxelIndex{} - wide.offset);
+        return WidenedVoxels{LazyGrid(std::move(voxels)), wide.offset};
     });
     shape.solid = std::make_shared<const BitGrid>(std::move(solid));
     return shape;
@@ -177,7 +178,7 @@ TEST_P(EquivarianceTest, AShiftedTrayShiftsTheAnswer) {
         Tray small(setup), large(around);
         for (int i = 0; i < 9; ++i) {
             const Shape& shape = scene.shapes[random.below(scene.shapes.size())];
-            const auto& solid = shape.orientations[0].solid;
+            const auto solid = shape.orientations[0].solid.share();
             VoxelIndex at;
             bool fits = true;  // what overhangs the small tray would stand in the large one's walls
             for (int axis = 0; axis < 3; ++axis) {

@@ -18,9 +18,6 @@ Shape shape_of(const Mesh& mesh, const std::vector<Mat3>& rotations, double voxe
     return make_shape(7, mesh, rotations, voxel_size, 1, gap, gaps, Workers(threads));
 }
 
-/// An L of two boxes: no rotation maps it onto itself.
-Mesh bracket() { return merged(box_mesh({0, 0, 0}, {7, 3, 2}), box_mesh({0, 0, 1.5}, {2.5, 2, 5})); }
-
 Mesh turned(const Mesh& mesh, const Mat3& rotation) { return transformed(mesh, {rotation, {}}); }
 
 bool same_size(const Vec3& a, const Vec3& b) {
@@ -94,6 +91,22 @@ TEST(MakeShape, OfTurnsThatOnlyExchangeAndReverseAxesOneIsVoxelised) {
     EXPECT_EQ(voxelised("45"), 14u);
 }
 
+TEST(MakeShape, TurnsVoxelsOnlyWhereTheyAreAskedFor) {
+    for (const int detail : {1, 2}) {
+        const Shape shape = make_shape(1, bracket(), orientation_set("90"), 1, detail, 0.5, {0.2, 0.5}, Workers(2));
+        std::size_t later = 0;
+        for (const OrientedShape& oriented : shape.orientations) {
+            if (!oriented.is_turned()) continue;
+            ++later;
+            EXPECT_EQ(oriented.solid.bytes() + oriented.fine.bytes(), 0);
+            for (const WidenedVoxels& wide : oriented.widened) {
+                EXPECT_EQ(wide.voxels.bytes(), 0);
+            }
+        }
+        EXPECT_GT(later, shape.orientations.size() / 2);
+    }
+}
+
 TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
     const auto rotations = orientation_set("90");
     const std::vector<double> gaps{0, 0.5, 2};
@@ -109,9 +122,9 @@ TEST(MakeShape, WidensByTheLargerGapOfEachPair) {
                 const double gap = std::max(gaps[own], gaps[c]);
                 const WidenedVoxels expected = gap > 0
                                                    ? widen(*oriented.solid, one, oriented.corner, 1, gap, Workers(1))
-                                                   : WidenedVoxels{*oriented.solid, {}};
-                EXPECT_EQ(oriented.widened[c]->offset, expected.offset);
-                EXPECT_EQ(oriented.widened[c]->voxels, expected.voxels);
+                                                   : WidenedVoxels{oriented.solid, {}};
+                EXPECT_EQ(oriented.widened[c].offset, expected.offset);
+                EXPECT_EQ(*oriented.widened[c].voxels, *expected.voxels);
                 // Equal gaps share one grid.
                 EXPECT_EQ(oriented.widened[c] == oriented.widened[own], c <= own);
             }
@@ -130,14 +143,14 @@ TEST(MakeShape, DecidesCollisionsOnFinerVoxels) {
             EXPECT_EQ(*oriented.fine, fine);
             EXPECT_EQ(*oriented.solid, reached_voxels(fine, {}, detail).voxels);
             const WidenedVoxels wide = widen(fine, one, oriented.corner, 1.0 / detail, 0.5, Workers(1));
-            EXPECT_EQ(oriented.widened[0]->voxels, wide.voxels);
-            EXPECT_EQ(oriented.widened[0]->offset, wide.offset);
+            EXPECT_EQ(*oriented.widened[0].voxels, *wide.voxels);
+            EXPECT_EQ(oriented.widened[0].offset, wide.offset);
             if (oriented.turned_from < 0) continue;
             const OrientedShape& from = shape.orientations[static_cast<std::size_t>(oriented.turned_from)];
             EXPECT_TRUE(!from.is_turned() || (oriented.is_exchanged() && from.turn.reverses()));
             EXPECT_EQ(turned(*from.fine, oriented.turn), fine);
             EXPECT_EQ(turned(*from.solid, oriented.turn), *oriented.solid);
-            EXPECT_EQ(turned(from.widened[0]->voxels, oriented.turn), wide.voxels);
+            EXPECT_EQ(turned(*from.widened[0].voxels, oriented.turn), *wide.voxels);
         }
         EXPECT_TRUE(std::ranges::any_of(shape.orientations, [](const OrientedShape& o) { return o.turned_from >= 0; }));
     }
@@ -168,7 +181,7 @@ TEST(MakeShape, DoesNotDependOnThreads) {
     for (std::size_t i = 0; i < one.orientations.size(); ++i) {
         EXPECT_EQ(one.orientations[i].orientation, many.orientations[i].orientation);
         EXPECT_EQ(*one.orientations[i].solid, *many.orientations[i].solid);
-        EXPECT_EQ(one.orientations[i].widened[0]->voxels, many.orientations[i].widened[0]->voxels);
+        EXPECT_EQ(*one.orientations[i].widened[0].voxels, *many.orientations[i].widened[0].voxels);
     }
 }
 

@@ -107,10 +107,9 @@ inline WidenedVoxels random_widened(RandomStream& random, const BitGrid& solid, 
     const Extent none{0, 0, 0}, most{reach, reach, reach};
     const Extent low = random_extent(random, none, most), high = random_extent(random, none, most);
     const Extent& a = solid.extent();
-    WidenedVoxels wide{random_bits(random, {a.x + low.x + high.x, a.y + low.y + high.y, a.z + low.z + high.z}, 3),
-                       {-low.x, -low.y, -low.z}};
-    unite(wide.voxels, solid, {low.x, low.y, low.z});
-    return wide;
+    BitGrid voxels = random_bits(random, {a.x + low.x + high.x, a.y + low.y + high.y, a.z + low.z + high.z}, 3);
+    unite(voxels, solid, {low.x, low.y, low.z});
+    return {LazyGrid(std::move(voxels)), {-low.x, -low.y, -low.z}};
 }
 
 /// A length that takes `voxels` voxels: exactly, or up to an eighth short of a whole one less.
@@ -148,13 +147,12 @@ inline OrientedShape random_orientation(RandomStream& random, const TraySetup& s
         shape.fine = solid;
     }
     const double own = setup.gap_classes[static_cast<std::size_t>(own_class)];
-    std::shared_ptr<const WidenedVoxels> previous;
+    WidenedVoxels previous;
     double previous_gap = -1;
     for (const double other : setup.gap_classes) {
         const double gap = std::max(own, other);
         if (gap != previous_gap) {
-            previous = std::make_shared<const WidenedVoxels>(gap > 0 ? random_widened(random, *solid, reach)
-                                                                     : WidenedVoxels{*solid, {}});
+            previous = gap > 0 ? random_widened(random, *solid, reach) : WidenedVoxels{solid, {}};
             previous_gap = gap;
         }
         shape.widened.push_back(previous);
@@ -167,9 +165,7 @@ template <class Change>
 void change_widened(OrientedShape& shape, const Change& change) {
     const auto before = shape.widened;
     for (std::size_t c = 0; c < before.size(); ++c) {
-        shape.widened[c] = c > 0 && before[c] == before[c - 1]
-                               ? shape.widened[c - 1]
-                               : std::make_shared<const WidenedVoxels>(change(*before[c]));
+        shape.widened[c] = c > 0 && before[c] == before[c - 1] ? shape.widened[c - 1] : change(before[c]);
     }
 }
 
@@ -268,7 +264,7 @@ inline TraySetup random_setup(RandomStream& random, const SceneLimits& limits) {
 /// `solid` unwidened against every gap class, at 1 mm voxels.
 inline OrientedShape plain_shape(std::shared_ptr<const BitGrid> solid, int gap_classes = 1) {
     const Extent& e = solid->extent();
-    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{*solid, {}});
+    const WidenedVoxels wide{solid, {}};
     return {0,
             {static_cast<double>(e.x), static_cast<double>(e.y), static_cast<double>(e.z)},
             {},
@@ -318,14 +314,14 @@ inline void add_random_object(Scene& scene, RandomStream& random) {
         position[axis] =
             overhang ? between(random, -a[axis], n[axis]) : between(random, 0, std::max(0, n[axis] - a[axis]));
     }
-    TrayObject object{oriented.solid, position, shape.gap_class, false};
+    TrayObject object{oriented.solid.share(), position, shape.gap_class, false};
     const int detail = scene.tray.detail();
     if (detail > 1) {  // anywhere between grid positions
         VoxelIndex fine;
         for (int axis = 0; axis < 3; ++axis) {
             fine[axis] = detail * position[axis] + between(random, 0, detail - 1);
         }
-        object = fine_object(oriented.fine, fine, detail, shape.gap_class);
+        object = fine_object(oriented.fine.share(), fine, detail, shape.gap_class);
     }
     object.fixed = one_in(random, 5);
     scene.present.push_back(scene.tray.add(std::move(object)));
@@ -360,11 +356,11 @@ inline Scene random_scene(RandomStream& random, const SceneLimits& limits = {}, 
 inline void place(Scene& scene, const Shape& shape, int index, const VoxelIndex& position) {
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
     const int s = scene.tray.detail();
-    scene.present.push_back(scene.tray.add({oriented.solid,
+    scene.present.push_back(scene.tray.add({oriented.solid.share(),
                                             position,
                                             shape.gap_class,
                                             false,
-                                            oriented.fine,
+                                            oriented.fine.share(),
                                             {s * position.x, s * position.y, s * position.z}}));
 }
 

@@ -39,7 +39,7 @@ std::vector<BestPlacement> pack(VerifyingSearch& search, const char* rotations, 
             const auto best = search.best_placement(tray, shape, model, {}).best;
             if (!best) continue;
             const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best->index)];
-            const ObjectId object = tray.add({oriented.solid, best->position, shape.gap_class, false});
+            const ObjectId object = tray.add({oriented.solid.share(), best->position, shape.gap_class, false});
             search.free_positions(tray, shape, best->index, {object, 1});
             placements.push_back(*best);
         }

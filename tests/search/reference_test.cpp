@@ -129,8 +129,8 @@ VoxelIndex overhang_of(const std::vector<Shape>& shapes) {
         for (const OrientedShape& oriented : shape.orientations) {
             for (const auto& wide : oriented.widened) {
                 for (int axis = 0; axis < 3; ++axis) {
-                    const int after = wide->offset[axis] + wide->voxels.extent()[axis] - oriented.solid->extent()[axis];
-                    most[axis] = std::max({most[axis], -wide->offset[axis], after});
+                    const int after = wide.offset[axis] + wide.voxels.extent()[axis] - oriented.solid.extent()[axis];
+                    most[axis] = std::max({most[axis], -wide.offset[axis], after});
                 }
             }
         }

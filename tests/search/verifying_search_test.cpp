@@ -38,7 +38,7 @@ Scene small_scene() {
     BitGrid bits({2, 1, 1});
     bits.fill(true);
     const auto solid = std::make_shared<const BitGrid>(bits);
-    const auto wide = std::make_shared<const WidenedVoxels>(WidenedVoxels{bits, {}});
+    const WidenedVoxels wide{solid, {}};
     const OrientedShape oriented{3, {2, 1, 1}, {}, solid, {wide}};
     Scene scene{Tray(setup), {Shape{42, 0, {oriented}}}, {}};
     place(scene, scene.shapes[0], 0, {0, 0, 0});

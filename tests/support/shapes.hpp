@@ -31,6 +31,9 @@ inline Mesh merged(Mesh a, const Mesh& b) {
     return a;
 }
 
+/// An L of two boxes: no rotation maps it onto itself.
+inline Mesh bracket() { return merged(box_mesh({0, 0, 0}, {7, 3, 2}), box_mesh({0, 0, 1.5}, {2.5, 2, 5})); }
+
 inline Mesh turned_inside_out(Mesh mesh) {
     for (Triangle& t : mesh.triangles) {
         std::swap(t[1], t[2]);

@@ -19,7 +19,7 @@ void expect_same_as_turned(const Mesh& mesh, const std::vector<Mat3>& rotations,
         const Vec3 in = inset(box.size(), voxel_size);
         EXPECT_EQ(voxels[i].reach, box.size() + in);
         EXPECT_EQ(voxels[i].corner, box.min - in);
-        EXPECT_TRUE(voxels[i].solid == voxelize(turned, voxel_size, workers)) << seed << " " << i;
+        EXPECT_TRUE(*voxels[i].solid == voxelize(turned, voxel_size, workers)) << seed << " " << i;
     }
 }
 
@@ -134,6 +134,56 @@ TEST(Turned, MovesEveryVoxel) {
             }
         }
     }
+}
+
+TEST(AxisTurn, ChainedIsOneAfterTheOther) {
+    RandomStream random(6);
+    BitGrid grid({5, 4, 7});
+    for (int i = 0; i < 30; ++i) {
+        grid.set(static_cast<int>(random.below(5)), static_cast<int>(random.below(4)),
+                 static_cast<int>(random.below(7)));
+    }
+    for (const Mat3& a : test::axis_turns(true)) {
+        const AxisTurn first = axis_turn(Mat3{}, a).value();
+        for (const Mat3& b : test::axis_turns(true)) {
+            const AxisTurn second = axis_turn(Mat3{}, b).value();
+            EXPECT_EQ(turned(grid, chained(first, second)), turned(turned(grid, first), second));
+        }
+        EXPECT_EQ(chained(first, inverse(first)), AxisTurn{});
+    }
+}
+
+TEST(Symmetric, AsTheGridTurnedSays) {
+    RandomStream random(7);
+    std::vector<AxisTurn> all;
+    for (const Mat3& rotation : test::axis_turns(true)) {
+        all.push_back(axis_turn(Mat3{}, rotation).value());
+    }
+    int symmetric = 0, not_symmetric = 0;
+    for (const Extent& n : {Extent{6, 6, 6}, {70, 9, 9}, {9, 70, 5}, {64, 64, 3}, {7, 3, 7}}) {
+        for (int i = 0; i < 40; ++i) {
+            BitGrid grid(n);
+            for (int k = 0; k < 20; ++k) {
+                grid.set(static_cast<int>(random.below(static_cast<std::uint64_t>(n.x))),
+                         static_cast<int>(random.below(static_cast<std::uint64_t>(n.y))),
+                         static_cast<int>(random.below(static_cast<std::uint64_t>(n.z))));
+            }
+            // With all that a turn which keeps its extents makes of it, it is symmetric.
+            AxisTurn own = all[random.below(all.size())];
+            while (turned(n, own) != n)
+                own = all[random.below(all.size())];
+            for (int again = 0; again < i % 4; ++again) {
+                unite(grid, turned(grid, own), {});
+            }
+            for (const AxisTurn& turn : all) {
+                const bool expected = turned(grid, turn) == grid;
+                EXPECT_EQ(is_symmetric(grid, turn), expected);
+                ++(expected ? symmetric : not_symmetric);
+            }
+        }
+    }
+    EXPECT_GT(symmetric, 300);
+    EXPECT_GT(not_symmetric, 1000);
 }
 
 }  // namespace

@@ -26,14 +26,14 @@ constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stay
 /// True of a solid that, where it fits in closely, is near to something all over.
 bool is_thin(const Shape& shape) {
     return std::ranges::all_of(shape.orientations, [](const OrientedShape& oriented) {
-        const Extent& a = oriented.solid->extent();
+        const Extent& a = oriented.solid.extent();
         return std::min({a.x, a.y, a.z}) <= kThin;
     });
 }
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
 std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
-    const Extent& a = shape.orientations[index].solid->extent();
+    const Extent& a = shape.orientations[index].solid.extent();
     const int beyond = overhang(shape, detail);
     std::vector<VoxelBox> candidates;
     for (const VoxelBox& box : shape.only_near) {
@@ -75,12 +75,12 @@ class CpuSearch final : public PlacementSearch {
         if (!shape.is_once()) entry.seeds = seeds_after(context.incumbent, entry.seeds);
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
-        return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid->extent().z, context),
+        return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid.extent().z, context),
                 false};
     }
 
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
-        FreeTiles tiles(tray, dilated(tray), query, shape.orientations[static_cast<std::size_t>(index)].solid);
+        FreeTiles tiles(tray, dilated(tray), query, shape.orientations[static_cast<std::size_t>(index)].solid.share());
         FreePositions result{tiles.origin(), BitGrid(tiles.extent())};
         const Extent& e = tiles.extent();
         FreeTiles::Rows all;
@@ -187,7 +187,7 @@ class CpuSearch final : public PlacementSearch {
             }
         }
         const auto turn = [&](std::size_t i) {
-            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid->extent(), detail, depths[from(i)], frame);
+            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid.extent(), detail, depths[from(i)], frame);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);

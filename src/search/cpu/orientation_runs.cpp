@@ -27,11 +27,6 @@ void clear_stretch(BitGrid::Word* row, int begin, int end) {
     row[last] &= ~to;
 }
 
-/// The extents of a grid once it is turned.
-Extent turned(const Extent& grid, const AxisTurn& turn) {
-    return {grid[turn.order[0]], grid[turn.order[1]], grid[turn.order[2]]};
-}
-
 /// A form once it is turned.
 Form turned(const Form& form, const AxisTurn& turn) {
     int axes = 0;
@@ -88,9 +83,9 @@ Pieces cover_at(const VoxelIndex& offset, const BitGrid& solid, BitGrid wanted, 
 }
 
 OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
-    if (detail == 1) return {cover_at(wide.offset, wide.voxels, wide.voxels), {}};
-    const CoarseVoxels core = filled_voxels(wide.voxels, wide.offset, detail);
-    BitGrid skin = wide.voxels;
+    if (detail == 1) return {cover_at(wide.offset, *wide.voxels, *wide.voxels), {}};
+    const CoarseVoxels core = filled_voxels(*wide.voxels, wide.offset, detail);
+    BitGrid skin = *wide.voxels;
     for (const Run& run : runs_along(core.voxels, 0).runs) {
         VoxelIndex first;
         for (int axis = 0; axis < 3; ++axis) {
@@ -101,7 +96,7 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
                           first.x + detail * run.length);
         }
     }
-    return {cover_at(wide.offset, wide.voxels, std::move(skin), detail),
+    return {cover_at(wide.offset, *wide.voxels, std::move(skin), detail),
             cover_at(core.offset, core.voxels, core.voxels)};
 }
 
@@ -149,7 +144,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
         } else {
             result.least.assign(result.solid.runs.size(), 0);
         }
-        add_cells(result, {}, shape.solid->extent(), depths, frame);
+        add_cells(result, {}, shape.solid.extent(), depths, frame);
         if (keep) *keep = std::move(depths);
     };
     // What rho asks for takes about as long as one of the covers that a collision does.
@@ -160,7 +155,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
             if (frame.walls) result.walled = cover_at({}, *shape.solid, *shape.solid);
         } else {
             const auto k = static_cast<std::size_t>(i - 2);
-            result.widened[k] = pieces_of(*shape.widened[distinct[k]], detail);
+            result.widened[k] = pieces_of(shape.widened[distinct[k]], detail);
         }
     });
     return result;
@@ -196,11 +191,11 @@ bool covers_solid(const Shape& shape) {
         if (oriented.is_turned()) continue;  // it does if what it follows from does
         for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
             if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
-            const WidenedVoxels& widened = *oriented.widened[c];
+            const WidenedVoxels& widened = oriented.widened[c];
             const BitGrid& fine = oriented.fine ? *oriented.fine : *oriented.solid;
-            if (widened.offset == VoxelIndex{} && widened.voxels == fine) continue;
+            if (widened.offset == VoxelIndex{} && *widened.voxels == fine) continue;
             BitGrid bare = fine;
-            subtract(bare, widened.voxels, widened.offset);
+            subtract(bare, *widened.voxels, widened.offset);
             if (!bare.none()) return false;
         }
     }
@@ -212,9 +207,8 @@ int overhang(const Shape& shape, int detail) {
     for (const OrientedShape& oriented : shape.orientations) {
         for (const auto& widened : oriented.widened) {
             for (int axis = 0; axis < 3; ++axis) {
-                const int last = ceil_div(widened->voxels.extent()[axis] + widened->offset[axis], detail);
-                most =
-                    std::max({most, -floor_div(widened->offset[axis], detail), last - oriented.solid->extent()[axis]});
+                const int last = ceil_div(widened.voxels.extent()[axis] + widened.offset[axis], detail);
+                most = std::max({most, -floor_div(widened.offset[axis], detail), last - oriented.solid.extent()[axis]});
             }
         }
     }

@@ -272,7 +272,7 @@ OrientationTask make_task(SearchContext& context, PositionState& state, const Or
             .cells = runs.cells,
             .fine_cells = runs.fine_cells,
             .index = index,
-            .layers = shape.solid->extent().z,
+            .layers = shape.solid.extent().z,
             .for_copy = for_copy,
             .admits = admits ? &admits : nullptr};
 }

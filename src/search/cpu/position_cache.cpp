@@ -198,7 +198,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
             workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
                 entry.states[k].forget(changed.all, entry.planned_narrow ? changed.near : changed.all,
-                                       shape.orientations[k].solid->extent());
+                                       shape.orientations[k].solid.extent());
             });
         }
         entry.version = tables.version();

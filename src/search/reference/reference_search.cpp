@@ -54,11 +54,11 @@ class ReferenceSearch final : public PlacementSearch {
 VoxelIndex overhang_of(const Shape& shape, int detail) {
     VoxelIndex most;
     for (const OrientedShape& oriented : shape.orientations) {
-        const Extent& a = oriented.solid->extent();
+        const Extent& a = oriented.solid.extent();
         for (const auto& wide : oriented.widened) {
             for (int axis = 0; axis < 3; ++axis) {
-                const int before = -wide->offset[axis];
-                const int after = wide->voxels.extent()[axis] - detail * a[axis] - before;
+                const int before = -wide.offset[axis];
+                const int after = wide.voxels.extent()[axis] - detail * a[axis] - before;
                 most[axis] = std::max(most[axis], (std::max(before, after) + detail - 1) / detail);
             }
         }
@@ -152,7 +152,7 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(Lane& la
             for_each_bit(lane.free.row(y, z), lane.free.words_per_row(), [&](int x) {
                 // Rounded to the nearest; rho is never negative.
                 const auto rho = static_cast<std::int64_t>(row[x] * scale + 0.5);
-                const Cost cost = cost_of(model, z, shape.solid->extent().z, tray.reference_layers(), rho);
+                const Cost cost = cost_of(model, z, shape.solid.extent().z, tray.reference_layers(), rho);
                 if (best && !(cost < best->cost)) return;
                 if (admits && !admits(index, {x, y, z})) return;
                 best = BestPlacement{index, {x, y, z}, rho, cost, {}};
@@ -178,19 +178,19 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
 
     // Objects that ask for a gap are met by A+g, one transform for each part of all that ask for the same.
     std::vector<std::size_t> unwidened;
-    std::vector<const WidenedVoxels*> done;
+    std::vector<WidenedVoxels> done;
     for (std::size_t c = 0; c < spectra_.classes(); ++c) {
-        const WidenedVoxels* wide = shape.widened[c].get();
+        const WidenedVoxels& wide = shape.widened[c];
         if (std::ranges::find(done, wide) != done.end()) continue;
-        if (detail == 1 && wide->offset == VoxelIndex{} && wide->voxels == *shape.solid) {
+        if (detail == 1 && wide.offset == VoxelIndex{} && *wide.voxels == *shape.solid) {
             if (spectra_.objects(c, 0)) unwidened.push_back(c);
             continue;
         }
-        const SplitVoxels fine = split(wide->voxels, wide->offset, detail);
+        const SplitVoxels fine = split(*wide.voxels, wide.offset, detail);
         for (std::size_t part = 0; part < spectra_.parts(); ++part) {
             bool transformed = false;
             for (std::size_t same = c; same < spectra_.classes(); ++same) {
-                if (!spectra_.objects(same, part) || shape.widened[same].get() != wide) continue;
+                if (!spectra_.objects(same, part) || shape.widened[same] != wide) continue;
                 if (!transformed) put_spectrum(lane.a, *plan_, fine.parts[part], fine.offset);
                 transformed = true;
                 collide(fine.parts[part], *spectra_.objects(same, part));
@@ -226,7 +226,7 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
 template <class Real>
 std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, const OrientedShape& shape,
                                                            const VoxelIndex& q, const CostModel& model) const {
-    const Extent& a = shape.solid->extent();
+    const Extent& a = shape.solid.extent();
     std::array<Cost, 6> costs;
     for (int i = 0; i < 6; ++i) {
         VoxelIndex at = q;
