@@ -173,8 +173,10 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     for (std::size_t i = 0; i < sources.size(); ++i) {
         if (sources[i].root == i) continue;
         const OrientedShape& root = shape.orientations[sources[i].root];
-        shape.orientations[i].widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double) {
-            return turned(root.widened[c], root.fine.extent(), sources[i].turn);
+        OrientedShape& oriented = shape.orientations[i];
+        oriented.widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double wanted) {
+            return wanted > 0 ? turned(root.widened[c], root.fine.extent(), sources[i].turn)
+                              : WidenedVoxels{oriented.fine, {}};
         });
     }
     return shape;
