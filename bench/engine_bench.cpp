@@ -53,9 +53,8 @@ Shape shape_of(const BitGrid& solid) {
     const Extent& e = solid.extent();
     Shape shape;
     shape.id = 1;
-    const auto voxels = std::make_shared<const BitGrid>(solid);
-    const WidenedVoxels widened{voxels, {}};
-    shape.orientations.push_back({0, {2.0 * e.x, 2.0 * e.y, 2.0 * e.z}, {}, voxels, {widened}});
+    const LazyGrid voxels(solid);
+    shape.orientations.push_back({0, {2.0 * e.x, 2.0 * e.y, 2.0 * e.z}, {}, voxels, {{voxels, {}}}});
     return shape;
 }
 

@@ -150,7 +150,7 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         for (std::size_t k = 0; k < roots.size() && !source; ++k) {
             const auto root = static_cast<std::size_t>(shape.orientations[roots[k]].orientation);
             if (voxels[root].origin != voxels[i].origin) continue;
-            source = Source{roots[k], axis_turn(rotations[root], rotations[i]).value()};
+            source = Source{roots[k], chained(inverse(voxels[root].turn), voxels[i].turn)};
         }
         if (!source) roots.push_back(sources.size());
         sources.push_back(source.value_or(Source{sources.size(), {}}));

@@ -67,7 +67,7 @@ void reverse_row(Word* row, std::size_t words, int n) {
 BitGrid turned(const BitGrid& grid, const AxisTurn& turn) {
     const Extent& n = grid.extent();
     const AxisOrder& order = turn.order;
-    BitGrid result({n[order[0]], n[order[1]], n[order[2]]});
+    BitGrid result(turned(n, turn));
     const Extent& m = result.extent();
     if (order[0] == 0) {
         const auto words = static_cast<std::size_t>(grid.words_per_row());

@@ -2,7 +2,9 @@
 /// labelled `long` (scripts/test.sh -L long). On the benchmark's sets where they are, else on the samples and on
 /// generated sets like those.
 
+#include <algorithm>
 #include <cstdio>
+#include <ostream>
 
 #include "cli/program.hpp"
 
@@ -61,11 +63,10 @@ std::vector<Setting> settings() {
     std::vector<Setting> all;
     const std::vector<std::string> paper{"--detail", "1", "--gap", "0"};
     const auto add = [&](const std::string& name, const std::string& set, const std::string& voxel,
-                         std::vector<std::string> options) {
+                         const std::vector<std::string>& options) {
         for (const std::string penalty : {"4", "1e8"}) {
-            options.insert(options.end(), {"--height-penalty", penalty});
             all.push_back({name + "_p" + penalty, set, voxel, options});
-            options.resize(options.size() - 2);
+            all.back().options.insert(all.back().options.end(), {"--height-penalty", penalty});
         }
     };
     for (const std::string set : {"quick", "mixtures", "locks", "pieces"}) {

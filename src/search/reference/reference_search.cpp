@@ -226,7 +226,8 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
 template <class Real>
 std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, const OrientedShape& shape,
                                                            const VoxelIndex& q, const CostModel& model) const {
-    const Extent& a = shape.solid.extent();
+    const BitGrid& solid = *shape.solid;
+    const Extent& a = solid.extent();
     std::array<Cost, 6> costs;
     for (int i = 0; i < 6; ++i) {
         VoxelIndex at = q;
@@ -236,7 +237,7 @@ std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, con
             for (int y = 0; y < a.y; ++y) {
                 for (int x = 0; x < a.x; ++x) {
                     const VoxelIndex v = at + VoxelIndex{x, y, z};
-                    if (shape.solid->get(x, y, z) && tray.extent().contains(v)) {
+                    if (solid.get(x, y, z) && tray.extent().contains(v)) {
                         rho += spectra_.phi().at(v.x, v.y, v.z);
                     }
                 }
