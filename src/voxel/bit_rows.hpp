@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "voxel/bit_grid.hpp"
+#include "voxel/triangle_rows.hpp"
 
 namespace spectralpack {
 
@@ -34,6 +35,18 @@ inline BitGrid::Word get_shared(BitGrid::Word& word) {
 inline void set_shared(BitGrid::Word& word, BitGrid::Word bits) {
     if ((get_shared(word) & bits) == bits) return;
     std::atomic_ref<BitGrid::Word>(word).fetch_or(bits, std::memory_order_relaxed);
+}
+
+/// True when all voxels of the range are set in a grid whose voxel (0,0,0) is voxel `first`; the range lies within.
+inline bool all_set(BitGrid& grid, const VoxelRange& range, const VoxelIndex& first) {
+    BitGrid::Word missing = 0;
+    for (int z = range.low.z; z <= range.high.z; ++z) {
+        for (int y = range.low.y; y <= range.high.y; ++y) {
+            for_run_words(grid.row(y - first.y, z - first.z), range.low.x - first.x, range.high.x - first.x,
+                          [&](BitGrid::Word& word, BitGrid::Word bits) { missing |= bits & ~get_shared(word); });
+        }
+    }
+    return missing == 0;
 }
 
 }  // namespace spectralpack

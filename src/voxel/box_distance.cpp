@@ -126,14 +126,22 @@ Vec3 NearCubes::nearest_from(const Vec3& point) const {
 
 bool NearCubes::contain(const Vec3& centre) const {
     // Any point of the triangle shows that it is near, and any direction in which the two are far enough apart that it
-    // is not. The point nearest to the cube's centre is nearly always enough of both.
-    const Vec3 nearest = nearest_from(centre);
-    if (squared(outside_part(nearest)) < distance_ * distance_) return true;
+    // is not. The point nearest to the cube's centre is nearly always enough of both; if not, the one nearest to that
+    // point of the cube which is nearest to it, and so on.
+    constexpr int kPoints = 4;
+    const double near = distance_ * distance_;
     const GridTriangle from{triangle_[0] - centre, triangle_[1] - centre, triangle_[2] - centre};
-    const double ahead = std::min({dot(nearest, from[0]), dot(nearest, from[1]), dot(nearest, from[2])});
-    const double cube = kHalf * (std::abs(nearest.x) + std::abs(nearest.y) + std::abs(nearest.z));
-    if (ahead - cube >= distance_ * length(nearest)) return false;
-    return squared_box_distance(from) < distance_ * distance_;
+    Vec3 in_cube;  // counted from the centre, as `from` is
+    for (int i = 0; i < kPoints; ++i) {
+        const Vec3 nearest = in_cube + nearest_from(centre + in_cube);
+        const Vec3 between = outside_part(nearest);
+        if (squared(between) < near) return true;
+        const double ahead = std::min({dot(between, from[0]), dot(between, from[1]), dot(between, from[2])});
+        const double cube = kHalf * (std::abs(between.x) + std::abs(between.y) + std::abs(between.z));
+        if (ahead - cube >= distance_ * length(between)) return false;
+        in_cube = nearest - between;
+    }
+    return squared_box_distance(from) < near;
 }
 
 }  // namespace spectralpack

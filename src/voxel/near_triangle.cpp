@@ -6,6 +6,11 @@
 #include "voxel/box_distance.hpp"
 
 namespace spectralpack {
+namespace {
+
+constexpr std::int64_t kFew = 64;  // voxels: quicker looked at than the triangle
+
+}  // namespace
 
 void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triangle, double reach) {
     const VoxelShape shape{0, reach};
@@ -13,6 +18,7 @@ void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triang
     const VoxelRange whole{first, {first.x + n.x - 1, first.y + n.y - 1, first.z + n.z - 1}};
     const VoxelRange range = voxels_in_box(triangle, shape, whole);
     if (range.empty()) return;
+    if (range.count() <= kFew && all_set(grid, range, first)) return;  // as of most triangles of a fine mesh
     const NearCubes near(triangle, reach);
     TriangleRows(triangle, shape, range).for_each([&](int low, int high, int y, int z) {
         BitGrid::Word* const row = grid.row(y - first.y, z - first.z);

@@ -88,6 +88,7 @@ CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule 
                     row[w] = i == 0 ? from[w] : rule == Rule::some ? row[w] | from[w] : row[w] & from[w];
                 }
             }
+            if (std::ranges::all_of(row, [](Word word) { return word == 0; })) continue;
             Word* to = result.voxels.row(y, z);
             if (detail == 2) {  // as nearly always: half a word at once
                 for (int x = 0; x < layout.extent.x; x += kWordBits / 2) {

@@ -21,17 +21,6 @@ bool corners_fill(const GridTriangle& triangle, const VoxelRange& range, double 
     return filled == (1u << range.count()) - 1;
 }
 
-bool all_set(BitGrid& grid, const VoxelRange& range) {
-    BitGrid::Word missing = 0;
-    for (int z = range.low.z; z <= range.high.z; ++z) {
-        for (int y = range.low.y; y <= range.high.y; ++y) {
-            for_run_words(grid.row(y, z), range.low.x, range.high.x,
-                          [&](BitGrid::Word& word, BitGrid::Word bits) { missing |= bits & ~get_shared(word); });
-        }
-    }
-    return missing == 0;
-}
-
 }  // namespace
 
 void set_surface(BitGrid& grid, const GridTriangle& triangle, double shrink) {
@@ -48,7 +37,7 @@ void set_surface(BitGrid& grid, const GridTriangle& triangle, double shrink) {
                 set_run(range.low.x, range.high.x, y, z);
             }
         }
-    } else if (range.count() > 27 || !all_set(grid, range)) {
+    } else if (range.count() > 27 || !all_set(grid, range, {})) {
         TriangleRows(triangle, shape, range).for_each(set_run);
     }
 }
