@@ -12,10 +12,8 @@ namespace {
 
 using Word = BitGrid::Word;
 
-/// Word w of a row moved down by `by` voxels; 0 <= by < 64.
-Word moved_down(const Word* row, int words, int w, int by) {
-    return by == 0 ? row[w] : row[w] >> by | (w + 1 < words ? row[w + 1] << (64 - by) : Word{0});
-}
+/// A word of a row moved down by `by` voxels, those of the word behind it moved in; 0 <= by < 64.
+Word moved_down(const Word* word, int by) { return *word >> by | word[1] << 1 << (63 - by); }
 
 /// words[i] &= words[i + step], 0 behind the end; i in [0, count).
 void erode_words(Word* words, std::size_t count, std::size_t step) {
@@ -35,9 +33,10 @@ void erode(BitGrid& bits, int axis, int by) {
     Word* all = bits.row(0, 0);
     if (axis == 0) {
         for (Word* row = all; row < all + words * rows * layers; row += words) {
-            for (int w = 0; w < bits.words_per_row(); ++w) {
-                row[w] &= moved_down(row, bits.words_per_row(), w, by);
+            for (std::size_t w = 0; w + 1 < words; ++w) {
+                row[w] &= moved_down(row + w, by);
             }
+            row[words - 1] &= row[words - 1] >> by;
         }
     } else if (axis == 1) {
         for (std::size_t z = 0; z < layers; ++z) {
@@ -51,26 +50,8 @@ void erode(BitGrid& bits, int axis, int by) {
 /// Where the corner of a piece of the form may lie for the piece to lie in the solid.
 struct Fits {
     Form form;
-    /// Word w of row (y, z), by z, y, w; those that are 0, as most are, left out.
-    struct Corners {
-        int w, y, z;
-        Word bits;
-    };
-    std::vector<Corners> corners;
+    BitGrid corners;
 };
-
-std::vector<Fits::Corners> words_with_any(const BitGrid& bits) {
-    const Extent& n = bits.extent();
-    const int words = bits.words_per_row();
-    std::vector<Fits::Corners> result;
-    for (int z = 0; z < n.z; ++z) {
-        const Word* layer = bits.row(0, z);
-        for (int i = 0; i < n.y * words; ++i) {
-            if (layer[i] != 0) result.push_back({i % words, i / words, z, layer[i]});
-        }
-    }
-    return result;
-}
 
 /// All plates and cubes of `forms` that fit somewhere, the largest first.
 std::vector<Fits> all_fits(const BitGrid& solid, const Forms& forms) {
@@ -98,9 +79,8 @@ std::vector<Fits> all_fits(const BitGrid& solid, const Forms& forms) {
         }
         if (axes == 3 && forms.cubes) flat = corners;
         while (true) {
-            std::vector<Fits::Corners> any = words_with_any(corners);
-            if (any.empty()) break;
-            result.push_back({form, std::move(any)});
+            if (corners.none()) break;
+            result.push_back({form, corners});
             ++form.level;
             if (form.level > forms.last_plate || !fits_in(form)) break;
             erode_all(corners, 1 << (form.level - 1), axes);
@@ -143,24 +123,36 @@ void take(const Form& form, const VoxelIndex& corner, BitGrid& wanted, std::vect
 }
 
 /// Takes pieces of one form whose middle is wanted: first those with a wanted voxel in the lower corner, then, for what
-/// stands out above, in the upper corner.
+/// stands out above, in the upper corner. A word may be read behind the last of `wanted`.
 void take_all(const Fits& fits, BitGrid& wanted, std::vector<VoxelIndex>& taken) {
+    constexpr int kAtOnce = 8;  // words; where the forms before have left little, few are looked at by themselves
     const Form& form = fits.form;
-    const int words = wanted.words_per_row();
+    const Extent& n = wanted.extent();
+    const int words = wanted.words_per_row(), count = (n.y - form.size(1) + 1) * words;
     const VoxelIndex last{form.size(0) - 1, form.size(1) - 1, form.size(2) - 1};
     const VoxelIndex middle{form.size(0) / 2, form.size(1) / 2, form.size(2) / 2};
     for (const VoxelIndex& to : {VoxelIndex{}, last}) {
-        for (const auto& [w, y, z, corners] : fits.corners) {
-            const Word* at = wanted.row(y + to.y, z + to.z);
-            const Word* inside = wanted.row(y + middle.y, z + middle.z);
-            Word behind = ~Word{0};
-            const auto candidates = [&, w = w, corners = corners] {
-                return corners & behind & moved_down(at, words, w, to.x) & moved_down(inside, words, w, middle.x);
+        for (int z = 0; z + form.size(2) <= n.z; ++z) {
+            const Word* corners = fits.corners.row(0, z);
+            const Word* at = wanted.row(to.y, z + to.z);
+            const Word* inside = wanted.row(middle.y, z + middle.z);
+            const auto candidates = [&](int i) {
+                return corners[i] & moved_down(at + i, to.x) & moved_down(inside + i, middle.x);
             };
-            for (Word bits = candidates(); bits != 0; bits = candidates()) {
-                const int x = std::countr_zero(bits);
-                behind = x == 63 ? 0 : ~Word{0} << (x + 1);
-                take(form, {64 * w + x, y, z}, wanted, taken);
+            for (int first = 0; first < count; first += kAtOnce) {
+                const int end = std::min(count, first + kAtOnce);
+                Word any = 0;
+                for (int i = first; i < end; ++i) {
+                    any |= candidates(i);
+                }
+                for (int i = any == 0 ? end : first; i < end; ++i) {
+                    Word behind = ~Word{0};
+                    for (Word bits = candidates(i); bits != 0; bits = candidates(i) & behind) {
+                        const int x = std::countr_zero(bits);
+                        behind = x == 63 ? 0 : ~Word{0} << (x + 1);
+                        take(form, {i % words * 64 + x, i / words, z}, wanted, taken);
+                    }
+                }
             }
         }
     }
@@ -170,6 +162,8 @@ void take_all(const Fits& fits, BitGrid& wanted, std::vector<VoxelIndex>& taken)
 
 Pieces cover(const BitGrid& solid, BitGrid wanted, const Forms& forms) {
     Pieces pieces;
+    // What a corner's row moves in from the row behind is beyond where the form fits.
+    wanted.words().push_back(0);
     const auto end_form = [&](const Form& form) {
         const std::uint32_t begin = pieces.forms.empty() ? 0 : pieces.forms.back().end;
         const auto end = static_cast<std::uint32_t>(pieces.corners.size());
@@ -180,6 +174,7 @@ Pieces cover(const BitGrid& solid, BitGrid wanted, const Forms& forms) {
         end_form(fits.form);
     }
     const Runs rest = fewest_runs(wanted);
+    pieces.corners.reserve(pieces.corners.size() + rest.runs.size());
     for (int level = forms.run_levels; level >= 0; --level) {
         const int size = 1 << level,
                   longest = level < forms.run_levels ? 2 * size - 1 : std::numeric_limits<int>::max();
