@@ -82,7 +82,7 @@ Pieces cover_at(const VoxelIndex& offset, const BitGrid& solid, BitGrid wanted, 
     return pieces;
 }
 
-OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
+OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail, const Workers& workers) {
     if (detail == 1) return {cover_at(wide.offset, *wide.voxels, *wide.voxels), {}};
     const CoarseVoxels core = filled_voxels(*wide.voxels, wide.offset, detail);
     BitGrid skin = *wide.voxels;
@@ -96,8 +96,12 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail) {
                           first.x + detail * run.length);
         }
     }
-    return {cover_at(wide.offset, *wide.voxels, std::move(skin), detail),
-            cover_at(core.offset, core.voxels, core.voxels)};
+    OrientationRuns::Widened result;
+    workers.for_each(2, [&](std::int64_t i) {
+        if (i == 0) result.pieces = cover_at(wide.offset, *wide.voxels, std::move(skin), detail);
+        if (i == 1) result.core = cover_at(core.offset, core.voxels, core.voxels);
+    });
+    return result;
 }
 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
@@ -155,7 +159,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
             if (frame.walls) result.walled = cover_at({}, *shape.solid, *shape.solid);
         } else {
             const auto k = static_cast<std::size_t>(i - 2);
-            result.widened[k] = pieces_of(shape.widened[distinct[k]], detail);
+            result.widened[k] = pieces_of(shape.widened[distinct[k]], detail, workers);
         }
     });
     return result;
