@@ -146,9 +146,16 @@ class BitLayout {
               margin_(layout.margin_),
               s_(layout.detail_of(layer)) {}
         Spot operator()(const VoxelIndex& d) const {
+            const VoxelIndex margin{margin_, margin_, margin_};
+            // Planning is made of these, and division takes long.
+            if (s_ == 1) return {first_, d + margin};
+            if (s_ == 2) {
+                const VoxelIndex coarse{d.x >> 1, d.y >> 1, d.z >> 1};
+                return {first_ + next_ * ((d.z & 1) << 2 | (d.y & 1) << 1 | (d.x & 1)), coarse + margin};
+            }
             const VoxelIndex coarse{floor_div(d.x, s_), floor_div(d.y, s_), floor_div(d.z, s_)};
             const int part = ((d.z - s_ * coarse.z) * s_ + d.y - s_ * coarse.y) * s_ + d.x - s_ * coarse.x;
-            return {first_ + next_ * part, coarse + VoxelIndex{margin_, margin_, margin_}};
+            return {first_ + next_ * part, coarse + margin};
         }
 
       private:
@@ -157,8 +164,9 @@ class BitLayout {
     };
     /// Where it lies from a tile.
     Place place(const Spot& spot) const {
-        const std::int64_t offset = word(spot.table, spot.at.x / 64, spot.at.z) + spot.at.y;
-        return {static_cast<std::int32_t>(offset), spot.at.x % 64};
+        const auto x = static_cast<unsigned>(spot.at.x);
+        const std::int64_t offset = word(spot.table, static_cast<int>(x / 64), spot.at.z) + spot.at.y;
+        return {static_cast<std::int32_t>(offset), static_cast<int>(x % 64)};
     }
 
   protected:

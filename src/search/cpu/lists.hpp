@@ -11,6 +11,15 @@
 
 namespace spectralpack {
 
+/// The bits of i + 1 reversed, given those of i; both are below `size`, a power of two. 0 after the last one.
+inline std::size_t after_reversed(std::size_t reversed, std::size_t size) {
+    std::size_t bit = size / 2;
+    for (; reversed & bit; bit /= 2) {
+        reversed ^= bit;
+    }
+    return reversed | bit;
+}
+
 /// Calls visit(i), until it answers false, once for each i in [0, count): every n-th in ascending order, then every
 /// n-th from another start, so that each stretch of about `stretch` is spread over all and yet walks memory in one
 /// direction. True if it never did.
@@ -20,11 +29,8 @@ bool for_each_spread(std::size_t count, std::size_t stretch, const Visit& visit)
     std::size_t size = 1;
     while (size < strides)
         size *= 2;
-    for (std::size_t i = 0; i < size; ++i) {
-        std::size_t start = 0;  // i with its bits reversed: consecutive starts lie far apart
-        for (std::size_t bit = 1; bit < size; bit *= 2) {
-            if (i & bit) start += size / 2 / bit;
-        }
+    std::size_t start = 0;  // i with its bits reversed: consecutive starts lie far apart
+    for (std::size_t i = 0; i < size; ++i, start = after_reversed(start, size)) {
         if (start >= strides) continue;
         for (std::size_t k = start; k < count; k += strides) {
             if (!visit(k)) return false;

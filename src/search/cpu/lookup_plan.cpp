@@ -19,6 +19,7 @@ constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kOfStacks = 16;      // look-ups
 constexpr int kLeastOfStacks = 4;          // voxels of a piece
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
+constexpr std::size_t kLots = 32;          // room for them; those of one gap class are fewer
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
 constexpr int kRanks = 1 + std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate + 2);
@@ -74,20 +75,22 @@ std::size_t pieces_in(std::span<const Lot> lots) {
 /// and dealt out afterwards, which takes less for each than to look for them in their lots, as first_places() does.
 Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
     Places places;
-    places.all.reserve(pieces_in(lots));
+    places.all.resize(pieces_in(lots));
+    BitTables::Place* next = places.all.data();
     std::vector<BitTables::Place> of_rank;
     for_each_rank(lots, [&](std::span<const Lot> same) {
-        of_rank.clear();
+        of_rank.resize(pieces_in(same));
+        BitTables::Place* place = of_rank.data();
         for (const Lot& lot : same) {
             for (const VoxelIndex& corner : lot.corners) {
-                of_rank.push_back(bits.place(lot.spots(corner + lot.offset)));
+                *place++ = bits.place(lot.spots(corner + lot.offset));
             }
         }
         for_each_spread(of_rank.size(), kFirstBatch, [&](std::size_t k) {
-            places.all.push_back(of_rank[k]);
+            *next++ = of_rank[k];
             return true;
         });
-        if (same.front().rank >= kCoarse) places.coarse = places.all.size();
+        if (same.front().rank >= kCoarse) places.coarse += of_rank.size();
         return true;
     });
     return places;
@@ -97,6 +100,7 @@ Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
 template <class Tables>
 Places first_places(std::vector<Lot>& lots, const Tables& tables, std::size_t most) {
     Places places;
+    places.all.reserve(std::min(most, pieces_in(lots)));
     for_each_rank(lots, [&](std::span<const Lot> same) {
         auto lot = same.begin();
         std::size_t before = 0;  // pieces of the lots before it
@@ -135,6 +139,7 @@ Form lowered(const Form& form, int layers) {
 /// Pieces in what candidates fill from all positions of a stack.
 std::vector<Lot> lots_of_stacks(const std::vector<Lot>& lots, const BitTables& bits) {
     std::vector<Lot> result;
+    result.reserve(lots.size());
     for (const Lot& lot : lots) {
         const int rise = bits.detail_of(lot.layer) * (BitTables::kTileLayers - 1);  // from the lowest to the highest
         const Form form = lowered(lot.form, rise);
@@ -150,6 +155,7 @@ std::vector<Lot> lots_of_stacks(const std::vector<Lot>& lots, const BitTables& b
 /// All that an orientation is looked up in.
 std::vector<Lot> lots_of(const OrientationRuns& runs, const TrayTables& tables) {
     std::vector<Lot> lots;
+    lots.reserve(kLots);
     const auto add = [&](const Pieces& pieces, int layer, int first_rank) {
         for (const Pieces::OfForm& of : pieces.forms) {
             lots.push_back({pieces.corners_of(of),

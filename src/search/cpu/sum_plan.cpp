@@ -9,7 +9,7 @@ namespace spectralpack {
 namespace {
 
 constexpr int kSumRange = 65535;                            // what 16 bits hold
-constexpr std::size_t kLoadsPerBatch = 24;                  // between two looks at the limit
+constexpr int kLoadsPerBatch = 24;                          // between two looks at the limit
 constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;  // of neighbours, which share cache lines
 
 }  // namespace
@@ -28,16 +28,18 @@ SumPlan plan_sum(const OrientationRuns& orientation, const std::vector<std::uint
     const int longest = range / std::max(1, most);
     const int together = kSumRange / std::max(1, most);  // voxels of a batch
     SumBatch batch;
-    int room = together;  // that it can still take
+    int room = together;     // that it can still take
+    std::int32_t count = 0;  // of all loads
     const auto close_batch = [&] {
-        batch.end = static_cast<std::int32_t>(plan.loads.size());
+        batch.end = count;
         if (batch.end == batch.begin) return;
         plan.batches.push_back(batch);
         batch = {batch.end, batch.end};
         room = together;
     };
     const auto add = [&](std::int32_t from, std::int32_t to, int length, std::uint32_t least) {
-        if (length > room || plan.loads.size() - static_cast<std::size_t>(batch.begin) == kLoadsPerBatch) close_batch();
+        if (length > room || count - batch.begin == kLoadsPerBatch) close_batch();
+        ++count;
         const auto part = static_cast<std::uint16_t>(std::min(least, static_cast<std::uint32_t>(range)));
         plan.loads.push_back({to, from, part});
         plan.least += part;
