@@ -226,6 +226,24 @@ TEST_F(CacheInTheOpen, KeepsBoundsFromBytesForWordsWhereNothingChanged) {
     EXPECT_GT(kept(state_after(true, false), kNear), 1000);
 }
 
+TEST_F(CacheInTheOpen, KeepsWithinItsBudgetWhatItUsesAgainToo) {
+    tables.follow(tray, 0, true, false, Workers(1));
+    const std::int64_t room = PositionState::room_bytes(tray.extent());
+    for (const double entries : {0.5, 1.5, 2.9}) {
+        const auto budget = static_cast<std::int64_t>(entries * 1.1 * static_cast<double>(room));
+        PositionCache small(budget);
+        for (std::uint64_t id = 1; id < 6; ++id) {
+            shape.id = id;
+            small.at(shape, tray, tables, {}, Workers(1));
+            EXPECT_GE(small.bytes(), room) << entries << ", " << id;
+            EXPECT_LE(small.bytes(), std::max(budget, room * 11 / 10)) << entries << ", " << id;
+            EXPECT_EQ(small.knows(shape), true);
+        }
+        shape.id = 4;
+        EXPECT_EQ(small.knows(shape), entries > 2);
+    }
+}
+
 TEST_F(CacheInTheOpen, KeepsNoBoundsForAnotherPenalty) { EXPECT_EQ(kept(state_after(true, true, 5), kAny), 0); }
 
 }  // namespace

@@ -8,8 +8,6 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::size_t kSpareStates = 64;
-
 Extent brick_count(const Extent& count) {
     return {(count.x + kBrickX - 1) / kBrickX, (count.y + kBrickY - 1) / kBrickY, (count.z + kBrickZ - 1) / kBrickZ};
 }
@@ -136,14 +134,28 @@ void PositionState::forget(const VoxelBox& changed, const VoxelBox& of_sums, con
     }
 }
 
-std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
-    const std::size_t bytes = sizeof(std::int32_t) + sizeof(std::uint32_t) + (keeps ? sizeof(OpenPair) : 0);
-    return pair_count(brick_count(count)) * static_cast<std::int64_t>(bytes);
+std::int64_t PositionState::room_bytes(const Extent& most) {
+    return pair_count(brick_count(most)) * static_cast<std::int64_t>(sizeof(OpenPair));
+}
+
+std::int64_t PositionState::bytes_for(const Extent& count, const Extent& most, bool keeps) {
+    constexpr auto kOfPair = static_cast<std::int64_t>(sizeof(std::int32_t) + sizeof(std::uint32_t));
+    return pair_count(brick_count(count)) * kOfPair + (keeps ? room_bytes(most) : 0);
 }
 
 void PositionCache::spare_states_of(Entry& entry) {
     for (PositionState& state : entry.states) {
-        if (state.keeps() && spare_.size() < kSpareStates) spare_.push_back(std::move(state));
+        if (state.room_bytes() == 0) continue;
+        spare_bytes_ += state.room_bytes();
+        spare_.push_back(std::move(state));
+    }
+}
+
+/// Those that would not stay within the budget.
+void PositionCache::drop_spares() {
+    while (!spare_.empty() && bytes_ + spare_bytes_ > budget_) {
+        spare_bytes_ -= spare_.back().room_bytes();
+        spare_.pop_back();
     }
 }
 
@@ -209,7 +221,8 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
         counts.push_back(tray.candidates(oriented.reach));
-        fresh.state_bytes += counts.back().empty() ? 0 : PositionState::bytes_for(counts.back(), !shape.is_once());
+        if (counts.back().empty()) continue;
+        fresh.state_bytes += PositionState::bytes_for(counts.back(), tray.extent(), !shape.is_once());
     }
     fresh.bytes = fresh.state_bytes;
     make_room(fresh.bytes);
@@ -218,6 +231,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         if (!shape.is_once() && !count.empty() && !spare_.empty()) {
             state = std::move(spare_.back());
             spare_.pop_back();
+            spare_bytes_ -= state.room_bytes();
         }
         state.reset(count, tray.extent(), !shape.is_once());
         fresh.states.push_back(std::move(state));
@@ -228,6 +242,7 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     fresh.model = model;
     fresh.last_use = uses_;
     bytes_ += fresh.bytes;
+    drop_spares();
     return entries_[shape.id] = std::move(fresh);
 }
 

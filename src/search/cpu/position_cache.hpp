@@ -47,6 +47,7 @@ class PositionState {
     /// room.
     void reset(const Extent& count, const Extent& most, bool keeps);
     bool keeps() const { return keeps_; }
+    std::int64_t room_bytes() const { return static_cast<std::int64_t>(room_ * sizeof(OpenPair)); }
     std::size_t pairs_in_layer() const { return place_in(1); }
 
     const Extent& count() const { return count_; }
@@ -93,7 +94,10 @@ class PositionState {
     /// by becomes 0; and what blocks are bounded by that reach into `of_sums`, where the sums they come from changed.
     void forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent);
 
-    static std::int64_t bytes_for(const Extent& count, bool keeps);
+    /// Bytes it takes once it is reset(), at most: pages that nothing is written to are counted too.
+    static std::int64_t bytes_for(const Extent& count, const Extent& most, bool keeps);
+    /// Of them, those of the room for open pairs.
+    static std::int64_t room_bytes(const Extent& most);
 
   private:
     /// Where brick layer bz's open pairs begin.
@@ -158,18 +162,19 @@ class PositionCache {
     /// Counts the runs and plans that were made for an entry. It may be over the budget until the next call of at().
     void count(Entry& entry);
 
-    std::int64_t bytes() const { return bytes_; }
+    std::int64_t bytes() const { return bytes_ + spare_bytes_; }
 
   private:
     void spare_states_of(Entry& entry);
+    void drop_spares();
     void make_room(std::int64_t bytes);
     void forget_all();
 
     std::int64_t budget_;
-    std::int64_t bytes_ = 0;
+    std::int64_t bytes_ = 0, spare_bytes_ = 0;
     std::uint64_t epoch_ = 0, uses_ = 0;
     std::unordered_map<std::uint64_t, Entry> entries_;
-    std::vector<PositionState> spare_;  // of entries that went: their memory is used again
+    std::vector<PositionState> spare_;  // of entries that went: their room is used again
 };
 
 }  // namespace spectralpack
