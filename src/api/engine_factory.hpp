@@ -22,11 +22,16 @@ struct EngineNeed {
     Extent tray;
     int overhang = 0;  ///< voxels by which A+g reaches beyond A on a side, at most
     int gap_classes = 1;
-    int detail = 1;  ///< s of the tray
-    Extent ways;     ///< the grid in which it will be asked for ways out; empty where it will not
+    int detail = 1;                ///< s of the tray
+    Extent ways;                   ///< the grid in which it will be asked for ways out; empty where it will not
+    std::size_t orientations = 1;  ///< of a part, at most
+    double surface = 0;            ///< of a part's box, in squares of dx, at most
+    bool copies = true;            ///< some part has more than one
 };
 
 /// Bytes an engine of a resolved kind needs without any cache, about.
 std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers);
+/// Those of them for the part asked about last, which a cache has room for, too.
+std::int64_t part_memory(EngineKind kind, const EngineNeed& need);
 
 }  // namespace spectralpack

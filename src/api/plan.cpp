@@ -16,7 +16,9 @@
 #include "packing/reachable_search.hpp"
 #include "packing/shape_store.hpp"
 #include "packing/unlinked_search.hpp"
+#include "voxel/axis_turn.hpp"
 #include "voxel/outlines.hpp"
+#include "voxel/voxelize.hpp"
 
 namespace spectralpack {
 namespace {
@@ -92,9 +94,14 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
            std::to_string(orientations.size()) + " orientation" + (orientations.size() == 1 ? "" : "s") + " tried";
 }
 
-/// Bytes of a part's voxels in one orientation, about: bit rows are padded to words, so the mean over which
-/// axis runs along x; one set for A, one for its fine voxels and one, fine too, for A+g per distinct positive gap.
-std::int64_t shape_memory(const Vec3& size, double voxel, int detail, const std::vector<double>& gap_classes) {
+/// Bytes of a part's voxels in one orientation, about: bit rows are padded to words, so the mean over which axis runs
+/// along x.
+struct VoxelBytes {
+    double solid = 0;    ///< of A, and of its fine voxels
+    double widened = 0;  ///< of A+g, fine, for each distinct positive gap
+};
+
+VoxelBytes voxel_bytes(const Vec3& size, double voxel, int detail, const std::vector<double>& gap_classes) {
     const auto bits = [&](double margin, double dx) {
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -106,11 +113,11 @@ std::int64_t shape_memory(const Vec3& size, double voxel, int detail, const std:
         return sum;
     };
     const double fine = voxel / detail;
-    double bytes = bits(0, voxel) + (detail > 1 ? bits(0, fine) : 0);
+    VoxelBytes bytes{bits(0, voxel) + (detail > 1 ? bits(0, fine) : 0), 0};
     for (const double gap : gap_classes) {
-        if (gap > 0) bytes += bits(2 * (gap + fine), fine);
+        if (gap > 0) bytes.widened += bits(2 * (gap + fine), fine);
     }
-    return static_cast<std::int64_t>(bytes);
+    return bytes;
 }
 
 /// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over
@@ -125,24 +132,52 @@ std::vector<Vec3> sample_sizes(const Mesh& mesh, double to_mm, const std::vector
     return sizes;
 }
 
-/// Bytes that do not depend on the grid: meshes, surfaces and the voxels of the parts that are held at once, or of
-/// `all`.
+/// Bytes of a part, about.
+struct PartBytes {
+    double solid = 0;    ///< the voxels of one orientation without those of A+g
+    double of_made = 0;  ///< all voxels of those orientations whose voxels are made before one is chosen
+};
+
+PartBytes part_bytes(double dx, int detail, const Plan& plan, std::size_t part) {
+    const auto orientations = static_cast<double>(plan.orientations[part]->size());
+    const std::vector<Vec3>& sizes = plan.turned_sizes[part];
+    PartBytes mean;
+    for (const Vec3& size : sizes) {
+        // What follows by right angles is turned when it is placed, unless that reverses an axis on which fine voxels
+        // do not come out even: then its voxels of dx are others. The reference engine reads all.
+        double made = static_cast<double>(plan.roots[part]);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (voxels_along(size[axis], dx / detail) % detail != 0) made *= 2;
+        }
+        if (plan.reads_all || made > orientations) made = orientations;
+        const VoxelBytes one = voxel_bytes(size, dx, detail, plan.gap_classes);
+        mean.solid += one.solid / static_cast<double>(sizes.size());
+        mean.of_made += made * (one.solid + one.widened) / static_cast<double>(sizes.size());
+    }
+    return mean;
+}
+
+/// Bytes that do not depend on the grid: meshes, surfaces, the voxels of the parts that are held at once, or of `all`,
+/// and those of what stands in the tray.
 std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded, bool all = false) {
     std::int64_t bytes = kProgramMemory + plan.memory_of_surfaces;
     std::vector<std::int64_t> shapes;
+    double standing = 0;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!loaded.meshes[i]) continue;
         const Mesh& mesh = *loaded.meshes[i];
         bytes +=
             static_cast<std::int64_t>(mesh.vertices.size() * sizeof(Vec3) + mesh.triangles.size() * sizeof(Triangle));
-        if (!plan.too_large[i].empty() || copies_to_pack(loaded, i) == 0) continue;
-        std::int64_t sum = 0;
-        for (const Vec3& size : plan.turned_sizes[i]) {
-            sum += shape_memory(size, dx, detail, plan.gap_classes);
-        }
-        shapes.push_back(sum * static_cast<std::int64_t>(plan.orientations[i]->size()) /
-                         static_cast<std::int64_t>(plan.turned_sizes[i].size()));
+        const int copies = copies_to_pack(loaded, i);
+        if (!plan.too_large[i].empty() || copies == 0) continue;
+        const PartBytes part = part_bytes(dx, detail, plan, i);
+        shapes.push_back(static_cast<std::int64_t>(part.of_made));
+        // Copies in the same orientation share voxels.
+        standing +=
+            static_cast<double>(std::min<std::size_t>(static_cast<std::size_t>(copies), plan.orientations[i]->size())) *
+            part.solid;
     }
+    bytes += static_cast<std::int64_t>(plan.placed * standing);
     const std::size_t held =
         std::min<std::size_t>(shapes.size(), all ? shapes.size() : static_cast<std::size_t>(plan.held()));
     std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(held), shapes.end(),
@@ -153,21 +188,18 @@ std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJ
     return bytes;
 }
 
-/// Bytes of the surfaces of a tray's copies for sliding and leaving, about: it holds at most its volume of material,
-/// and copies of a part share those of an orientation.
-std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options,
-                             double container_volume) {
+/// Bytes of the surfaces of a tray's copies for sliding and leaving, about: copies of a part share those of an
+/// orientation.
+std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options) {
     if (!options.refine && options.interlock == Interlock::off) return 0;
-    double bytes = 0, material = 0;
+    double bytes = 0;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const int copies = copies_to_pack(loaded, i);
         if (!loaded.meshes[i] || !plan.too_large[i].empty() || copies == 0) continue;
         const std::size_t surfaces = std::min(static_cast<std::size_t>(copies), plan.orientations[i]->size());
         bytes += static_cast<double>(surfaces) * static_cast<double>(Bvh::most_bytes(*loaded.meshes[i]));
-        material += copies * loaded.parts[i].volume;
     }
-    const double share = is_open(options) || material <= container_volume ? 1 : container_volume / material;
-    return static_cast<std::int64_t>(share * bytes);
+    return static_cast<std::int64_t>(plan.placed * bytes);
 }
 
 /// The grid in which ways out of a tray with `grid` are looked for; empty where none are.
@@ -190,13 +222,38 @@ bool keeps_links(const PackOptions& options) {
     return options.interlock == Interlock::post && options.links == Links::avoid;
 }
 
+/// The greatest of the parts that fit, in squares of dx: of each the least box that is known of it, as turning a part
+/// adds to its box and not to its surface.
+double largest_surface(double dx, const Plan& plan) {
+    double largest = 0;
+    for (std::size_t i = 0; i < plan.turned_sizes.size(); ++i) {
+        if (!plan.too_large[i].empty()) continue;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec3& size : plan.turned_sizes[i]) {
+            const Vec3 n{std::ceil(size.x / dx), std::ceil(size.y / dx), std::ceil(size.z / dx)};
+            least = std::min(least, 2 * (n.x * n.y + n.y * n.z + n.z * n.x));
+        }
+        if (!plan.turned_sizes[i].empty()) largest = std::max(largest, least);
+    }
+    return largest;
+}
+
+EngineNeed engine_need(double dx, const Extent& grid, const Plan& plan, const PackOptions& options) {
+    const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
+    return {grid,
+            widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
+            static_cast<int>(plan.gap_classes.size()),
+            options.detail,
+            grid_of_ways(dx, grid, plan, options),
+            plan.most_orientations,
+            largest_surface(dx, plan),
+            plan.copies};
+}
+
 /// Bytes of the engines in such a grid, and of what they are asked about there, without caches.
 std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, const PackOptions& options,
                             const Workers& workers) {
-    const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
-    const EngineNeed need{grid, widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
-                          static_cast<int>(plan.gap_classes.size()), options.detail,
-                          grid_of_ways(dx, grid, plan, options)};
+    const EngineNeed need = engine_need(dx, grid, plan, options);
     // A beam has a tray and an engine for each of its states.
     const std::int64_t states = options.beam > 1 ? options.beam + 1 : 1;
     std::int64_t bytes = states * engine_memory(plan.engine, need, workers) + companies_memory(need.ways, plan);
@@ -210,6 +267,16 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     return bytes;
 }
 
+/// Of orientations, those that none before them turns into by right angles.
+std::size_t count_roots(const std::vector<Mat3>& orientations) {
+    std::vector<const Mat3*> roots;
+    for (const Mat3& orientation : orientations) {
+        const auto leads_there = [&](const Mat3* root) { return axis_turn(*root, orientation).has_value(); };
+        if (std::ranges::none_of(roots, leads_there)) roots.push_back(&orientation);
+    }
+    return roots.size();
+}
+
 /// The parts' orientation sets; parts that differ in nothing that decides them share one.
 void plan_orientations(const LoadedJob& loaded, const PackOptions& options, const Workers& workers, Plan& plan) {
     const RotationSpec spec = parse_rotations(options.rotations);
@@ -217,13 +284,14 @@ void plan_orientations(const LoadedJob& loaded, const PackOptions& options, cons
         PartOrientations part;
         const Mesh* boxed = nullptr;  // whose box frame is added
         std::shared_ptr<const std::vector<Mat3>> set;
+        std::size_t roots = 0;
     };
     std::vector<Wanted> wanted;
     std::map<const Mesh*, std::size_t> boxed;
     std::vector<std::size_t> wanted_by(loaded.parts.size());
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!loaded.meshes[i]) continue;
-        Wanted want{loaded.parts[i].orientations, nullptr, nullptr};
+        Wanted want{loaded.parts[i].orientations, nullptr, nullptr, 0};
         if (spec.box && want.part.kind == PartOrientations::Kind::any) {
             want.boxed = loaded.meshes[i].get();
             const auto [entry, fresh] = boxed.try_emplace(want.boxed, wanted.size());
@@ -240,9 +308,11 @@ void plan_orientations(const LoadedJob& loaded, const PackOptions& options, cons
         Wanted& want = wanted[static_cast<std::size_t>(k)];
         const Mat3 frame = want.boxed ? minimum_box_frame(*want.boxed) : Mat3{};
         want.set = std::make_shared<const std::vector<Mat3>>(orientation_set(spec, want.part, frame));
+        want.roots = count_roots(*want.set);
     });
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         plan.orientations.push_back(loaded.meshes[i] ? wanted[wanted_by[i]].set : nullptr);
+        plan.roots.push_back(loaded.meshes[i] ? wanted[wanted_by[i]].roots : 0);
         if (loaded.meshes[i]) plan.most_orientations = std::max(plan.most_orientations, plan.orientations[i]->size());
     }
 }
@@ -366,14 +436,17 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
                const Workers& workers) {
     check_options(options);
     Plan plan;
-    plan_orientations(loaded, options, workers, plan);
     plan.engine = resolve_engine(options.engine);
+    plan.reads_all = plan.engine == EngineKind::reference ||
+                     (options.verify_with && resolve_engine(options.verify_with->engine) == EngineKind::reference);
+    plan_orientations(loaded, options, workers, plan);
     plan.physical = container.physical;
     plan.room = room(options);
     plan.gap_classes = {};
     const double container_volume = volume_of(container);
 
     std::vector<PartSize> sizes;
+    double material = 0;
     plan.too_large.resize(loaded.parts.size());
     plan.turned_sizes.resize(loaded.parts.size());
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
@@ -393,8 +466,11 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.gap_classes.push_back(part.gap);
         if (plan.too_large[i].empty() && copies > 0) {
             sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i], part.volume});
+            plan.copies = plan.copies || copies > 1 || options.fill;
+            material += copies * part.volume;
         }
     }
+    if (!is_open(options) && material > container_volume) plan.placed = container_volume / material;
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
     plan.items = order_items(sizes, options.order, options.seed);
@@ -408,7 +484,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.memory_limit = options.memory > 0
                             ? options.memory
                             : static_cast<std::int64_t>(kShareOfFree * static_cast<double>(available_memory()));
-    plan.memory_of_surfaces = surfaces_memory(plan, loaded, options, container_volume);
+    plan.memory_of_surfaces = surfaces_memory(plan, loaded, options);
     plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
     const auto engines = [&](int layers) {
         return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
@@ -430,7 +506,10 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
             per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
-    const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * plan.cache;
+    const std::int64_t cached = std::max<std::int64_t>(
+        0, plan.cache - part_memory(plan.engine, engine_need(options.voxel, plan.grid, plan, options)));
+    const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * cached;
+    if (options.memory == 0) plan.memory += cached;
     plan.keeps_all = parts_memory(options.voxel, options.detail, plan, loaded, true) -
                          parts_memory(options.voxel, options.detail, plan, loaded) <=
                      spare / 2;

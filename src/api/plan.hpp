@@ -13,18 +13,21 @@ namespace spectralpack {
 struct Plan {
     std::vector<std::shared_ptr<const std::vector<Mat3>>> orientations;  ///< by part: its set; null where unusable
     std::size_t most_orientations = 0;                                   ///< of a part
-    std::vector<double> gap_classes;                                     ///< distinct gaps of usable parts, ascending
-    double height_penalty = 0;                                           ///< p
-    std::vector<PackItem> items;                  ///< in the order to try, without what cannot fit
-    std::vector<int> ranks;                       ///< by part: urgency_ranks()
+    std::vector<std::size_t> roots;   ///< by part: of its orientations, those that none before them turns into
+    std::vector<double> gap_classes;  ///< distinct gaps of usable parts, ascending
+    double height_penalty = 0;        ///< p
+    std::vector<PackItem> items;      ///< in the order to try, without what cannot fit
+    bool copies = false;              ///< some part has more than one
+    std::vector<int> ranks;           ///< by part: urgency_ranks()
     std::vector<std::vector<Vec3>> turned_sizes;  ///< by part: its mesh's in some of its orientations, spread over them
     std::vector<std::string> too_large;           ///< by part: why it fits in no orientation; empty where it fits
     EngineKind engine = EngineKind::cpu;          ///< resolved
+    bool reads_all = false;                       ///< voxels of all orientations are asked for
     Vec3 room;                                    ///< for the copies' boxes, mm
     Extent grid;                                  ///< with open height, as high as it starts
     bool physical = false;                        ///< copies leave by the container's open top alone
     int most_layers = 0;                          ///< open height: as high as memory lets it grow
-    std::int64_t memory = 0;                      ///< bytes the run needs without caches, meshes included
+    std::int64_t memory = 0;              ///< bytes the run takes, meshes included, without what more was allowed
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;                 ///< bytes left for caches
@@ -33,6 +36,7 @@ struct Plan {
     int held() const { return 2 * ahead; }  ///< parts whose voxels are held at once: new ones, and some that wait
     bool keeps_all = false;                 ///< there is memory for the voxels of all parts at once
     double box_ratio = 0, volume_ratio = 0;
+    double placed = 1;  ///< share of the copies that the container has room for, at most
 };
 
 /// True where the packing has no ceiling.
