@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <sstream>
 
 #include "cli/program.hpp"
+#include "support/sanitized.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -213,6 +215,33 @@ TEST(Pack, PlansTheMemoryThatWaysOutTake) {
     EXPECT_GT(place, off);
     EXPECT_GT(megabytes({"--interlock", "post"}), place) << "what links keep";
     EXPECT_GT(megabytes({"--interlock", "place", "--physical"}), place) << "walls all round";
+}
+
+TEST(Pack, PlansAboutTheMemoryThatARunTakes) {
+    if (kSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& options : std::initializer_list<std::vector<std::string>>{
+             {}, {"--detail", "4"}, {"--rotations", "45"}, {"--rotations", "45", "--detail", "1"}}) {
+        const std::vector<std::string> call =
+            std::vector<std::string>{"pack", kSamples,      "--tray",      "160x120x100", "--voxel",   "1", "--gap",
+                                     "1",    "--no-refine", "--interlock", "off",         "--threads", "2"} +
+            options;
+        const Ran plan = spectralpack(call + std::vector<std::string>{"--dry-run"});
+        ASSERT_EQ(plan.status, 0) << plan.err;
+        const std::string before = "memory     about ";
+        const std::size_t at = plan.out.find(before);
+        ASSERT_NE(at, std::string::npos) << plan.out;
+        std::istringstream text(plan.out.substr(at + before.size()));
+        double planned = 0;
+        std::string unit;
+        text >> planned >> unit;
+        planned *= unit == "GB," ? 1e9 : 1e6;
+        const Ran ran = spectralpack(call + std::vector<std::string>{"-o", (folder / "b.json").string()});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const double taken = read_json(folder / "b.json")["metrics"]["peak_memory"];
+        EXPECT_GT(planned, 0.8 * taken) << testing::PrintToString(options);
+        EXPECT_LT(planned, 3 * taken) << testing::PrintToString(options);
+    }
 }
 
 TEST(Pack, DryRunOfALongJobSaysHowMuchOfItItTried) {
