@@ -506,6 +506,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
             per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
+    if (plan.engine == EngineKind::reference) plan.cache = 0;  // it keeps nothing
     const std::int64_t cached = std::max<std::int64_t>(
         0, plan.cache - part_memory(plan.engine, engine_need(options.voxel, plan.grid, plan, options)));
     const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * cached;
