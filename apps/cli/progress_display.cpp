@@ -62,12 +62,13 @@ void ProgressDisplay::on_progress(const Progress& progress) {
     if (style_ == ProgressStyle::json) {
         const std::string orders =
             progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
+        const std::string verified = progress.verified > 0 ? fmt::format(R"(, "verified": {})", progress.verified) : "";
         fmt::print(stderr,
-                   R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}}})"
+                   R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
                    "\n",
                    phase_name(progress.phase), progress.done, progress.total,
                    progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
-                   left < 0 ? "null" : fmt::format("{:.3f}", left), orders);
+                   left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
     } else {
         draw(progress, left);
     }
@@ -81,6 +82,7 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     if (progress.phase == Phase::search && progress.density) {
         line += fmt::format("  density {}", percent_text(*progress.density));
     }
+    if (progress.verified > 0) line += fmt::format("  {} verified", progress.verified);
     if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));
     line_.draw(line);

@@ -127,19 +127,19 @@ class Run {
     void search(TraysResult& trays) {
         const PackOptions& options = options_;
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
-        VerifyingSearch* verifying = nullptr;
         if (options.verify_with) {
             auto both = std::make_unique<VerifyingSearch>(
                 std::move(engine), make_engine(resolve_engine(options.verify_with->engine), 0, workers_),
                 VerifyingOptions{options.verify_with->sample, static_cast<std::int64_t>(plan_.items.size()),
                                  options.seed});
-            verifying = both.get();
+            verifying_ = both.get();
             engine = std::move(both);
         }
         const Stopwatch watch;
         const auto finish = [&] {
             seconds_.search = watch.seconds() - seconds_.voxelize - seconds_.refine - untangling_;
-            if (verifying) verified_ = verifying->verified();
+            verified_ = verified_so_far();
+            verifying_ = nullptr;
         };
         try {
             if (options.minimise == Minimise::box) {
@@ -155,6 +155,8 @@ class Run {
         }
         finish();
     }
+
+    std::int64_t verified_so_far() const { return verifying_ ? verifying_->verified() : 0; }
 
     /// Packs into trays of one size.
     void search_on(const BaseSize& base, PlacementSearch& engine, TraysResult& trays) {
@@ -223,7 +225,7 @@ class Run {
             const std::int64_t total = options.fill ? sure : static_cast<std::int64_t>(items.size());
             const double work = options.fill ? density.value_or(0)
                                              : (limit.trays == 1 ? efforts[done] : settled_effort) / efforts.back();
-            tell({Phase::search, sure, total, density, std::min(work, 1.0)});
+            tell({Phase::search, sure, total, density, std::min(work, 1.0), verified_so_far()});
         };
         tell({Phase::search, 0, static_cast<std::int64_t>(items.size()), 0, 0});
         const auto note = [&] {
@@ -383,7 +385,8 @@ class Run {
     LoadedJob loaded_;
     Plan plan_;
     PhaseSeconds seconds_;
-    double untangling_ = 0;  // seconds, also of trays that were given up
+    double untangling_ = 0;                       // seconds, also of trays that were given up
+    const VerifyingSearch* verifying_ = nullptr;  // while the search lasts
     std::int64_t verified_ = 0;
     int orders_ = 1;                // packed in, the best being kept
     std::optional<BaseSize> base_;  // of the least box

@@ -16,6 +16,7 @@ struct Progress {
     /// Of the packing so far, 0..1; only in Phase::search. None where the container has no ceiling to fill up to.
     std::optional<double> density = 0;
     double work = 0;            ///< share of the phase's expected work that is done, 0..1
+    std::int64_t verified = 0;  ///< placements a second engine answered alike so far; only with --verify-with
     int order = 0, orders = 0;  ///< where several orders are packed in: which, from 1, of how many
 };
 

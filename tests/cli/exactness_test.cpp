@@ -52,10 +52,12 @@ TEST_P(Exactness, TheReferenceEngineFindsNoDifference) {
         call.insert(call.end(), more.begin(), more.end());
     }
     const Ran ran = spectralpack(call);
-    ASSERT_EQ(ran.status, 0) << ran.err;
+    // An interrupted run fails, but says how far it came: interrupt the program alone, not the test with it.
+    ASSERT_TRUE(ran.status == 0 || ran.status == 130) << ran.err;
     const json metrics = read_json(folder_ / "build.json")["metrics"];
     const int searches = metrics["searches"], verified = metrics["verified"];
     std::printf("%d of %d searches answered alike\n", verified, searches);
+    EXPECT_EQ(ran.status, 0) << "interrupted";
     EXPECT_GE(verified, std::min(searches, kEnough));
 }
 

@@ -104,12 +104,13 @@ TEST(Pack, SeedDecidesTheRandomOrder) {
 #ifdef SPECTRALPACK_HAS_REFERENCE
 TEST(Pack, VerifyWithReferenceFindsNoDifference) {
     const TemporaryFolder folder;
-    const Ran ran = spectralpack(
-        std::vector<std::string>{"pack", kSamples, "--verify-with", "reference", "-o", (folder / "b.json").string()} +
-        kSmall);
+    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "--verify-with", "reference", "--progress",
+                                                          "json", "-o", (folder / "b.json").string()} +
+                                 kSmall);
     ASSERT_EQ(ran.status, 0) << ran.err;
     const json metrics = read_json(folder / "b.json")["metrics"];
     EXPECT_EQ(metrics["verified"], metrics["searches"]);
+    EXPECT_TRUE(contains(ran.err, "\"verified\": " + metrics["verified"].dump())) << ran.err;
 }
 #endif
 
