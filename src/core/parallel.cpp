@@ -13,8 +13,37 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace spectralpack {
+namespace {
+
+/// What is left of a thread's share of a loop: its own thread takes the first, others the last.
+class alignas(64) Share {
+  public:
+    void set(std::int64_t begin, std::int64_t end) {
+        begin_ = begin;
+        end_ = end;
+    }
+    std::int64_t left() {
+        const std::lock_guard lock(mutex_);
+        return end_ - begin_;
+    }
+    std::optional<std::int64_t> take_first() {
+        const std::lock_guard lock(mutex_);
+        return begin_ < end_ ? std::optional(begin_++) : std::nullopt;
+    }
+    std::optional<std::int64_t> take_last() {
+        const std::lock_guard lock(mutex_);
+        return begin_ < end_ ? std::optional(--end_) : std::nullopt;
+    }
+
+  private:
+    std::mutex mutex_;  // guards what follows
+    std::int64_t begin_ = 0, end_ = 0;
+};
+
+}  // namespace
 
 struct Workers::Pool {
     explicit Pool(int threads)
@@ -81,6 +110,36 @@ void Workers::for_each_in_order(std::int64_t count, const std::function<void(std
     for_each(std::min<std::int64_t>(threads(), count), [&](std::int64_t) {
         for (std::int64_t i = next++; i < count; i = next++) {
             task(i);
+        }
+    });
+}
+
+void Workers::for_each_apart(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
+    const std::int64_t threads = std::min<std::int64_t>(this->threads(), count);
+    if (threads <= 0) return;
+    std::vector<Share> shares(static_cast<std::size_t>(threads));
+    for (std::int64_t k = 0; k < threads; ++k) {
+        shares[static_cast<std::size_t>(k)].set(count * k / threads, count * (k + 1) / threads);
+    }
+    const auto take_from_largest = [&]() -> std::optional<std::int64_t> {
+        for (;;) {
+            Share* largest = nullptr;
+            std::int64_t most = 0;
+            for (Share& share : shares) {
+                const std::int64_t left = share.left();
+                if (left > most) largest = &share;
+                most = std::max(most, left);
+            }
+            if (largest == nullptr) return std::nullopt;
+            if (const auto i = largest->take_last()) return i;  // else somebody was quicker
+        }
+    };
+    for_each(threads, [&](std::int64_t k) {
+        while (const auto i = shares[static_cast<std::size_t>(k)].take_first()) {
+            task(*i);
+        }
+        while (const auto i = take_from_largest()) {
+            task(*i);
         }
     });
 }

@@ -23,6 +23,10 @@ class Workers {
     /// The same, each i begun before those after it: where what is known by then spares the rest work.
     void for_each_in_order(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
 
+    /// The same in any order, for tasks that read what those next to them read: each thread goes through a share of its
+    /// own, and then takes the last of the largest that is left, so that no two ask for the same lines of memory.
+    void for_each_apart(std::int64_t count, const std::function<void(std::int64_t)>& task) const;
+
     /// The first i in [0, count) of which test(i) is true; count where there is none. All before it are tested; of
     /// those after it some, where threads are ahead, with no effect on the answer.
     std::int64_t first(std::int64_t count, const std::function<bool(std::int64_t)>& test) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -27,8 +28,9 @@ TEST_P(ParallelLoops, VisitEachIndexOnce) {
         }
     });
     workers.for_each_in_order(1000, [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
+    workers.for_each_apart(1000, [&](std::int64_t i) { ++visits[static_cast<std::size_t>(i)]; });
     for (const auto& count : visits) {
-        EXPECT_EQ(count, 3);
+        EXPECT_EQ(count, 4);
     }
 }
 
@@ -40,6 +42,27 @@ TEST_P(ParallelLoops, InOrderBeginWhatComesBeforeFirst) {
         EXPECT_GE(++begun, i + 2 - GetParam());
     });
     EXPECT_EQ(begun, 1000);
+}
+
+TEST_P(ParallelLoops, ApartEachShareIsTakenFromItsEnds) {
+    const Workers workers(GetParam());
+    for (const std::int64_t count : {0, 1, 3, 1000}) {
+        std::vector<std::atomic<bool>> begun(static_cast<std::size_t>(count));
+        const std::int64_t shares = std::min<std::int64_t>(GetParam(), count);
+        workers.for_each_apart(count, [&](std::int64_t i) {
+            begun[static_cast<std::size_t>(i)] = true;
+            const auto not_begun = [&](std::int64_t from, std::int64_t to) {
+                return std::count(begun.begin() + from, begun.begin() + to, false);
+            };
+            std::int64_t share = 0;
+            while (count * (share + 1) / shares <= i)
+                ++share;
+            // On one side of it none is left but what other threads have just taken.
+            EXPECT_LE(std::min(not_begun(count * share / shares, i), not_begun(i, count * (share + 1) / shares)),
+                      GetParam() - 1);
+        });
+        EXPECT_EQ(std::count(begun.begin(), begun.end(), true), count);
+    }
 }
 
 TEST_P(ParallelLoops, FirstIsTheLeastAndAllBeforeItAreTested) {

@@ -21,7 +21,9 @@ namespace {
 constexpr std::size_t kFewRuns = 128;
 constexpr int kThin = 28;  // voxels, along some axis
 constexpr int kManyCopies = 100;
-constexpr int kLayersPerTask = 2;  // brick layers: what tables hold of few stays in the caches for all orientations
+// Brick layers: what tables hold of few stays in the caches for all orientations. Fewer where tasks begun later may be
+// spared.
+constexpr int kLayersPerTask = 4, kLayersPerTaskInOrder = 2;
 
 /// True of a solid that, where it fits in closely, is near to something all over.
 bool is_thin(const Shape& shape) {
@@ -295,6 +297,18 @@ class CpuSearch final : public PlacementSearch {
         return kBrickZ * (below / kBrickZ + 1) - 1 + search.layers;
     }
 
+    /// True where the height decides, so that what is found in low layers rules out those above: over these brick
+    /// layers the cost rises by more than 1 for each voxel of the solid, which is what rho is at least where all is
+    /// occupied.
+    static bool is_steep(const OrientationTask& search, int begin, int end) {
+        const SearchContext& context = search.context;
+        if (context.model.height_at == HeightAt::top) return true;
+        const auto height = [&](int layer) {
+            return height_penalty_at(context.model, kBrickZ * layer, context.reference_layers);
+        };
+        return height(end) - height(begin) > static_cast<double>(search.solid.voxels);
+    }
+
     /// The brick layers from `begin` to `end` of each orientation. False: stopped.
     bool search_between(std::vector<OrientationTask>& searches, const std::vector<int>& begin,
                         const std::vector<int>& end, const StopToken& stop) const {
@@ -303,28 +317,37 @@ class CpuSearch final : public PlacementSearch {
             int begin, end;
         };
         std::vector<std::size_t> order;
+        bool steep = false;
         for (std::size_t i = 0; i < searches.size(); ++i) {
-            if (begin[i] < end[i]) order.push_back(i);
+            if (begin[i] >= end[i]) continue;
+            order.push_back(i);
+            steep = steep || is_steep(searches[i], begin[i], end[i]);
         }
         // Those that read the same sums one after the other.
         std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i].solid.axis; });
         std::vector<Task> tasks;
         const int most = searches.empty() ? 0 : *std::ranges::max_element(end);
-        for (int first = 0; first < most; first += kLayersPerTask) {
+        const int layers = steep ? kLayersPerTaskInOrder : kLayersPerTask;
+        for (int first = 0; first < most; first += layers) {
             for (const std::size_t i : order) {
-                const int from = std::max(begin[i], first), to = std::min(end[i], first + kLayersPerTask);
+                const int from = std::max(begin[i], first), to = std::min(end[i], first + layers);
                 if (from < to) tasks.push_back({&searches[i], from, to});
             }
         }
         std::atomic<bool> stopped{false};
-        workers_.for_each_in_order(std::ssize(tasks), [&](std::int64_t i) {
+        const auto search = [&](std::int64_t i) {
             if (stopped || stop.stopped()) {
                 stopped = true;
                 return;
             }
             const Task& task = tasks[static_cast<std::size_t>(i)];
             search_layers(*task.search, task.begin, task.end);
-        });
+        };
+        if (steep) {
+            workers_.for_each_in_order(std::ssize(tasks), search);
+        } else {
+            workers_.for_each_apart(std::ssize(tasks), search);
+        }
         return !stopped;
     }
 
