@@ -78,6 +78,7 @@ Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
     places.all.resize(pieces_in(lots));
     BitTables::Place* next = places.all.data();
     std::vector<BitTables::Place> of_rank;
+    of_rank.reserve(places.all.size());
     for_each_rank(lots, [&](std::span<const Lot> same) {
         of_rank.resize(pieces_in(same));
         BitTables::Place* place = of_rank.data();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <vector>
 
 #include "search/cpu/kernels-inl.h"
@@ -37,7 +38,9 @@ static HWY_NOINLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t nex
 /// One thread's look-ups of whole pairs of bricks of one orientation.
 class Sifter {
   public:
-    explicit Sifter(const OrientationTask& task) : t_(task), tables_(task.context.tables), state_(task.state) {}
+    /// What it lists lies in `memory`.
+    Sifter(const OrientationTask& task, std::pmr::memory_resource* memory)
+        : t_(task), tables_(task.context.tables), state_(task.state), room_(memory) {}
 
     /// Which blocks of the crowd tables' tiles in row j have room for anything at all, as far as pairs there are fresh.
     void LookAtCrowd(int j, int bz) {
@@ -160,7 +163,7 @@ class Sifter {
     const OrientationTask& t_;
     const TrayTables& tables_;
     const PositionState& state_;
-    std::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row
+    std::pmr::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row
     Patience stacks_{kPatienceWithStacks};
 };
 
