@@ -317,17 +317,17 @@ class CpuSearch final : public PlacementSearch {
             int begin, end;
         };
         std::vector<std::size_t> order;
-        bool steep = false;
+        bool in_order = tables_.large();  // where a range of a thread's own is far more than its cache holds
         for (std::size_t i = 0; i < searches.size(); ++i) {
             if (begin[i] >= end[i]) continue;
             order.push_back(i);
-            steep = steep || is_steep(searches[i], begin[i], end[i]);
+            in_order = in_order || is_steep(searches[i], begin[i], end[i]);
         }
         // Those that read the same sums one after the other.
         std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i].solid.axis; });
         std::vector<Task> tasks;
         const int most = searches.empty() ? 0 : *std::ranges::max_element(end);
-        const int layers = steep ? kLayersPerTaskInOrder : kLayersPerTask;
+        const int layers = in_order ? kLayersPerTaskInOrder : kLayersPerTask;
         for (int first = 0; first < most; first += layers) {
             for (const std::size_t i : order) {
                 const int from = std::max(begin[i], first), to = std::min(end[i], first + layers);
@@ -343,7 +343,7 @@ class CpuSearch final : public PlacementSearch {
             const Task& task = tasks[static_cast<std::size_t>(i)];
             search_layers(*task.search, task.begin, task.end);
         };
-        if (steep) {
+        if (in_order) {
             workers_.for_each_in_order(std::ssize(tasks), search);
         } else {
             workers_.for_each_apart(std::ssize(tasks), search);

@@ -16,7 +16,8 @@ struct CpuOptions {
     /// Bytes for what is remembered of shapes between searches, so that further copies are cheap.
     /// What the tray itself takes comes on top.
     std::int64_t cache_memory = std::int64_t{1} << 28;
-    /// From how many voxels on a tray is large: crowd tables are kept of it, and solids are cut into small cells too.
+    /// From how many voxels on a tray is large: crowd tables are kept of it, solids are cut into small cells too,
+    /// and threads take its layers in order.
     /// In smaller ones either takes as much time as it spares.
     std::int64_t large_from = 4'000'000;
     /// Sums are kept in bytes as soon as phi is small everywhere; else always in 16 bits.

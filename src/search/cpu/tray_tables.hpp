@@ -57,7 +57,8 @@ class TrayTables {
     bool only_adds(const Tray& tray, int margin, bool apart) const;
 
     const BitTables& bits() const { return bits_; }
-    /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids.
+    /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids. And threads keep
+    /// together there.
     bool large() const { return large_; }
     const CrowdTables& crowd() const { return crowd_; }
     /// Right below its own top, which is a little higher than top() and where no block ends or begins in between.
