@@ -298,8 +298,7 @@ class CpuSearch final : public PlacementSearch {
     }
 
     /// True where the height decides, so that what is found in low layers rules out those above: over these brick
-    /// layers the cost rises by more than 1 for each voxel of the solid, which is what rho is at least where all is
-    /// occupied.
+    /// layers the cost rises by more than 1 for each voxel of the solid, about the least that rho comes to.
     static bool is_steep(const OrientationTask& search, int begin, int end) {
         const SearchContext& context = search.context;
         if (context.model.height_at == HeightAt::top) return true;

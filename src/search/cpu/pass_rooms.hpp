@@ -14,7 +14,7 @@ namespace spectralpack {
 /// Buffers, of which there come to be as many as there are threads. Thread-safe; outlives the rooms made of it.
 class PassRooms {
     using Buffer = std::unique_ptr<std::byte[]>;
-    static constexpr std::size_t kBytes = 1 << 19;  // only what passes write is ever found for them by the system
+    static constexpr std::size_t kBytes = 1 << 19;  // the system finds memory for as much of it only as passes write
 
   public:
     /// One pass's: all that was taken of its memory is free again when it goes.
