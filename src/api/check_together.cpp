@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "api/plan.hpp"
+#include "api/check_options.hpp"
 #include "core/error.hpp"
 
 namespace spectralpack {

@@ -1,3 +1,4 @@
+#include "api/check_options.hpp"
 #include "api/check_together.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/load.hpp"

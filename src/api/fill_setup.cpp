@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "api/check_options.hpp"
+#include "api/number_text.hpp"
 #include "core/error.hpp"
 #include "packing/walls.hpp"
 
 namespace spectralpack {
 namespace {
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 void require_free(const BitGrid& blocked, const Container& container, const PackOptions& options) {
     if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "api/check_options.hpp"
 #include "api/plan.hpp"
 #include "formats/mesh_reader.hpp"
 #include "verify/check.hpp"

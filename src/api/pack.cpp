@@ -13,12 +13,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "api/check_options.hpp"
 #include "api/check_together.hpp"
 #include "api/engine_factory.hpp"
 #include "api/fill_setup.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
+#include "api/memory_plan.hpp"
 #include "api/order_measures.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"

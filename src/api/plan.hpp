@@ -39,26 +39,7 @@ struct Plan {
     double placed = 1;  ///< share of the copies that the container has room for, at most
 };
 
-/// True where the packing has no ceiling.
-bool is_open(const PackOptions& options);
-
-/// Where height counts, unless the options say so.
-HeightReference height_reference(const PackOptions& options);
-
-/// The tray with its z set where it was left open: the container, or with open height its base and reference height.
-Vec3 tray_size(const PackOptions& options);
-
-/// Throws UsageError for rays of no use, too fine ones for voxels of that size among them.
-void check_ray_spacing(double spacing, double voxel);
-
-/// Throws UsageError for options that make no sense or are not built.
-void check_options(const PackOptions& options);
-
 /// `options.tray` is the container's size. Throws as check_options and orientation_set do.
 Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options, const Workers& workers);
-
-/// Throws ResourceError, with the bytes needed and the finest voxel size that would fit, when plan.memory is
-/// beyond plan.memory_limit.
-void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options, const Workers& workers);
 
 }  // namespace spectralpack

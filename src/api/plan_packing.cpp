@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/plan.hpp"
 #include "core/error.hpp"

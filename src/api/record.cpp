@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/machine.hpp"

@@ -553,10 +553,10 @@ TEST_P(EngineTest, AnswersAlikeWithAnyNumberOfThreads) {
 
 TEST_P(EngineTest, HoldsMemoryOnceItHasWorked) {
     const auto engine = make_engine();
-    const Tray tray(box_tray({30, 20, 10}));
+    const Tray tray(box_tray({300, 200, 100}));
     EXPECT_GE(engine->memory(), 0);
     engine->best_placement(tray, one_box(1, {3, 2, 2}), {}, {});
-    EXPECT_GT(engine->memory(), 30 * 20 * 10 / 8);
+    EXPECT_GT(engine->memory(), 300 * 200 * 100 / 8);
 }
 
 TEST_P(EngineTest, GivesMemoryBackAndAnswersAsBefore) {

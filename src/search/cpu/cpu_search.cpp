@@ -108,13 +108,14 @@ class CpuSearch final : public PlacementSearch {
 
     const char* name() const override { return "cpu"; }
     std::int64_t memory() const override {
-        std::int64_t bytes = tables_.bytes() + positions_.bytes();
+        std::int64_t bytes = tables_.bytes() + positions_.bytes() + rooms_.bytes();
         if (dilated_) bytes += dilated_->bytes();
         return bytes;
     }
     void forget() override {
         tables_ = TrayTables(options_.large_from, options_.bytes);
         positions_ = PositionCache(options_.cache_memory);
+        rooms_.clear();
         dilated_ = nullptr;
         give_back_freed();
     }

@@ -3,6 +3,8 @@
 /// their own, some ten thousand passes a second, wait for the allocator that they share.
 
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <memory>
 #include <memory_resource>
 #include <mutex>
@@ -34,6 +36,18 @@ class PassRooms {
         std::pmr::monotonic_buffer_resource memory_;  // asks the allocator for what the buffer does not hold
     };
 
+    /// Of the buffers, as much as they can hold.
+    std::int64_t bytes() const {
+        const std::lock_guard lock(mutex_);
+        return std::ssize(free_) * static_cast<std::int64_t>(kBytes);
+    }
+
+    /// Gives the memory back: while nobody passes.
+    void clear() {
+        const std::lock_guard lock(mutex_);
+        free_.clear();
+    }
+
   private:
     Buffer take() {
         {
@@ -52,7 +66,7 @@ class PassRooms {
         free_.push_back(std::move(buffer));
     }
 
-    std::mutex mutex_;
+    mutable std::mutex mutex_;  // guards what is free
     std::vector<Buffer> free_;
 };
 

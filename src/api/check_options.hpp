@@ -1,0 +1,26 @@
+#pragma once
+/// What pack options come to, and which of them make no sense.
+
+#include "spectralpack/pack.hpp"
+
+namespace spectralpack {
+
+/// True where the packing has no ceiling.
+bool is_open(const PackOptions& options);
+
+/// Where height counts, unless the options say so.
+HeightReference height_reference(const PackOptions& options);
+
+/// The tray with its z set where it was left open: the container, or with open height its base and reference height.
+Vec3 tray_size(const PackOptions& options);
+
+/// What is left of the tray inside the wall gap; under an open ceiling without end upwards.
+Vec3 space_inside(const PackOptions& options);
+
+/// Throws UsageError for rays of no use, too fine ones for voxels of that size among them.
+void check_ray_spacing(double spacing, double voxel);
+
+/// Throws UsageError for options that make no sense or are not built.
+void check_options(const PackOptions& options);
+
+}  // namespace spectralpack
