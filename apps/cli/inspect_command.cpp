@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
@@ -130,12 +129,7 @@ int run_inspect(const InspectArguments& arguments) {
     options.keep_meshes = !arguments.picture.empty();
     RenderOptions picture;
     parse_picture_size(arguments.size, picture);
-    if (options.keep_meshes) {
-        if (std::filesystem::path(arguments.picture).extension() != ".png") {
-            throw UsageError(fmt::format("-o {}: a picture's name ends in .png", arguments.picture));
-        }
-        require_folder(arguments.picture, "-o");
-    }
+    if (options.keep_meshes) require_picture(arguments.picture);
     ProgressDisplay display(ProgressStyle::automatic);
     const std::vector<InspectedFile> files = inspect(expand_inputs(arguments.meshes, ""), options, display);
     display.finish();

@@ -41,19 +41,34 @@ struct Settings {
 
 void check_files(const Settings& settings) {
     for (const std::string& output : settings.outputs) {
-        require_output_file(output);
-        require_folder(output, "-o");
+        require_output(output);
     }
     if (settings.report) {
         if (!is_report_file(*settings.report)) {
             throw UsageError(fmt::format("--report {}: a report's name ends in .html or .csv", *settings.report));
         }
-        require_folder(*settings.report, "--report");
+        require_writable(*settings.report, "--report");
     }
     const auto& density = settings.material_density;
     if (density && (!(*density > 0) || !std::isfinite(*density))) {
         throw UsageError("--material-density must be a positive number");
     }
+}
+
+/// Nothing that is read is written over: a part would be lost, or the last build, lying among the parts, packed as one.
+void spare_inputs(const Settings& settings, const PackArguments& arguments) {
+    std::vector<std::string> inputs = files_of(settings.job.container);
+    inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
+    for (const PartSource& part : settings.job.parts) {
+        inputs.push_back(part.mesh);
+    }
+    for (const FixedSource& fixed : settings.job.fixed) {
+        inputs.push_back(fixed.mesh.file);
+    }
+    for (const std::string& output : settings.outputs) {
+        require_no_input(output, "-o", inputs);
+    }
+    if (settings.report) require_no_input(*settings.report, "--report", inputs);
 }
 
 /// Checks what can be checked before any work: words, endings, folders.
@@ -146,7 +161,7 @@ int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts
     if (settings.json) {
         fmt::print("{}\n", packing_json(scene));
     } else {
-        print_summary(result, written);
+        print_summary(result, written, !settings.outputs.empty());
     }
     if (status != kDone) return status;
     if (result.stopped == StopReason::cancelled) return kInterrupted;
@@ -170,6 +185,7 @@ int run_pack(const PackArguments& arguments) {
     settings.job.enough_orders = interrupts.half_time();
     settle_container(arguments, inputs.job.value_or(JobSettings{}), settings.job);
     settings.job.fixed = inputs.job ? inputs.job->fixed : std::vector<FixedSource>{};
+    spare_inputs(settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
     const int status = settings.dry_run ? run_estimate(settings, display, interrupts, unusable)

@@ -63,11 +63,18 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
 
 int run_plan(const PlanArguments& arguments) {
     for (const std::string& output : arguments.outputs) {
-        require_output_file(output);
+        require_output(output);
     }
     const Interrupts interrupts(arguments.time_limit);
     ProgressDisplay display(ProgressStyle::automatic);
     Scene scene = load_scene(arguments.packing);
+    std::vector<std::string> meshes = files_of(container_source(scene.packing));
+    for (const Part& part : scene.packing.parts) {
+        meshes.push_back(part.mesh);
+    }
+    for (const std::string& output : arguments.outputs) {
+        require_no_input(output, "-o", meshes);
+    }
     const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, display, interrupts.token());
     display.finish();
     bool complete = true;

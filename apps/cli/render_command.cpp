@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "paths.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -19,6 +20,7 @@ struct RenderArguments {
 
 int run_render(RenderArguments arguments) {
     parse_picture_size(arguments.size, arguments.options);
+    require_picture(arguments.output);
     const Scene scene = load_scene(arguments.packing);
     write_picture(scene, arguments.output, arguments.options, arguments.threads);
     fmt::print("wrote {}\n", arguments.output);

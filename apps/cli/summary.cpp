@@ -131,7 +131,7 @@ void print_interlocking(const Packing& packing) {
 
 }  // namespace
 
-void print_summary(const PackResult& result, const std::vector<std::string>& written) {
+void print_summary(const PackResult& result, const std::vector<std::string>& written, bool files_named) {
     const Packing& packing = result.packing;
     const Metrics& metrics = packing.metrics;
     const PhaseSeconds& seconds = metrics.seconds;
@@ -158,7 +158,7 @@ void print_summary(const PackResult& result, const std::vector<std::string>& wri
     }
     print_left_over(packing);
     print_interlocking(packing);
-    if (written.empty()) fmt::print("  Nothing was written: name files with -o.\n");
+    if (written.empty()) fmt::print("  Nothing was written{}.\n", files_named ? "" : ": name files with -o");
     for (const std::string& file : written) {
         fmt::print("  wrote      {}\n", file);
     }

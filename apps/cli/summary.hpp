@@ -11,7 +11,8 @@
 
 namespace spectralpack::cli {
 
-void print_summary(const PackResult& result, const std::vector<std::string>& written);
+/// `written`: files, of those that were named, if any were.
+void print_summary(const PackResult& result, const std::vector<std::string>& written, bool files_named);
 void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time);
 
 }  // namespace spectralpack::cli

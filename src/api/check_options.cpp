@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "api/number_text.hpp"
+#include "api/short_number.hpp"
 #include "core/error.hpp"
 #include "model/orientation.hpp"
 
@@ -47,8 +47,8 @@ Vec3 space_inside(const PackOptions& options) {
 void check_ray_spacing(double spacing, double voxel) {
     if (!(spacing > 0) || !std::isfinite(spacing)) throw UsageError("--ray-spacing must be a positive number");
     if (spacing * kMostRays < voxel) {
-        throw UsageError("--ray-spacing " + number_text(spacing) + " is too fine: " + number_text(voxel / kMostRays) +
-                         " is the least for voxels of " + number_text(voxel) + " mm");
+        throw UsageError("--ray-spacing " + short_number(spacing) + " is too fine: " + short_number(voxel / kMostRays) +
+                         " is the least for voxels of " + short_number(voxel) + " mm");
     }
 }
 
@@ -68,8 +68,8 @@ void check_options(const PackOptions& options) {
         if (axis == 2 && tray.z == 0) throw UsageError("--tray needs a height, except with --open-height");
         positive(tray[axis], "every side of --tray");
         if (tray[axis] <= 2 * options.wall_gap) {
-            throw UsageError("--wall-gap " + number_text(options.wall_gap) + " leaves no room in a tray of " +
-                             number_text(tray[axis]) + " mm");
+            throw UsageError("--wall-gap " + short_number(options.wall_gap) + " leaves no room in a tray of " +
+                             short_number(tray[axis]) + " mm");
         }
     }
     positive(options.voxel, "--voxel");
@@ -111,7 +111,7 @@ void check_options(const PackOptions& options) {
     const Vec3 space = space_inside(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
         throw UsageError("the container, less the wall gap, is smaller than one voxel of " +
-                         number_text(options.voxel) + " mm");
+                         short_number(options.voxel) + " mm");
     }
 }
 

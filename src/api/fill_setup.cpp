@@ -5,7 +5,7 @@
 #include <string>
 
 #include "api/check_options.hpp"
-#include "api/number_text.hpp"
+#include "api/short_number.hpp"
 #include "core/error.hpp"
 #include "packing/walls.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 
 void require_free(const BitGrid& blocked, const Container& container, const PackOptions& options) {
     if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
-    std::string what = "no voxel of " + number_text(options.voxel) + " mm is wholly free";
-    if (options.wall_gap > 0) what += " and " + number_text(options.wall_gap) + " mm from the walls";
+    std::string what = "no voxel of " + short_number(options.voxel) + " mm is wholly free";
+    if (options.wall_gap > 0) what += " and " + short_number(options.wall_gap) + " mm from the walls";
     if (container.mesh) throw InputError(container.mesh->file, "", "as a container, " + what);
     throw UsageError("between the keep-outs " + what);
 }

@@ -11,7 +11,7 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/machine.hpp"
-#include "api/number_text.hpp"
+#include "api/short_number.hpp"
 #include "core/error.hpp"
 #include "geometry/bvh.hpp"
 #include "packing/physical_walls.hpp"
@@ -269,9 +269,9 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
     if (fitting < coarsest) {
         // Rounded up to two digits, so that it is a size a person would type.
         const double digit = std::pow(10, std::floor(std::log10(fitting)) - 1);
-        advice = "; --voxel " + number_text(std::ceil(fitting / digit) * digit) + " would fit";
+        advice = "; --voxel " + short_number(std::ceil(fitting / digit) * digit) + " would fit";
     }
-    throw ResourceError("packing at --voxel " + number_text(options.voxel) + " needs about " + megabytes(plan.memory) +
+    throw ResourceError("packing at --voxel " + short_number(options.voxel) + " needs about " + megabytes(plan.memory) +
                         " of memory, and " + megabytes(plan.memory_limit) +
                         (options.memory > 0 ? " are allowed" : " are free") + advice);
 }

@@ -8,7 +8,7 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/memory_plan.hpp"
-#include "api/number_text.hpp"
+#include "api/short_number.hpp"
 #include "geometry/box.hpp"
 #include "geometry/minimum_box.hpp"
 #include "model/orientation.hpp"
@@ -40,9 +40,9 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
         if (fits(turned_size(mesh, turn, to_mm), space)) return "";
     }
     const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
-    return "is " + number_text(size.x) + " x " + number_text(size.y) + " x " + number_text(size.z) + " mm and fits " +
-           (std::isinf(space.z) ? "on " : "into ") + number_text(space.x) + " x " + number_text(space.y) +
-           (std::isinf(space.z) ? "" : " x " + number_text(space.z)) + " mm in none of the " +
+    return "is " + short_number(size.x) + " x " + short_number(size.y) + " x " + short_number(size.z) +
+           " mm and fits " + (std::isinf(space.z) ? "on " : "into ") + short_number(space.x) + " x " +
+           short_number(space.y) + (std::isinf(space.z) ? "" : " x " + short_number(space.z)) + " mm in none of the " +
            std::to_string(orientations.size()) + " orientation" + (orientations.size() == 1 ? "" : "s") + " tried";
 }
 

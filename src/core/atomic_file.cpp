@@ -2,15 +2,20 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
 
-#include "core/error.hpp"
-
 namespace spectralpack {
 
 namespace fs = std::filesystem;
+
+ResourceError write_failure(const fs::path& path) {
+    const std::string reason =
+        errno == 0 ? "the disk is full or the folder is read-only" : std::generic_category().message(errno);
+    return ResourceError("cannot write " + path.string() + ": " + reason);
+}
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -22,6 +27,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
         folder / ("." + path.stem().string() + ".part" + std::to_string(::getpid()) + path.extension().string());
     std::error_code ignored;
     try {
+        errno = 0;
         write(temporary);
         std::error_code failure;
         fs::rename(temporary, path, failure);
@@ -39,9 +45,7 @@ void replace_file(const fs::path& path, std::string_view bytes) {
         std::ofstream out(temporary, std::ios::binary);
         out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         out.close();
-        if (!out) {
-            throw ResourceError("cannot write " + path.string() + ": the disk is full or the folder is read-only");
-        }
+        if (!out) throw write_failure(path);
     });
 }
 

@@ -6,9 +6,14 @@
 #include <functional>
 #include <string_view>
 
+#include "core/error.hpp"
+
 namespace spectralpack {
 
-/// Calls write(temporary path); renames on return, deletes the temporary and rethrows on an exception.
+/// What to throw where writing `path` has just failed: names it and the system's reason, errno.
+ResourceError write_failure(const std::filesystem::path& path);
+
+/// Calls write(temporary path), with errno 0; renames on return, deletes the temporary and rethrows on an exception.
 /// Throws ResourceError naming `path` when the folder cannot be written.
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <optional>
 #include <utility>
 
@@ -143,10 +144,9 @@ PrepareJournal::PrepareJournal(std::filesystem::path path, const std::string& se
 }
 
 void PrepareJournal::add(const std::string& name, PreparedFile file) {
+    errno = 0;
     out_ << file_text(file) << std::flush;
-    if (!out_) {
-        throw ResourceError("cannot write " + path_.string() + ": the disk is full or the folder is read-only");
-    }
+    if (!out_) throw write_failure(path_);
     files_[name] = std::move(file);
 }
 

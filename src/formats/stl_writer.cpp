@@ -49,8 +49,7 @@ void write_facets(const std::filesystem::path& path, std::uint64_t count,
         out.write(header, sizeof header);
         write(out);
         out.close();
-        if (!out)
-            throw ResourceError("cannot write " + path.string() + ": the disk is full or the folder is read-only");
+        if (!out) throw write_failure(path);
     });
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 #include "cli/program.hpp"
@@ -28,6 +29,53 @@ json placements(const fs::path& packing) {
         list.push_back({placement["part"], placement["copy"], placement["orientation"], placement["transform"]});
     }
     return list;
+}
+
+/// A part would be lost, or the last build, lying among the parts, packed as one.
+TEST(Pack, WritesOverNoFileThatItReads) {
+    const TemporaryFolder folder;
+    for (const char* name : {"box.stl", "clip.stl", "nut.stl"}) {
+        fs::copy_file(samples() / name, folder / name);
+    }
+    std::ofstream(folder / "set.csv") << "mesh,count,scale\nbox.stl,1,1\n";
+    fs::create_symlink(folder / "box.stl", folder / "link.stl");
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    const std::vector<std::vector<std::string>> wrong{
+        {at("box.stl"), "-o", at("box.stl")},
+        {at("box.stl"), "-o", at("link.stl")},
+        {at("box.stl") + ":2", "-o", at("./box.stl")},
+        {folder.path().string(), "-o", at("nut.stl")},
+        {at("set.csv"), "-o", at("box.stl")},
+        {at("set.csv"), "-o", at("set.csv")},
+        {at("set.csv"), "--report", at("set.csv")},
+        {at("nut.stl"), "--container", at("clip.stl"), "-o", at("clip.stl")},
+        {at("nut.stl"), "--keep-out", at("clip.stl"), "-o", at("clip.stl")},
+    };
+    for (const auto& options : wrong) {
+        const Ran ran = spectralpack(std::vector<std::string>{"pack"} + options);
+        EXPECT_EQ(ran.status, 2) << ran.err;
+        EXPECT_TRUE(contains(ran.err, options.back() + ": that file is read")) << ran.err;
+    }
+    for (const char* name : {"box.stl", "clip.stl", "nut.stl"}) {
+        EXPECT_EQ(read_text(folder / name), read_text(samples() / name));
+    }
+    // A build that is topped up may take the old one's place.
+    for (const auto& more : {std::vector<std::string>{}, {"--onto", at("build.json")}}) {
+        EXPECT_EQ(spectralpack(std::vector<std::string>{"pack", at("nut.stl"), "-o", at("build.json")} + more).status,
+                  0);
+    }
+    EXPECT_EQ(read_json(folder / "build.json")["trays"][0]["placements"].size(), 2U);
+    EXPECT_EQ(spectralpack({"plan", at("build.json"), "-o", at("nut.stl")}).status, 2);
+    EXPECT_EQ(read_text(folder / "nut.stl"), read_text(samples() / "nut.stl"));
+}
+
+TEST(Pack, TellsOfWhatCannotBeWrittenBeforeItPacks) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "build.json");
+    const Ran ran = spectralpack({"pack", kSamples, "-o", (folder / "build.json").string()});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(contains(ran.err, "is a folder")) << ran.err;
+    EXPECT_TRUE(ran.out.empty()) << ran.out;
 }
 
 TEST(Pack, WritesEveryKindOfFileAndCheckAgrees) {
@@ -280,12 +328,11 @@ TEST(Pack, ATimeLimitEndsWithStatusZero) {
 
 TEST(Pack, AFailingOutputDoesNotKeepTheOthersFromBeingWritten) {
     const TemporaryFolder folder;
-    fs::create_directory(folder / "taken.json");  // a folder cannot be replaced by a file
-    const Ran ran = spectralpack(std::vector<std::string>{"pack", kSamples, "-o", (folder / "taken.json").string(),
-                                                          "-o", (folder / "b.csv").string()} +
-                                 kSmall);
+    const std::string too_long = (folder / (std::string(300, 'x') + ".json")).string();
+    const Ran ran = spectralpack(
+        std::vector<std::string>{"pack", kSamples, "-o", too_long, "-o", (folder / "b.csv").string()} + kSmall);
     EXPECT_EQ(ran.status, 4) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "taken.json")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, too_long)) << ran.err;
     EXPECT_TRUE(fs::exists(folder / "b.csv"));
 }
 

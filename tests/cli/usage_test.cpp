@@ -60,7 +60,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadCall{{"pack", kPart, "--keep-out", "5,0,0,1,1,1"}, "--keep-out"}, BadCall{{"pack", kPart + ":0"}, "count"},
         BadCall{{"pack", kPart + ":2@-1"}, "scale"}, BadCall{{"pack", kPart, "-o", "build.xyz"}, "ending"},
         BadCall{{"pack", kPart, "-o", "no/such/folder/build.json"}, "no folder"},
-        BadCall{{"render", "x.json"}, "output"},
+        BadCall{{"render", "x.json"}, "output"}, BadCall{{"render", "x.json", "-o", "x.stl"}, ".png"},
+        BadCall{{"render", "x.json", "-o", "no/such/folder/x.png"}, "no folder"},
+        BadCall{{"plan", "x.json", "-o", "no/such/folder/x.json"}, "no folder"},
         BadCall{{"render", "x.json", "-o", "x.png", "--size", "5"}, "--size"}));
 
 }  // namespace

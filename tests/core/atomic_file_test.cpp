@@ -52,5 +52,16 @@ TEST(ReplaceFile, AMissingFolderIsNamed) {
     }
 }
 
+TEST(ReplaceFile, TheReasonOfAFailureIsTold) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path too_long = folder / std::string(300, 'a');
+    try {
+        replace_file(too_long, "x");
+        FAIL();
+    } catch (const ResourceError& error) {
+        EXPECT_EQ(std::string(error.what()), "cannot write " + too_long.string() + ": File name too long");
+    }
+}
+
 }  // namespace
 }  // namespace spectralpack
