@@ -23,6 +23,9 @@ class GridMesh {
         return {vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]};
     }
 
+    /// The mesh in these coordinates.
+    Mesh in_grid() const { return {vertices_, triangles_}; }
+
   private:
     const std::vector<Triangle>& triangles_;
     std::vector<Vec3> vertices_;

@@ -7,13 +7,12 @@
 
 #include "core/error.hpp"
 #include "voxel/grid_mesh.hpp"
-#include "voxel/near_triangle.hpp"
+#include "voxel/near_mesh.hpp"
 
 namespace spectralpack {
 namespace {
 
-constexpr double kMaxReach = 1 << 29;     ///< voxels: keeps indices within an int
-constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
+constexpr double kMaxReach = 1 << 29;  ///< voxels: keeps indices within an int
 
 }  // namespace
 
@@ -36,11 +35,7 @@ WidenedVoxels widen(const BitGrid& solid, const Mesh& mesh, const Vec3& corner, 
     }
     BitGrid wide(extent);
     unite(wide, solid, VoxelIndex{} - first);
-    workers.for_ranges(grid_mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            set_near(wide, first, grid_mesh[i], reach);
-        }
-    });
+    set_near(wide, first, grid_mesh, reach, workers);
     return {LazyGrid(std::move(wide)), first};
 }
 

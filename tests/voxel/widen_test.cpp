@@ -127,6 +127,15 @@ TEST(Widen, OfLooseTrianglesIsTheDistanceVoxelByVoxel) {
     }
 }
 
+TEST(Widen, ByALongGapIsTheDistanceVoxelByVoxel) {
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        RandomMesh random(seed);
+        const Mesh mesh = seed % 2 == 0 ? random.closed() : random.soup();
+        const double gap = random.within(8.5, 14);
+        expect_plain_widening(mesh, 2, gap, seed);
+    }
+}
+
 TEST(Widen, AVoxelExactlyTheGapAwayStaysOut) {
     const Mesh cube = test::cube_mesh(20);
     const BitGrid solid = voxelize(cube, 2, kOne);
