@@ -24,9 +24,9 @@ class JobReader {
         : file_(path.string()), folder_(path.parent_path()), root_(file_, document, "") {}
 
     JobFile read() {
-        if (root_.at("format").text() != "spectralpack/job") {
-            root_.at("format").fail("must be \"spectralpack/job\"");
-        }
+        const Node format = root_.at("format");
+        if (format.text() == "spectralpack/packing") format.fail("this is a packing, not a job; --onto tops it up");
+        if (format.text() != "spectralpack/job") format.fail("must be \"spectralpack/job\"");
         if (root_.at("version").integer<std::int64_t>() != 1) {
             root_.at("version").fail("is not a version this program reads (1)");
         }

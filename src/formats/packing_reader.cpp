@@ -94,9 +94,9 @@ class PackingReader {
         : file_(path.string()), folder_(path.parent_path()), root_(file_, document, "") {}
 
     Packing read() {
-        if (root_.at("format").text() != "spectralpack/packing") {
-            root_.at("format").fail("must be \"spectralpack/packing\"");
-        }
+        const Node format = root_.at("format");
+        if (format.text() == "spectralpack/job") format.fail("this is a job; \"pack\" makes a packing of it");
+        if (format.text() != "spectralpack/packing") format.fail("must be \"spectralpack/packing\"");
         if (root_.at("version").integer<std::int64_t>() != 1) {
             root_.at("version").fail("is not a version this program reads (1)");
         }
@@ -267,6 +267,10 @@ class PackingReader {
 }  // namespace
 
 Packing parse_packing(const fs::path& path, std::string_view text) {
+    // As the first of a 3MF or STL is: a parser would only say which byte it did not expect.
+    if (text.find_first_not_of(" \t\r\n") != text.find('{')) {
+        throw InputError(path.string(), "", "is not a packing file: those are written with -o NAME.json");
+    }
     return PackingReader(path, parse_json(path.string(), text)).read();
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <span>
+#include <utility>
 
 #include "geometry/bvh.hpp"
 #include "voxel/box_distance.hpp"
@@ -16,11 +18,12 @@ namespace {
 
 constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 constexpr std::int64_t kLayers = 4;       ///< and layers
-constexpr double kLongReach = 4;          ///< voxels: from there on distances of centres are worth their time
-constexpr double kVoxelsOfTriangle =
-    0.375;                          ///< how many take as long as a triangle, for each square voxel of the reach
-constexpr double kTouching = 1e-6;  ///< voxels: what a triangle only touches counts as entered by it
-constexpr double kRounding = 1e-6;  ///< voxels: boxes farther off than the reach by more hold nothing near
+// Lengths in voxels.
+constexpr double kLongReach = 4;    ///< from there on distances of centres are worth their time
+constexpr double kTouching = 1e-6;  ///< what a triangle only touches counts as entered by it
+constexpr double kRounding = 1e-6;  ///< boxes farther off than the reach by more hold nothing near
+/// How many voxels take as long as a triangle, for each square of the reach.
+constexpr double kVoxelsOfTriangle = 0.375;
 
 template <class Visit>
 void for_triangles(const GridMesh& mesh, const Workers& workers, Visit visit) {

@@ -252,6 +252,9 @@ TEST(JobFile, AMissingKeyIsNamed) {
     document["parts"][0].erase("mesh");
     EXPECT_EQ(refusal_of(document).place(), "parts[0].mesh");
     EXPECT_TRUE(contains(refusal([] { parse_job("j.json", "{\"format\": "); }).cause(), "not valid JSON"));
+    document = job();
+    document["format"] = "spectralpack/packing";
+    EXPECT_TRUE(contains(refusal_of(document).cause(), "--onto"));
 }
 
 TEST(JobFile, WhatIsSaidTwiceIsRefused) {

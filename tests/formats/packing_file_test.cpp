@@ -254,5 +254,10 @@ TEST(PackingFile, WhatIsNoJsonIsRefused) {
     EXPECT_THROW(read_packing("/no/such/file.json"), InputError);
 }
 
+TEST(PackingFile, WhatIsAnotherKindOfFileIsCalledThat) {
+    EXPECT_TRUE(contains(refusal([] { read_text_as_packing("PK\x03\x04 {"); }).cause(), "-o NAME.json"));
+    EXPECT_TRUE(contains(refusal([] { read_text_as_packing(R"({"format": "spectralpack/job"})"); }).cause(), "a job"));
+}
+
 }  // namespace
 }  // namespace spectralpack
