@@ -109,7 +109,6 @@ Vec3 parse_tray(const std::string& text) {
 
 }  // namespace
 
-/// `options` with what the command line says over it.
 PackOptions override_options(PackOptions options, const PackArguments& a) {
     if (a.printer) apply(known_printer(*a.printer), options);
     if (a.tray) options.tray = parse_tray(*a.tray);

@@ -38,10 +38,12 @@ inline bool fits(const Vec3& size, const Vec3& room) {
            size.z <= room.z + kContainTolerance;
 }
 
-/// Euclidean distance between two boxes, 0 where they meet.
-inline double distance(const Box& a, const Box& b) {
-    const Vec3 zero;
-    return length(max(zero, max(a.min - b.max, b.min - a.max)));
+/// Square of the Euclidean distance between two boxes, 0 where they meet.
+inline double square_distance(const Box& a, const Box& b) {
+    const Vec3 gap = max(Vec3{}, max(a.min - b.max, b.min - a.max));
+    return dot(gap, gap);
 }
+
+inline double distance(const Box& a, const Box& b) { return std::sqrt(square_distance(a, b)); }
 
 }  // namespace spectralpack

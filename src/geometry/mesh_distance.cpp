@@ -10,11 +10,6 @@ namespace {
 
 Box moved(const Box& box, const Vec3& by) { return {box.min + by, box.max + by}; }
 
-double square_distance(const Box& a, const Box& b) {
-    const Vec3 gap = max(Vec3{}, max(a.min - b.max, b.min - a.max));
-    return dot(gap, gap);
-}
-
 double extent(const Box& box) {
     const Vec3 size = box.max - box.min;
     return size.x + size.y + size.z;

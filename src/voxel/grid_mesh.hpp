@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "geometry/mesh.hpp"
 #include "voxel/triangle_rows.hpp"
 
@@ -30,5 +31,17 @@ class GridMesh {
     const std::vector<Triangle>& triangles_;
     std::vector<Vec3> vertices_;
 };
+
+inline constexpr std::int64_t kTrianglesPerTask = 1 << 11;  ///< at least
+
+/// Calls visit(triangle) for each of the mesh, from several threads.
+template <class Visit>
+void for_each_triangle(const GridMesh& mesh, const Workers& workers, Visit visit) {
+    workers.for_ranges(mesh.size(), kTrianglesPerTask, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            visit(mesh[i]);
+        }
+    });
+}
 
 }  // namespace spectralpack

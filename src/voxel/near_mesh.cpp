@@ -16,8 +16,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
-constexpr std::int64_t kLayers = 4;       ///< and layers
+constexpr std::int64_t kLayers = 4;  ///< that a task takes at least
 // Lengths in voxels.
 constexpr double kLongReach = 4;    ///< from there on distances of centres are worth their time
 constexpr double kTouching = 1e-6;  ///< what a triangle only touches counts as entered by it
@@ -25,29 +24,10 @@ constexpr double kRounding = 1e-6;  ///< boxes farther off than the reach by mor
 /// How many voxels take as long as a triangle, for each square of the reach.
 constexpr double kVoxelsOfTriangle = 0.375;
 
-template <class Visit>
-void for_triangles(const GridMesh& mesh, const Workers& workers, Visit visit) {
-    workers.for_ranges(mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            visit(mesh[i]);
-        }
-    });
-}
-
-double squared_distance(const Bvh::Node& node, const Box& cube) {
-    double square = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int i = static_cast<int>(axis);
-        const double apart = std::max({node.min[axis] - cube.max[i], cube.min[i] - node.max[axis], 0.0});
-        square += apart * apart;
-    }
-    return square;
-}
-
 /// Asks for one voxel after another whether some triangle is near; one that was near the last is asked about first.
-class NearestTriangles {
+class NearTriangles {
   public:
-    NearestTriangles(const Bvh& surface, double reach) : surface_(surface), reach_(reach) {}
+    NearTriangles(const Bvh& surface, double reach) : surface_(surface), reach_(reach) {}
 
     bool near(const Vec3& centre) {
         if (last_ < surface_.triangle_count() && is_near(last_, centre)) return true;
@@ -57,7 +37,7 @@ class NearestTriangles {
         const double limit = (reach_ + kRounding) * (reach_ + kRounding);
         std::array<std::size_t, 64> waiting;  // deeper than any tree
         std::size_t count = 0;
-        if (!nodes.empty() && squared_distance(nodes[0], cube) < limit) waiting[count++] = 0;
+        if (!nodes.empty() && square_distance(nodes[0].box(), cube) < limit) waiting[count++] = 0;
         while (count > 0) {
             const std::size_t at = waiting[--count];
             const Bvh::Node& node = nodes[at];
@@ -70,7 +50,8 @@ class NearestTriangles {
                 continue;
             }
             std::size_t nearer = at + 1, farther = node.first;
-            double least = squared_distance(nodes[nearer], cube), most = squared_distance(nodes[farther], cube);
+            double least = square_distance(nodes[nearer].box(), cube),
+                   most = square_distance(nodes[farther].box(), cube);
             if (most < least) {
                 std::swap(nearer, farther);
                 std::swap(least, most);
@@ -121,7 +102,7 @@ void set_near_by_voxel(BitGrid& grid, const BitGrid& far, const VoxelIndex& firs
                        const Workers& workers) {
     const Bvh surface(mesh.in_grid());
     workers.for_ranges(grid.extent().z, kLayers, [&](std::int64_t begin, std::int64_t end) {
-        NearestTriangles triangles(surface, reach);
+        NearTriangles triangles(surface, reach);
         for_open_words(grid, far, static_cast<int>(begin), static_cast<int>(end),
                        [&](BitGrid::Word& word, BitGrid::Word open, int x, int y, int z) {
                            for (; open != 0; open &= open - 1) {
@@ -134,7 +115,7 @@ void set_near_by_voxel(BitGrid& grid, const BitGrid& far, const VoxelIndex& firs
 
 void set_near_by_triangle(BitGrid& grid, const VoxelIndex& first, const GridMesh& mesh, double reach,
                           const Workers& workers) {
-    for_triangles(mesh, workers, [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach); });
+    for_each_triangle(mesh, workers, [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach); });
 }
 
 /// By the distances between voxels' centres all but a thin layer, and that by the voxel or by the triangle, whichever
@@ -143,7 +124,7 @@ void set_near_far_around(BitGrid& grid, const VoxelIndex& first, const GridMesh&
                          const Workers& workers) {
     const Vec3 corner{1.0 * first.x, 1.0 * first.y, 1.0 * first.z};
     BitGrid entered(grid.extent());
-    for_triangles(mesh, workers, [&](const GridTriangle& t) {
+    for_each_triangle(mesh, workers, [&](const GridTriangle& t) {
         set_surface(entered, {t[0] - corner, t[1] - corner, t[2] - corner}, -kTouching);
     });
     ToldByCentres told = told_by_centres(entered, reach, workers);

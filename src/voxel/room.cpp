@@ -16,15 +16,11 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
-
 /// Sets what the surface enters, or what is nearer to it than the gap.
 void set_surface(BitGrid& grid, const GridMesh& mesh, double reach, const Workers& workers) {
-    workers.for_ranges(mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            set_surface(grid, mesh[i], kSurfaceShrink);
-            if (reach > 0) set_near(grid, {}, mesh[i], reach);
-        }
+    for_each_triangle(mesh, workers, [&](const GridTriangle& triangle) {
+        set_surface(grid, triangle, kSurfaceShrink);
+        if (reach > 0) set_near(grid, {}, triangle, reach);
     });
 }
 
@@ -36,7 +32,7 @@ void set_outside(BitGrid& grid, const GridPlace& place, const Mesh& mesh, double
     const GridMesh grid_mesh(mesh, place.origin, place.voxel_size);
     Crossings crossings(grid.extent());
     std::mutex appending;
-    workers.for_ranges(grid_mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
+    workers.for_ranges(grid_mesh.size(), kTrianglesPerTask, [&](std::int64_t begin, std::int64_t end) {
         Crossings found(grid.extent());
         for (std::int64_t i = begin; i < end; ++i) {
             found.add(grid_mesh[i]);

@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::int64_t kMaxVoxels = std::int64_t{1} << 40;
 constexpr double kMaxAlong = 1 << 30;
-constexpr std::int64_t kGrain = 1 << 11;  ///< triangles a task takes at least
 
 Extent grid_extent(const Vec3& size, double voxel_size) {
     const Extent extent{voxels_along(size.x, voxel_size), voxels_along(size.y, voxel_size),
@@ -36,7 +35,7 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
     BitGrid grid(extent);
     Crossings crossings(extent);
     std::mutex appending;
-    workers.for_ranges(mesh.size(), kGrain, [&](std::int64_t begin, std::int64_t end) {
+    workers.for_ranges(mesh.size(), kTrianglesPerTask, [&](std::int64_t begin, std::int64_t end) {
         Crossings found(extent);
         for (std::int64_t i = begin; i < end; ++i) {
             const GridTriangle triangle = mesh[i];
