@@ -24,14 +24,14 @@
 #include <memory>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
 #include "free_queries.hpp"
-#include "model/orientation.hpp"
 #include "packing/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/orientations.hpp"
 #ifdef SPECTRALPACK_BENCH_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif

@@ -59,8 +59,8 @@ void check_files(const Settings& settings) {
 void spare_inputs(const Settings& settings, const PackArguments& arguments) {
     std::vector<std::string> inputs = files_of(settings.job.container);
     inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
-    for (const PartSource& part : settings.job.parts) {
-        inputs.push_back(part.mesh);
+    for (const Part& part : settings.job.parts) {
+        inputs.push_back(part.mesh.file());
     }
     for (const FixedSource& fixed : settings.job.fixed) {
         inputs.push_back(fixed.mesh.file);

@@ -69,7 +69,7 @@ int run_plan(const PlanArguments& arguments) {
     ProgressDisplay display(ProgressStyle::automatic);
     Scene scene = load_scene(arguments.packing);
     std::vector<std::string> meshes = files_of(container_source(scene.packing));
-    for (const Part& part : scene.packing.parts) {
+    for (const PackedPart& part : scene.packing.parts) {
         meshes.push_back(part.mesh);
     }
     for (const std::string& output : arguments.outputs) {

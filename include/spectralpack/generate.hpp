@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "core/listener.hpp"
 #include "generate/generate.hpp"
+#include "spectralpack/events.hpp"
 
 namespace spectralpack {
 

@@ -6,27 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "model/job_settings.hpp"
-#include "model/orientation.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/job.hpp"
+#include "spectralpack/orientations.hpp"
 
 namespace spectralpack {
 
-/// One mesh file as asked for. Its objects (a 3MF may hold several) become parts of their own.
-struct PartSource {
-    std::string mesh;
-    int count = 1;
-    double scale = 1;
-    std::string origin;  ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
-    std::optional<std::string> name = {};  ///< for people; none: as the file says
-    std::optional<double> gap = {};        ///< mm; none: the job's
-    PartOrientations orientations = {};
-    double priority = 0;   ///< higher goes first
-    std::string due = {};  ///< "2026-12-01": earlier goes first; empty: last
-};
-
 struct ExpandedInputs {
-    std::vector<PartSource> parts;
+    std::vector<Part> parts;
     std::vector<InputError> unusable;  ///< named inputs that are missing or unreadable
     std::optional<JobSettings> job;    ///< what a job file among them says besides its parts
 };

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/listener.hpp"
 #include "geometry/mesh_inspect.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/events.hpp"
 #include "spectralpack/inputs.hpp"
-#include "spectralpack/packings.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

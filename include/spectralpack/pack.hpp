@@ -1,34 +1,21 @@
 #pragma once
-/// Packing: from mesh files to a Packing.
+/// Packing: from a job to a packing, in memory.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/listener.hpp"
-#include "core/stop.hpp"
-#include "model/options.hpp"
-#include "model/packing.hpp"
-#include "model/printer.hpp"
-#include "spectralpack/inputs.hpp"
-#include "spectralpack/scene.hpp"
-#include "voxel/grid.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/events.hpp"
+#include "spectralpack/grid.hpp"
+#include "spectralpack/job.hpp"
+#include "spectralpack/options.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/printers.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
-
-struct Job {
-    std::vector<PartSource> parts;
-    double unit = 1;  ///< millimetres per unit for files that do not say
-    PackOptions options;
-    ContainerSource container;       ///< where it is a mesh, its size takes the place of options.tray
-    std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
-    /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does.
-    /// Who has one requests it whenever he requests that.
-    std::optional<StopToken> enough_orders;
-    std::optional<Scene> onto;  ///< its copies stand where they are; those placed come on top, tray by tray
-};
 
 struct PackResult {
     Packing packing;

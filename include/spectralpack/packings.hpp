@@ -1,17 +1,15 @@
 #pragma once
-/// Packings on disk: reading, judging, drawing and writing them.
+/// Packings on disk: reading and writing them.
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/listener.hpp"
-#include "core/stop.hpp"
-#include "model/packing.hpp"
-#include "render/render.hpp"
-#include "spectralpack/pack.hpp"
-#include "verify/check.hpp"
+#include "spectralpack/events.hpp"
+#include "spectralpack/job.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -20,12 +18,6 @@ Scene load_scene(const std::filesystem::path& packing_file);
 
 /// The container of a packing, to pack into again.
 ContainerSource container_source(const Packing& packing);
-
-/// Judges a packing from its meshes alone. `threads` <= 0: all the machine has.
-CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop);
-
-/// The report as JSON text.
-std::string check_report_json(const Scene& scene, const CheckReport& report);
 
 /// The packing file's text, with mesh paths as they are.
 std::string packing_json(const Scene& scene);
@@ -49,8 +41,5 @@ bool is_report_file(const std::filesystem::path& path);
 /// density in g/cm^3 it has masses. Whole or not at all.
 void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
                   int threads);
-
-/// A picture with the given options.
-void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options, int threads);
 
 }  // namespace spectralpack

@@ -4,10 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/listener.hpp"
-#include "core/stop.hpp"
-#include "model/disassembly.hpp"
-#include "spectralpack/packings.hpp"
+#include <string>
+#include "spectralpack/disassembly.hpp"
+#include "spectralpack/events.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 
-#include "core/error.hpp"
-#include "core/listener.hpp"
-#include "core/stop.hpp"
 #include "prepare/prepare_mesh.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/events.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -7,6 +7,7 @@
 ///     const auto result = spectralpack::pack(job, quiet, {});
 ///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
 
+#include "spectralpack/check.hpp"
 #include "spectralpack/generate.hpp"
 #include "spectralpack/inputs.hpp"
 #include "spectralpack/inspect.hpp"
@@ -14,3 +15,5 @@
 #include "spectralpack/packings.hpp"
 #include "spectralpack/plan_packing.hpp"
 #include "spectralpack/prepare.hpp"
+#include "spectralpack/printers.hpp"
+#include "spectralpack/render.hpp"

@@ -1,11 +1,12 @@
 #include "api/engine_factory.hpp"
+#include "core/checked.hpp"
 
-#include "core/error.hpp"
 #include "core/zeroed.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/dilated_layers.hpp"
 #include "search/cpu/position_cache.hpp"
 #include "search/cpu/tray_tables.hpp"
+#include "spectralpack/error.hpp"
 #ifdef SPECTRALPACK_HAS_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -25,10 +26,15 @@ std::int64_t memory_of_reference(const EngineNeed& need, const Workers& workers)
     return reference_memory(memory);
 }
 
+MetricFields fields_of_reference(const Tray& tray, const Shape& shape, int index, const Workers& workers) {
+    return make_reference_search({}, workers)->metric_fields(tray, shape, index);
+}
+
 constexpr bool kHasReference = true;
 #else
 std::unique_ptr<PlacementSearch> make_reference(const Workers&) { return nullptr; }
 std::int64_t memory_of_reference(const EngineNeed&, const Workers&) { return 0; }
+MetricFields fields_of_reference(const Tray&, const Shape&, int, const Workers&) { return {}; }
 constexpr bool kHasReference = false;
 #endif
 
@@ -70,6 +76,11 @@ std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache
     CpuOptions options;
     options.cache_memory = cache_bytes;
     return make_cpu_search(options, workers);
+}
+
+MetricFields reference_fields(const Tray& tray, const Shape& shape, int index, const Workers& workers) {
+    resolve_engine(EngineKind::reference);
+    return fields_of_reference(tray, shape, index, workers);
 }
 
 std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers) {

@@ -6,8 +6,8 @@
 
 #include "api/check_options.hpp"
 #include "api/short_number.hpp"
-#include "core/error.hpp"
 #include "packing/walls.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

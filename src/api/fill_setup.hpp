@@ -3,9 +3,9 @@
 
 #include "api/load.hpp"
 #include "api/plan.hpp"
-#include "core/listener.hpp"
 #include "packing/least_box.hpp"
 #include "packing/tray_filler.hpp"
+#include "spectralpack/events.hpp"
 
 namespace spectralpack {
 

@@ -2,9 +2,9 @@
 
 #include <system_error>
 
-#include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/set_file.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -112,8 +112,8 @@ std::string file_json(const InspectedFile& file) {
 std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOptions& options, Listener& listener) {
     std::vector<std::string> names;
     std::set<std::string> known;
-    for (const PartSource& part : inputs.parts) {
-        if (known.insert(part.mesh).second) names.push_back(part.mesh);
+    for (const Part& part : inputs.parts) {
+        if (known.insert(part.mesh.file()).second) names.push_back(part.mesh.file());
     }
     std::vector<InspectedFile> files(names.size());
     const Workers workers(options.threads);
@@ -150,7 +150,7 @@ Scene inspection_scene(const std::vector<InspectedFile>& files) {
     for (const InspectedFile& file : files) {
         for (const InspectedObject& object : file.objects) {
             if (!object.mesh) continue;
-            Part part;
+            PackedPart part;
             part.id = static_cast<int>(scene.meshes.size());
             part.name = object.name;
             part.mesh = file.file;

@@ -12,11 +12,11 @@
 #include "api/engine_factory.hpp"
 #include "api/machine.hpp"
 #include "api/short_number.hpp"
-#include "core/error.hpp"
 #include "geometry/bvh.hpp"
 #include "packing/physical_walls.hpp"
 #include "packing/reachable_search.hpp"
 #include "packing/unlinked_search.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/outlines.hpp"
 #include "voxel/voxelize.hpp"
 

@@ -7,11 +7,11 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/plan.hpp"
-#include "core/error.hpp"
 #include "disassembly/disassembler.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "packing/interlocking.hpp"
 #include "packing/physical_walls.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {

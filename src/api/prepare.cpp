@@ -56,8 +56,8 @@ class Preparation {
     Preparation(const fs::path& folder, const fs::path& output, const PrepareOptions& options)
         : folder_(folder), output_(output), options_(options) {
         const ExpandedInputs inputs = expand_inputs({folder.string()}, "");
-        for (const PartSource& part : inputs.parts) {
-            names_.insert(fs::path(part.mesh).lexically_relative(folder).string());
+        for (const Part& part : inputs.parts) {
+            names_.insert(fs::path(part.mesh.file()).lexically_relative(folder).string());
         }
         for (const InputError& error : inputs.unusable) {
             const std::string name = fs::path(error.file()).lexically_relative(folder).string();

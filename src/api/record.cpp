@@ -40,7 +40,7 @@ void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray,
 }
 
 /// A packing in shares has as many copies as were placed of each part.
-void count_what_came_of_shares(const PackRun& run, std::vector<Part>& parts) {
+void count_what_came_of_shares(const PackRun& run, std::vector<PackedPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (i < run.loaded.fixed_parts || !run.loaded.meshes[i] || !run.plan.too_large[i].empty()) continue;
         parts[i].share = std::exchange(parts[i].count, 0);
@@ -83,7 +83,7 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PackItem> settled
 
 Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& workers) {
     Metrics metrics;
-    for (const Part& part : packing.parts) {
+    for (const PackedPart& part : packing.parts) {
         metrics.copies += part.count;
     }
     metrics.placed = run.trays.placed() + static_cast<std::int64_t>(run.loaded.fixed.size());
@@ -151,7 +151,7 @@ Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedIt
 }
 
 Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
-    const Part& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
+    const PackedPart& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
     return Error(ErrorKind::input, "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
                                        std::to_string(trays.left_over.size()) +
                                        (trays.left_over.size() == 1 ? " copy" : " copies") +

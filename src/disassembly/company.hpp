@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "core/stop.hpp"
 #include "disassembly/blocking_graph.hpp"
 #include "disassembly/pocket.hpp"
 #include "disassembly/standing_hull.hpp"
@@ -19,6 +18,7 @@
 #include "geometry/box_index.hpp"
 #include "geometry/slide.hpp"
 #include "search/placement_search.hpp"
+#include "spectralpack/stop.hpp"
 #include "voxel/voxel_box.hpp"
 
 namespace spectralpack {

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
 #include "disassembly/blocking_graph.hpp"
 #include "disassembly/rays.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "disassembly/company.hpp"
-#include "model/disassembly.hpp"
+#include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 

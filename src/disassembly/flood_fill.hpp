@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/stop.hpp"
 #include "disassembly/reachable_region.hpp"
 #include "disassembly/tile_map.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/box.hpp"
 #include "geometry/slide.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

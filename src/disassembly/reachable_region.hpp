@@ -8,9 +8,9 @@
 #include <functional>
 #include <vector>
 
-#include "core/stop.hpp"
 #include "disassembly/tile_map.hpp"
 #include "search/placement_search.hpp"
+#include "spectralpack/stop.hpp"
 #include "voxel/voxel_box.hpp"
 
 namespace spectralpack {

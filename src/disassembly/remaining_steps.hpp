@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/disassembly.hpp"
+#include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
 #include "formats/part_orientations.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -142,7 +142,7 @@ class PackingReader {
     }
 
     void read_part(const Node& node) {
-        Part part;
+        PackedPart part;
         part.id = static_cast<int>(packing_.parts.size());
         if (const auto id = node.find("id"); id && id->integer<std::int64_t>() != part.id) {
             id->fail("must be the part's position, " + std::to_string(part.id));

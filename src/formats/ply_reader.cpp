@@ -9,11 +9,11 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/polygon_faces.hpp"
 #include "formats/text_lines.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

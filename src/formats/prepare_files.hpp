@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/vec3.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

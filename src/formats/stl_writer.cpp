@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/tray_row.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// The letters of SIGGRAPH as containers (appendix B.4 of the paper): 322 x 322 x 80 mm each.
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "generate/outline.hpp"
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

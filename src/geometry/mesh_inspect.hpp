@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "geometry/triangle_crossing.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/mesh.hpp"
 #include "packing/order.hpp"
 #include "search/placement_search.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

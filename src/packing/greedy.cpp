@@ -4,8 +4,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/error.hpp"
 #include "packing/open_height.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

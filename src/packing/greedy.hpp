@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/stop.hpp"
 #include "packing/caps.hpp"
 #include "packing/order.hpp"
 #include "packing/shape_store.hpp"
 #include "packing/standing.hpp"
 #include "search/placement_search.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "disassembly/disassembler.hpp"
-#include "model/disassembly.hpp"
 #include "packing/shape_store.hpp"
 #include "packing/standing_parts.hpp"
+#include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 

@@ -50,7 +50,7 @@ double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr
     return top;
 }
 
-void measure_tray(TrayPacking& tray, const Container& container, const std::vector<Part>& parts,
+void measure_tray(TrayPacking& tray, const Container& container, const std::vector<PackedPart>& parts,
                   const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness, const Workers& workers) {
     const std::size_t count = tray.placements.size();
     const auto layers = static_cast<std::size_t>(std::ceil(container.size.z / thickness - 1e-9));

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 
@@ -23,7 +23,7 @@ double reached_height(const TrayPacking& tray, const std::vector<std::shared_ptr
 /// Fills density, density_bounding_box, bounding_box, height and layers of `tray` from its placements.
 /// `meshes` by part, in the mesh file's own coordinates. Layer areas are those of the cross-section half way up
 /// each layer (signed, so hollows count as empty); a layer is `thickness` mm.
-void measure_tray(TrayPacking& tray, const Container& container, const std::vector<Part>& parts,
+void measure_tray(TrayPacking& tray, const Container& container, const std::vector<PackedPart>& parts,
                   const std::vector<std::shared_ptr<const Mesh>>& meshes, double thickness, const Workers& workers);
 
 }  // namespace spectralpack

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "model/options.hpp"
+#include "spectralpack/options.hpp"
 
 namespace spectralpack {
 

@@ -10,7 +10,7 @@
 
 #include "core/parallel.hpp"
 #include "geometry/bvh.hpp"
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

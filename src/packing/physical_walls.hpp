@@ -4,7 +4,7 @@
 
 #include "core/parallel.hpp"
 #include "disassembly/standing_part.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

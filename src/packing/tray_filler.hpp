@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "model/packing.hpp"
 #include "packing/beam.hpp"
 #include "packing/greedy.hpp"
 #include "packing/interlocking.hpp"
 #include "packing/refinement.hpp"
 #include "packing/unlinked_search.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

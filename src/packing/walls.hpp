@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "model/packing.hpp"
 #include "refine/refiner.hpp"
+#include "spectralpack/packing.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/room.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

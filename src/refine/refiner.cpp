@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
 #include "geometry/mesh_distance.hpp"
 #include "geometry/slide.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

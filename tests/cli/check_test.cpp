@@ -26,7 +26,7 @@ class Check : public testing::Test {
         packing_.container.size = {100, 50, 40};
         packing_.options.tray = packing_.container.size;
         packing_.options.gap = 0;
-        Part part;
+        PackedPart part;
         part.name = "cube";
         part.mesh = (folder_ / "cube.stl").string();
         part.count = 3;

@@ -20,7 +20,7 @@ std::string two_tori(const TemporaryFolder& folder, double apart) {
     Packing packing;
     packing.container.size = packing.options.tray = {120, 80, 60};
     packing.options.voxel = 1;
-    Part part;
+    PackedPart part;
     part.name = "ring";
     part.mesh = (folder / "ring.stl").string();
     part.count = 2;
@@ -98,7 +98,7 @@ TEST(Plan, GoesByTheFilesOwnPlanWhereItFindsNoWay) {
     packing.options.detail = 1;
     packing.trays.resize(1);
     for (int i = 0; i < 2; ++i) {
-        Part part;
+        PackedPart part;
         part.name = i == 0 ? "box" : "die";
         part.mesh = (folder / (part.name + ".stl")).string();
         part.count = 1;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 #include "support/process.hpp"
 
 namespace spectralpack {

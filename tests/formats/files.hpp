@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
+#include "spectralpack/error.hpp"
 #include "support/process.hpp"
 
 namespace spectralpack::test {

@@ -125,7 +125,7 @@ TEST(Report, TheTableReadsBackAndAddsUp) {
     }
     std::int64_t placed = 0, left_over = 0;
     for (std::size_t i = 0; i < packing.parts.size(); ++i) {
-        const Part& part = packing.parts[i];
+        const PackedPart& part = packing.parts[i];
         const auto field = [&](const char* name) { return rows[i + 1].fields.at(column.at(name)); };
         EXPECT_EQ(field("name"), part.name);
         EXPECT_EQ(field("mesh"), part.mesh);

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "packing/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "spectralpack/error.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {

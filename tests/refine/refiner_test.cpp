@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
 #include "geometry/mesh_distance.hpp"
+#include "spectralpack/error.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {

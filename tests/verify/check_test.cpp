@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "core/error.hpp"
 #include "reference.hpp"
 #include "scenes.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -32,7 +32,7 @@ class CheckTest : public testing::Test {
     }
 
     int add_part(const std::string& name, Mesh mesh, double scale = 1, double unit = 1) {
-        Part part;
+        PackedPart part;
         part.id = static_cast<int>(packing_.parts.size());
         part.name = name;
         part.count = 0;
@@ -45,7 +45,7 @@ class CheckTest : public testing::Test {
 
     /// The next copy of a part.
     Placement& place(int part, const Vec3& at, const Mat3& rotation = {}, std::size_t tray = 0) {
-        Part& p = packing_.parts[static_cast<std::size_t>(part)];
+        PackedPart& p = packing_.parts[static_cast<std::size_t>(part)];
         packing_.trays[tray].placements.push_back({part, p.count++, 0, false, {p.to_mm() * rotation, at}});
         return packing_.trays[tray].placements.back();
     }

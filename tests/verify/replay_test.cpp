@@ -27,7 +27,7 @@ class ReplayTest : public testing::Test {
 
     /// The placement's index.
     int place(const Mesh& mesh, const Vec3& at = {}, bool fixed = false) {
-        Part part;
+        PackedPart part;
         part.id = static_cast<int>(packing_.parts.size());
         part.name = "part" + std::to_string(part.id);
         packing_.parts.push_back(part);

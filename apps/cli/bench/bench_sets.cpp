@@ -41,15 +41,15 @@ std::string quoted(const std::string& text) {
 }
 
 /// A set file of these parts, their meshes named from anywhere.
-std::string set_text(const std::vector<PartSource>& parts) {
+std::string set_text(const std::vector<Part>& parts) {
     std::string text = "mesh,count,scale\n";
-    for (const PartSource& part : parts) {
-        text += fmt::format("{},{},{}\n", quoted(fs::absolute(part.mesh).string()), part.count, part.scale);
+    for (const Part& part : parts) {
+        text += fmt::format("{},{},{}\n", quoted(fs::absolute(part.mesh.file()).string()), part.count, part.scale);
     }
     return text;
 }
 
-std::vector<PartSource> parts_of(const SetOnDisk& set) {
+std::vector<Part> parts_of(const SetOnDisk& set) {
     ExpandedInputs inputs = expand_inputs({set.file.string()}, set.mesh_dir);
     if (!inputs.unusable.empty()) throw inputs.unusable.front();
     return std::move(inputs.parts);
@@ -58,9 +58,9 @@ std::vector<PartSource> parts_of(const SetOnDisk& set) {
 std::uint64_t contents_of(const SetOnDisk& set) {
     std::uint64_t hash = hash_of_file(set.file);
     std::string last;
-    for (const PartSource& part : parts_of(set)) {
-        if (part.mesh != last) hash = hash_of_file(part.mesh, hash);
-        last = part.mesh;
+    for (const Part& part : parts_of(set)) {
+        if (part.mesh.file() != last) hash = hash_of_file(part.mesh.file(), hash);
+        last = part.mesh.file();
     }
     return hash;
 }
@@ -125,7 +125,7 @@ fs::path BenchSets::generated(const std::string& name) {
         files.push_back(generated(part.set, scale_ == Scale::full ? part.full : part.quick));
     }
     if (files.size() == 1) return files.front();
-    std::vector<PartSource> parts;
+    std::vector<Part> parts;
     for (const fs::path& file : files) {
         const auto more = parts_of({file, ""});
         parts.insert(parts.end(), more.begin(), more.end());
@@ -136,8 +136,8 @@ fs::path BenchSets::generated(const std::string& name) {
 }
 
 SetOnDisk BenchSets::first_copies(const SetOnDisk& all, const std::string& name, int copies) {
-    std::vector<PartSource> first;
-    for (PartSource& part : parts_of(all)) {
+    std::vector<Part> first;
+    for (Part& part : parts_of(all)) {
         part.count = std::min(part.count, copies);
         copies -= part.count;
         if (part.count > 0) first.push_back(std::move(part));

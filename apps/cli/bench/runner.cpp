@@ -197,11 +197,11 @@ std::optional<Outcome> Runner::run_peer(const std::string& what, const Peer& pee
     const SetOnDisk& set = sets_.at(task.set);
     std::string files, counted;
     std::int64_t copies = 0;
-    for (const PartSource& part : expand_inputs({set.file.string()}, set.mesh_dir).parts) {
-        counted += fmt::format(" {} {}", part.count, shell_word(part.mesh));
+    for (const Part& part : expand_inputs({set.file.string()}, set.mesh_dir).parts) {
+        counted += fmt::format(" {} {}", part.count, shell_word(part.mesh.file()));
         copies += part.count;
         for (int copy = 0; copy < part.count; ++copy) {
-            files += " " + shell_word(part.mesh);
+            files += " " + shell_word(part.mesh.file());
         }
     }
     std::string command = filled_in(filled_in(peer.command, "set", shell_word(set.file.string())), "tray", tray);

@@ -1,11 +1,12 @@
 #include "search/reference/transform.hpp"
+#include "core/checked.hpp"
 
 #include <fftw3.h>
 
 #include <algorithm>
 #include <mutex>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

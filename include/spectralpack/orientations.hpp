@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/rotation_samples.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/box.hpp"
-#include "geometry/mesh.hpp"
-#include "geometry/transform.hpp"
-#include "model/disassembly.hpp"
-#include "model/options.hpp"
-#include "model/part.hpp"
+#include "spectralpack/disassembly.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/options.hpp"
+#include "spectralpack/orientations.hpp"
 
 namespace spectralpack {
 
@@ -44,6 +43,26 @@ inline double volume_of(const Container& container) {
     if (container.mesh && container.mesh->surface) return signed_volume(*container.mesh->surface);
     return container.size.x * container.size.y * container.size.z;
 }
+
+/// One input mesh with a count and its constraints, as the packing file records it. A copy is one instance of it.
+struct PackedPart {
+    int id = 0;                         ///< position in Packing::parts
+    std::string name;                   ///< for people; part number in a 3MF
+    std::string mesh;                   ///< path of the mesh file; relative to the packing file once that is written
+    std::optional<std::string> object;  ///< 3MF: id of the object in the file
+    std::optional<Transform> item_transform;  ///< 3MF: the build item's, in the file's unit
+    int count = 1;
+    int share = 0;  ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
+    double scale = 1;
+    double unit = 1;                   ///< millimetres per unit of the mesh file
+    double gap = 0;                    ///< mm
+    PartOrientations orientations;     ///< those it may take
+    double volume = 0;                 ///< signed volume of one scaled copy, mm^3
+    std::vector<std::string> repairs;  ///< what was mended on loading, in words
+
+    /// From the mesh as loaded to millimetres.
+    double to_mm() const { return unit * scale; }
+};
 
 struct Placement {
     int part = 0;         ///< index into Packing::parts
@@ -119,7 +138,7 @@ struct Packing {
     std::string input_hash;  ///< of meshes, counts and options: equal inputs, equal placements
     Container container;
     PackOptions options;
-    std::vector<Part> parts;
+    std::vector<PackedPart> parts;
     std::vector<TrayPacking> trays;
     std::vector<Unplaced> unplaced;
     Metrics metrics;
@@ -141,5 +160,14 @@ inline PlansOverview plans_of(const Packing& packing) {
     }
     return plans;
 }
+
+/// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.
+using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
+
+/// A packing with the meshes it places.
+struct Scene {
+    Packing packing;
+    PartMeshes meshes;  ///< by part; null for parts without placements
+};
 
 }  // namespace spectralpack

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/checked.hpp"
-
 namespace spectralpack {
 
 /// A voxel's coordinates, or a displacement in voxels. May be negative.
@@ -29,7 +27,8 @@ struct Extent {
     int& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
     bool operator==(const Extent&) const = default;
     bool empty() const { return x == 0 || y == 0 || z == 0; }
-    std::int64_t count() const { return checked_product({x, y, z}); }
+    /// Throws ResourceError where that is beyond 63 bits.
+    std::int64_t count() const;
     bool contains(const VoxelIndex& i) const {
         return i.x >= 0 && i.y >= 0 && i.z >= 0 && i.x < x && i.y < y && i.z < z;
     }

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/box.hpp"
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/options.hpp"
+#include "spectralpack/options.hpp"
 
 namespace spectralpack {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "geometry/vec3.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 
