@@ -398,6 +398,9 @@ class Run {
 
 }  // namespace
 
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop) { return Run(job, listener, stop).run(); }
+PackResult pack(const Job& job, const Control& control) {
+    Listener quiet;
+    return Run(job, control.listener ? *control.listener : quiet, control.stop).run();
+}
 
 }  // namespace spectralpack
