@@ -73,9 +73,9 @@ bool out_of_memory(const std::exception_ptr& failure) {
 }
 
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
-class Run {
+class PackRun {
   public:
-    Run(const Job& job, Listener& listener, const StopToken& stop)
+    PackRun(const Job& job, Listener& listener, const StopToken& stop)
         : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
 
     PackResult run() {
@@ -398,6 +398,8 @@ class Run {
 
 }  // namespace
 
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop) { return Run(job, listener, stop).run(); }
+PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
+    return PackRun(job, listener, stop).run();
+}
 
 }  // namespace spectralpack
