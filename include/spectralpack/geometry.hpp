@@ -106,6 +106,14 @@ inline bool fits(const Vec3& size, const Vec3& room) {
            size.z <= room.z + kContainTolerance;
 }
 
+/// The boxes share a point: touching counts.
+inline bool meet(const Box& a, const Box& b) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
+    }
+    return true;
+}
+
 /// Square of the Euclidean distance between two boxes, 0 where they meet.
 inline double square_distance(const Box& a, const Box& b) {
     const Vec3 gap = max(Vec3{}, max(a.min - b.max, b.min - a.max));

@@ -24,14 +24,6 @@ inline Box swept(Box box, AxisDirection direction, double way) {
     return box;
 }
 
-/// Touching counts.
-inline bool meet(const Box& a, const Box& b) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (a.max[axis] < b.min[axis] || b.max[axis] < a.min[axis]) return false;
-    }
-    return true;
-}
-
 inline Vec3 along(AxisDirection direction, double way) {
     Vec3 move;
     move[direction.axis] = direction.sign * way;

@@ -9,7 +9,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr double kRounding = 1e-6;  // mm
+constexpr double kWallRounding = 1e-6;  // mm
 
 Mesh together(const std::vector<Mesh>& meshes) {
     Mesh all;
@@ -29,7 +29,7 @@ void set_row(BitGrid& grid, int y, int z, bool value) {
 void set_outside_box(BitGrid& grid, const GridPlace& place, const Vec3& size) {
     const auto outside = [&](int index, int axis) {
         const double low = place.origin[axis] + index * place.voxel_size;
-        return low + place.voxel_size <= kRounding || (axis < 2 && low >= size[axis] - kRounding);
+        return low + place.voxel_size <= kWallRounding || (axis < 2 && low >= size[axis] - kWallRounding);
     };
     const Extent& e = grid.extent();
     for (int z = 0; z < e.z; ++z) {
@@ -56,7 +56,7 @@ StandingPart standing_walls(const Container& container, const TraySetup& grid, c
     set_outside_box(*voxels, place, container.size);
     if (container.mesh) set_outside(*voxels, place, *container.mesh->surface, 0, workers);
     for (int z = 0; z < voxels->extent().z; ++z) {
-        if (corner.z + (z + 1) * grid.voxel_size <= container.size.z + kRounding) continue;
+        if (corner.z + (z + 1) * grid.voxel_size <= container.size.z + kWallRounding) continue;
         for (int y = 0; y < voxels->extent().y; ++y) {
             set_row(*voxels, y, z, false);
         }

@@ -40,12 +40,12 @@ struct Alone {
 };
 
 /// Where one orientation's voxels can be moved to past one object, or the cells of them.
-struct Ways {
+struct WaysOut {
     std::unique_ptr<FreeTileReader> tiles;
     ReachableRegion region;
 
-    Ways(std::unique_ptr<FreeTileReader> reader, const Extent& solid, const Extent& around, const StopToken& stop,
-         ReachableRegion::StraightOut straight_out)
+    WaysOut(std::unique_ptr<FreeTileReader> reader, const Extent& solid, const Extent& around, const StopToken& stop,
+            ReachableRegion::StraightOut straight_out)
         : tiles(std::move(reader)), region(*tiles, solid, whole(around), stop, std::move(straight_out)) {}
 };
 
@@ -57,7 +57,7 @@ BitGrid link_sample(const BitGrid& solid) { return row_sample(solid, kRowsAlong)
 struct UnlinkedSearch::Known {
     /// Past one object; null: not asked about so far.
     struct Past {
-        std::unique_ptr<Ways> of_cells, of_voxels;
+        std::unique_ptr<WaysOut> of_cells, of_voxels;
     };
     /// An orientation.
     struct Moving {
@@ -152,7 +152,7 @@ class UnlinkedSearch::Asking {
 
     /// Whether `ways`, which are made when they are first asked, lead out from there.
     template <class Make>
-    bool leads_out(std::unique_ptr<Ways>& ways, const VoxelIndex& from, const Make& make) {
+    bool leads_out(std::unique_ptr<WaysOut>& ways, const VoxelIndex& from, const Make& make) {
         const std::int64_t before = ways ? ways->region.bytes() : 0;
         if (!ways) ways = make();
         const bool way = ways->region.contains(from);
@@ -160,8 +160,8 @@ class UnlinkedSearch::Asking {
         return way;
     }
 
-    std::unique_ptr<Ways> make_ways(ObjectId id, const Moving& moving, bool in_cells,
-                                    ReachableRegion::StraightOut straight_out) {
+    std::unique_ptr<WaysOut> make_ways(ObjectId id, const Moving& moving, bool in_cells,
+                                       ReachableRegion::StraightOut straight_out) {
         const std::lock_guard lock(making_);
         std::map<ObjectId, Alone>& all = in_cells ? known_.cells : known_.voxels;
         auto alone = all.find(id);
@@ -174,8 +174,8 @@ class UnlinkedSearch::Asking {
         if (std::exchange(alone->second.counted, round) != round) known_.bytes += alone->second.bytes();
         const Tray& around = alone->second.tray;
         const std::shared_ptr<const BitGrid>& sample = in_cells ? moving.in_cells : moving.sample;
-        return std::make_unique<Ways>(owner_.engine_.free_tiles(around, sample, {.for_readers = true}),
-                                      sample->extent(), around.extent(), stop_, std::move(straight_out));
+        return std::make_unique<WaysOut>(owner_.engine_.free_tiles(around, sample, {.for_readers = true}),
+                                         sample->extent(), around.extent(), stop_, std::move(straight_out));
     }
 
     UnlinkedSearch& owner_;
