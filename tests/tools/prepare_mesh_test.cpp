@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "geometry/mesh_edges.hpp"
+#include "support/names.hpp"
 #include "support/shapes.hpp"
 #include "tools/prepare/simplify.hpp"
 
@@ -28,7 +29,7 @@ TEST(PrepareMesh, DropsWhatEnclosesNothingAndSaysWhy) {
     Mesh open = cube_mesh(20);
     open.triangles.pop_back();
     EXPECT_EQ(prepare_mesh(open, {}).outcome, Prepared::open);
-    EXPECT_EQ(prepare_mesh(open, {}).detail, "3 edges of one facet");
+    EXPECT_TRUE(names(prepare_mesh(open, {}).detail, {3, "edges"}));
     EXPECT_TRUE(prepare_mesh(open, {}).mesh.triangles.empty());
 
     EXPECT_EQ(prepare_mesh(turned_inside_out(cube_mesh(20)), {}).outcome, Prepared::no_volume);
@@ -46,7 +47,7 @@ TEST(PrepareMesh, DropsWhatEnclosesNothingAndSaysWhy) {
         }
     }
     EXPECT_EQ(prepare_mesh(touching, {}).outcome, Prepared::non_manifold);
-    EXPECT_EQ(prepare_mesh(touching, {}).detail, "1 edge of more than two facets");
+    EXPECT_TRUE(names(prepare_mesh(touching, {}).detail, {1, "edge"}));
 }
 
 TEST(PrepareMesh, ShellsMayCross) {
