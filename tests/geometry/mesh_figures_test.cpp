@@ -4,6 +4,8 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "geometry/mesh_edges.hpp"
+#include "geometry/triangle_crossing.hpp"
 #include "spectralpack/mesh_figures.hpp"
 #include "support/shapes.hpp"
 
@@ -30,7 +32,7 @@ double border_length(const Mesh& mesh) {
     return sum;
 }
 
-TEST(Inspect, FiguresOfABox) {
+TEST(MeshFigures, FiguresOfABox) {
     const MeshFigures figures = inspect_mesh(box_mesh({1, 2, 3}, {11, 7, 5}));
     EXPECT_EQ(figures.box, (Box{{1, 2, 3}, {11, 7, 5}}));
     EXPECT_DOUBLE_EQ(figures.volume, 100);
@@ -45,13 +47,13 @@ TEST(Inspect, FiguresOfABox) {
     EXPECT_FALSE(figures.crowded_place || figures.misdirected_place || figures.crossings.place);
 }
 
-TEST(Inspect, AMeshWithoutTrianglesHasNothing) {
+TEST(MeshFigures, AMeshWithoutTrianglesHasNothing) {
     const MeshFigures figures = inspect_mesh({});
     EXPECT_EQ(figures.triangles, 0u);
     EXPECT_FALSE(figures.watertight());
 }
 
-TEST(Inspect, AMissingFacetIsOneLoopOfItsEdges) {
+TEST(MeshFigures, AMissingFacetIsOneLoopOfItsEdges) {
     const Mesh mesh = without(box_mesh({0, 0, 0}, {4, 3, 5}), {0});  // {0, 2, 1}: at z = 0
     const MeshFigures figures = inspect_mesh(mesh);
     EXPECT_FALSE(figures.watertight());
@@ -62,14 +64,14 @@ TEST(Inspect, AMissingFacetIsOneLoopOfItsEdges) {
     EXPECT_EQ(figures.holes[0].place.z, 0);
 }
 
-TEST(Inspect, TwoFacetsOfOneFaceAreOneLoop) {
+TEST(MeshFigures, TwoFacetsOfOneFaceAreOneLoop) {
     const MeshFigures figures = inspect_mesh(without(box_mesh({0, 0, 0}, {4, 3, 5}), {0, 1}));
     ASSERT_EQ(figures.border_loops, 1u);
     EXPECT_EQ(figures.holes[0].edges, 4u);
     EXPECT_DOUBLE_EQ(figures.holes[0].length, 14);
 }
 
-TEST(Inspect, HolesThatTouchAtACornerAreTwoLoopsLongestFirst) {
+TEST(MeshFigures, HolesThatTouchAtACornerAreTwoLoopsLongestFirst) {
     // Triangles {0, 2, 1} and {5, 7, 6} have no vertex in common, {0, 2, 1} and {2, 4, 6} have one.
     const MeshFigures apart = inspect_mesh(without(box_mesh({0, 0, 0}, {4, 3, 5}), {0, 3}));
     EXPECT_EQ(apart.border_loops, 2u);
@@ -78,7 +80,7 @@ TEST(Inspect, HolesThatTouchAtACornerAreTwoLoopsLongestFirst) {
     EXPECT_GE(touching.holes[0].length, touching.holes[1].length);
 }
 
-TEST(Inspect, LoopsPartTheBorderWhateverIsMissing) {
+TEST(MeshFigures, LoopsPartTheBorderWhateverIsMissing) {
     EXPECT_TRUE(rc::check([] {
         Mesh mesh = torus_mesh(10, 4, 9, 7);
         const auto keep = *rc::gen::container<std::vector<bool>>(
@@ -102,7 +104,7 @@ TEST(Inspect, LoopsPartTheBorderWhateverIsMissing) {
     }));
 }
 
-TEST(Inspect, CountsShellsAndWhatIsInsideThem) {
+TEST(MeshFigures, CountsShellsAndWhatIsInsideThem) {
     const Mesh hollow = merged(cube_mesh(20), turned_inside_out(box_mesh({5, 5, 5}, {9, 9, 9})));
     const MeshFigures figures = inspect_mesh(hollow);
     EXPECT_EQ(figures.shells, 2u);
@@ -111,7 +113,7 @@ TEST(Inspect, CountsShellsAndWhatIsInsideThem) {
     EXPECT_EQ(figures.crossings.pairs, 0);
 }
 
-TEST(Inspect, AFacetTurnedRoundIsInconsistent) {
+TEST(MeshFigures, AFacetTurnedRoundIsInconsistent) {
     Mesh mesh = cube_mesh(10);
     std::swap(mesh.triangles[4][1], mesh.triangles[4][2]);
     const MeshFigures figures = inspect_mesh(mesh);
@@ -121,7 +123,7 @@ TEST(Inspect, AFacetTurnedRoundIsInconsistent) {
     EXPECT_EQ(figures.border_loops, 0u);
 }
 
-TEST(Inspect, AFinMakesACrowdedEdgeAndADuplicateIsCounted) {
+TEST(MeshFigures, AFinMakesACrowdedEdgeAndADuplicateIsCounted) {
     Mesh fin = cube_mesh(10);
     fin.vertices.push_back({-5, 0, 5});
     fin.triangles.push_back({0, 4, 8});
@@ -136,7 +138,7 @@ TEST(Inspect, AFinMakesACrowdedEdgeAndADuplicateIsCounted) {
     EXPECT_EQ(inspect_mesh(twice).duplicates, 2u);
 }
 
-TEST(Inspect, TrianglesThatCross) {
+TEST(MeshFigures, TrianglesThatCross) {
     const Corners flat{Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{0, 10, 0}};
     const auto at = [&](const Corners& other) { return crossing_point(flat, other, 1e-6); };
     const auto through = at({Vec3{2, 2, -1}, Vec3{2, 2, 3}, Vec3{4, 4, 1}});
@@ -152,7 +154,7 @@ TEST(Inspect, TrianglesThatCross) {
     EXPECT_FALSE(at({Vec3{2, 2, -1e-8}, Vec3{2, 2, 3}, Vec3{4, 4, 1}}));  // deeper by rounding only
 }
 
-TEST(Inspect, AGreaterToleranceFindsNothingNew) {
+TEST(MeshFigures, AGreaterToleranceFindsNothingNew) {
     EXPECT_TRUE(rc::check([](std::uint64_t seed) {
         RandomStream random(seed);
         const auto corners = [&] {
@@ -168,7 +170,7 @@ TEST(Inspect, AGreaterToleranceFindsNothingNew) {
     }));
 }
 
-TEST(Inspect, CubesThatOverlapCrossAlsoWhereEdgesMeetEdges) {
+TEST(MeshFigures, CubesThatOverlapCrossAlsoWhereEdgesMeetEdges) {
     const Mesh mesh = merged(cube_mesh(20), box_mesh({10, 10, 10}, {30, 30, 30}));
     const MeshFigures figures = inspect_mesh(mesh);
     EXPECT_GT(figures.crossings.pairs, 0);
@@ -180,14 +182,14 @@ TEST(Inspect, CubesThatOverlapCrossAlsoWhereEdgesMeetEdges) {
     }
 }
 
-TEST(Inspect, NeighboursAndTouchingSolidsDoNotCross) {
+TEST(MeshFigures, NeighboursAndTouchingSolidsDoNotCross) {
     EXPECT_EQ(inspect_mesh(torus_mesh(30, 10)).crossings.pairs, 0);
     EXPECT_EQ(inspect_mesh(sphere_mesh(17, 20)).crossings.pairs, 0);
     const Mesh touching = merged(cube_mesh(20), box_mesh({20, 5, 5}, {30, 15, 15}));
     EXPECT_EQ(inspect_mesh(touching).crossings.pairs, 0);
 }
 
-TEST(Inspect, TheTreeFindsWhatComparingAllPairsFinds) {
+TEST(MeshFigures, TheTreeFindsWhatComparingAllPairsFinds) {
     RandomStream random(7);
     for (int round = 0; round < 20; ++round) {
         Mesh soup;
@@ -217,7 +219,7 @@ TEST(Inspect, TheTreeFindsWhatComparingAllPairsFinds) {
     }
 }
 
-TEST(Inspect, TheSearchForCrossingsEndsWhereAllTrianglesMeetAll) {
+TEST(MeshFigures, TheSearchForCrossingsEndsWhereAllTrianglesMeetAll) {
     // Large triangles in a small space: nearly every box meets every other.
     Mesh fan;
     RandomStream random(3);

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "formats/packing_file.hpp"
 #include "spectralpack/error.hpp"
 #include "support/process.hpp"
+#include "support/shapes.hpp"
 #include "tools/bench/pack_progress.hpp"
 
 namespace spectralpack::test {
@@ -66,8 +66,8 @@ TEST_F(BenchLibrary, TellsOfRunsThatFail) {
 }
 
 TEST_F(BenchLibrary, APeerNeedsNothingOfTheProgram) {
-    const fs::path cube = folder_ / "cube.off";
-    std::ofstream(cube) << "OFF 4 4 0  0 0 0  20 0 0  0 20 0  0 0 20  3 0 2 1  3 0 1 3  3 1 2 3  3 0 3 2\n";
+    const fs::path cube = folder_ / "cube.stl";
+    write_stl(cube_mesh(20), cube);
     BenchOptions wanted = options("4");
     wanted.rows = {"locks"};
     wanted.peers = {{"one", "cp " + cube.string() + " {out}"}};

@@ -27,16 +27,16 @@ struct BenchPeer {
 };
 
 struct BenchOptions {
-    std::filesystem::path program;    ///< the command line spectralpack, whose `pack` is run
-    std::filesystem::path folder;     ///< of tables, sets and runs; made where it is not there
-    std::vector<std::string> tables;  ///< names of bench_tables(); "all": those with a wanted row
-    std::vector<std::string> rows;    ///< only rows with one of these texts in "set, setting"; empty: all
+    std::filesystem::path program = {};    ///< the command line spectralpack, whose `pack` is run
+    std::filesystem::path folder = {};     ///< of tables, sets and runs; made where it is not there
+    std::vector<std::string> tables = {};  ///< names of bench_tables(); "all": those with a wanted row
+    std::vector<std::string> rows = {};    ///< only rows with one of these texts in "set, setting"; empty: all
     BenchScale scale = BenchScale::full;
-    std::optional<std::filesystem::path> sets;  ///< folder of set files; none: sets are generated with seed 0
-    std::string mesh_dir;                       ///< that the paths in those files start from; empty: their own folder
-    std::vector<std::string> pack_options;      ///< of every run, as on the command line
-    std::optional<double> time_limit;           ///< seconds, of every run; what it has by then counts
-    std::vector<BenchPeer> peers;               ///< for table 4
+    std::optional<std::filesystem::path> sets = {};  ///< folder of set files; none: sets are generated with seed 0
+    std::string mesh_dir = {};                   ///< that the paths in those files start from; empty: their own folder
+    std::vector<std::string> pack_options = {};  ///< of every run, as on the command line
+    std::optional<double> time_limit = {};       ///< seconds, of every run; what it has by then counts
+    std::vector<BenchPeer> peers = {};           ///< for table 4
 };
 
 /// A run that begins.

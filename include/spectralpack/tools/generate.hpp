@@ -33,7 +33,7 @@ struct GenerateOptions {
     GeneratedSet set = GeneratedSet::pieces;
     std::uint64_t seed = 0;
     /// In all; none: as many as the sets of docs/benchmarks.md, which are 1446, 286, 468, 48 and 80. None for letters.
-    std::optional<int> copies;
+    std::optional<int> copies = {};
 };
 
 struct GeneratedPart {

@@ -46,7 +46,7 @@ struct PreparedMesh {
 PreparedMesh prepare_mesh(const Mesh& mesh, const PrepareRules& rules);
 
 struct PrepareOptions {
-    PrepareRules rules;
+    PrepareRules rules = {};
     double unit = 1;  ///< millimetres per unit for files that do not say
     int threads = 0;  ///< 0: all the machine has
 };

@@ -32,7 +32,7 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string command_line(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {
         text += (text.empty() ? "" : " ") + shell_word(word);
@@ -175,7 +175,7 @@ std::optional<Outcome> Runner::run(const std::string& what, const Task& task, co
     }
     if (options_.time_limit) words.insert(words.end(), {"--time-limit", fmt::format("{}", *options_.time_limit)});
 
-    std::uint64_t inputs = hash_of(joined(words), hash_of(fmt::format("{} {}", program_, set.contents)));
+    std::uint64_t inputs = hash_of(command_line(words), hash_of(fmt::format("{} {}", program_, set.contents)));
     const auto container = std::find(words.begin(), words.end(), "--container");
     if (container != words.end()) inputs = hash_of_file(*(container + 1), inputs);
     const std::string key = fmt::format("{:016x}", inputs);
@@ -183,7 +183,7 @@ std::optional<Outcome> Runner::run(const std::string& what, const Task& task, co
 
     const fs::path packing = store_.folder() / (key + ".json");
     Outcome outcome;
-    outcome.command = "spectralpack " + joined(words);
+    outcome.command = "spectralpack " + command_line(words);
     stamp(outcome);
     words.insert(words.begin(), options_.program.string());
     words.insert(words.end(), {"--progress", "json", "-o", packing.string()});

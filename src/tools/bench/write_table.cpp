@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNone = "–";
+constexpr const char* kDash = "–";
 constexpr std::size_t kLeastPoints = 10;  // of a curve
 
 std::string percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
@@ -45,7 +45,7 @@ void add_words(std::vector<std::string>& cells, const std::vector<std::string>& 
 std::string line(const std::vector<std::string>& cells) {
     std::string text = "|";
     for (const std::string& cell : cells) {
-        text += " " + (cell.empty() ? kNone : cell) + " |";
+        text += " " + (cell.empty() ? kDash : cell) + " |";
     }
     return text + "\n";
 }

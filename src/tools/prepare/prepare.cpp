@@ -43,7 +43,7 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
     return end == outer.end();
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string in_one_line(const std::vector<std::string>& words) {
     std::string line;
     for (const std::string& word : words) {
         line += (line.empty() ? "" : "; ") + word;
@@ -117,7 +117,7 @@ class Preparation {
         row.detail = prepared.detail;
         row.triangles_before = static_cast<std::int64_t>(loaded.mesh.triangles.size());
         row.scale = prepared.scale;
-        row.repairs = joined(loaded.repairs);
+        row.repairs = in_one_line(loaded.repairs);
         if (prepared.outcome != Prepared::kept) return row;
         row.mesh = result_name(name, one_of_many ? object : 0);
         row.triangles_after = static_cast<std::int64_t>(prepared.mesh.triangles.size());
