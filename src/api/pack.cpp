@@ -73,9 +73,9 @@ bool out_of_memory(const std::exception_ptr& failure) {
 }
 
 /// One run of pack(): the loaded job, its plan, and the packing as it grows.
-class PackRun {
+class JobRun {
   public:
-    PackRun(const Job& job, Listener& listener, const StopToken& stop)
+    JobRun(const Job& job, Listener& listener, const StopToken& stop)
         : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
 
     PackResult run() {
@@ -400,7 +400,7 @@ class PackRun {
 
 PackResult pack(const Job& job, const Control& control) {
     Listener quiet;
-    return PackRun(job, control.listener ? *control.listener : quiet, control.stop).run();
+    return JobRun(job, control.listener ? *control.listener : quiet, control.stop).run();
 }
 
 }  // namespace spectralpack
