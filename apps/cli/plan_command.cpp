@@ -17,7 +17,7 @@ constexpr std::size_t kMostNamed = 12;
 struct PlanArguments {
     std::string packing;
     std::vector<std::string> outputs;
-    PlanSettings settings;
+    PlanOptions settings;
     std::optional<double> time_limit;
     bool json = false;
 };
@@ -75,7 +75,7 @@ int run_plan(const PlanArguments& arguments) {
     for (const std::string& output : arguments.outputs) {
         require_no_input(output, "-o", meshes);
     }
-    const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, display, interrupts.token());
+    const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, {&display, interrupts.token()});
     display.finish();
     bool complete = true;
     for (std::size_t tray = 0; tray < plans.size(); ++tray) {

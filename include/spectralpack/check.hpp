@@ -63,7 +63,7 @@ struct CheckReport {
 /// disassembly plan is replayed by exact sweeps. Nested means inside *material*: a copy in another's closed hollow or
 /// in a cavity is fine. A mesh that is not closed has a surface but no inside; the listener is warned. The report does
 /// not depend on `threads` (<= 0: all the machine has). Throws InternalError where a placed part has no mesh.
-CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop);
+CheckReport check(const Scene& scene, int threads = 0, const Control& control = {});
 
 /// The report as JSON text.
 std::string check_report_json(const Scene& scene, const CheckReport& report);

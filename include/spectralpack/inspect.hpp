@@ -9,7 +9,7 @@
 #include "geometry/mesh_inspect.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/events.hpp"
-#include "spectralpack/inputs.hpp"
+#include "spectralpack/files.hpp"
 #include "spectralpack/packing.hpp"
 
 namespace spectralpack {

@@ -47,9 +47,10 @@ struct Estimate {
 /// sense or are not built, ResourceError when the memory plan does not fit (with the bytes needed and the voxel
 /// size that would fit), InputError when nothing at all is usable, for a container or keep-out mesh that cannot be one
 /// and for fixed copies that overlap or stick out.
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop);
+PackResult pack(const Job& job, const Control& control = {});
 
-/// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.
-Estimate estimate(const Job& job, Listener& listener);
+/// Loads the inputs and plans, without packing; of `control` only the listener counts. Throws as pack() does, but not
+/// for memory.
+Estimate estimate(const Job& job, const Control& control = {});
 
 }  // namespace spectralpack

@@ -8,7 +8,9 @@
 
 namespace spectralpack {
 
-Estimate estimate(const Job& job, Listener& listener) {
+Estimate estimate(const Job& job, const Control& control) {
+    Listener quiet;
+    Listener& listener = control.listener ? *control.listener : quiet;
     PackOptions options = job.options;
     check_options(options);
     check_together(job);

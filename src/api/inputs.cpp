@@ -1,4 +1,4 @@
-#include "spectralpack/inputs.hpp"
+#include "spectralpack/files.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -398,8 +398,9 @@ class PackRun {
 
 }  // namespace
 
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop) {
-    return PackRun(job, listener, stop).run();
+PackResult pack(const Job& job, const Control& control) {
+    Listener quiet;
+    return PackRun(job, control.listener ? *control.listener : quiet, control.stop).run();
 }
 
 }  // namespace spectralpack

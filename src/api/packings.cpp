@@ -1,4 +1,4 @@
-#include "spectralpack/packings.hpp"
+#include "spectralpack/files.hpp"
 
 #include <map>
 
@@ -71,8 +71,10 @@ ContainerSource container_source(const Packing& packing) {
     return source;
 }
 
-CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop) {
-    return check_packing(scene.packing, scene.meshes, Workers(threads), listener, stop);
+CheckReport check(const Scene& scene, int threads, const Control& control) {
+    Listener quiet;
+    return check_packing(scene.packing, scene.meshes, Workers(threads), control.listener ? *control.listener : quiet,
+                         control.stop);
 }
 
 const char* output_endings() { return ".json .3mf .stl .csv .png"; }

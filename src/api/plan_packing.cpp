@@ -1,4 +1,4 @@
-#include "spectralpack/plan_packing.hpp"
+#include "spectralpack/plan.hpp"
 
 #include <cmath>
 #include <map>
@@ -107,8 +107,10 @@ class StandingTray {
 
 }  // namespace
 
-std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
-                                      const StopToken& stop) {
+std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& settings, const Control& control) {
+    Listener quiet;
+    Listener& listener = control.listener ? *control.listener : quiet;
+    const StopToken& stop = control.stop;
     const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
     if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
     const double ray_spacing = settings.ray_spacing.value_or(settings.voxel || !scene.packing.options.ray_spacing

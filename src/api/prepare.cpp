@@ -11,7 +11,7 @@
 #include "formats/packing_file.hpp"
 #include "formats/prepare_files.hpp"
 #include "formats/set_file.hpp"
-#include "spectralpack/inputs.hpp"
+#include "spectralpack/files.hpp"
 
 namespace spectralpack {
 namespace {

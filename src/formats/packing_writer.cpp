@@ -106,6 +106,10 @@ class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
         for (const PackedPart& part : packing.parts) {
+            if (part.mesh.empty()) {
+                throw UsageError("a packing file names mesh files, and " + part.name +
+                                 " has none: its mesh came from memory");
+            }
             mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
             check_utf8(mesh_paths_.back());
         }

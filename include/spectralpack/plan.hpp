@@ -12,7 +12,7 @@
 
 namespace spectralpack {
 
-struct PlanSettings {
+struct PlanOptions {
     std::optional<double> voxel;  ///< of the flood fill, mm; none: that of the packing's collisions, voxel / detail
     std::optional<double> ray_spacing;  ///< mm; none: that of the packing's options, or else four voxels
     int threads = 0;                    ///< 0: all the machine has
@@ -22,9 +22,8 @@ struct PlanSettings {
 /// the packing. Whatever a plan says was confirmed on the meshes; that a set is interlocked is as sure as the voxels
 /// are fine: no single copy of it leaves through voxels of this size, no group that the blocking graphs suggest leaves
 /// along an axis, and none leaves by the plan that the packing has already. A plan is incomplete without interlocked
-/// sets where `stop` came first.
-std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
-                                      const StopToken& stop);
+/// sets where `control.stop` came first.
+std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& options, const Control& control = {});
 
 /// The plans as JSON text (docs/format.md).
 std::string plans_json(const Scene& scene, const std::vector<Disassembly>& plans);
