@@ -98,8 +98,8 @@ struct Job {
     std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
     /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does.
     /// Who has one requests it whenever he requests that.
-    std::optional<StopToken> enough_orders;
-    std::optional<Scene> onto;  ///< its copies stand where they are; those placed come on top, tray by tray
+    std::optional<StopToken> enough_orders = {};
+    std::optional<Scene> onto = {};  ///< its copies stand where they are; those placed come on top, tray by tray
 };
 
 /// What a job file says besides its parts (docs/format.md). Where the file is silent: the options' defaults, and

@@ -13,9 +13,10 @@
 namespace spectralpack {
 
 struct PlanOptions {
-    std::optional<double> voxel;  ///< of the flood fill, mm; none: that of the packing's collisions, voxel / detail
-    std::optional<double> ray_spacing;  ///< mm; none: that of the packing's options, or else four voxels
-    int threads = 0;                    ///< 0: all the machine has
+    std::optional<double> voxel =
+        {};  ///< of the flood fill, mm; none: that of the packing's collisions, voxel / detail
+    std::optional<double> ray_spacing = {};  ///< mm; none: that of the packing's options, or else four voxels
+    int threads = 0;                         ///< 0: all the machine has
 };
 
 /// One plan for each tray: how its copies come apart, or which sets of them hold each other. Nothing is taken out of

@@ -24,10 +24,10 @@ struct RenderOptions {
     int tray = -1;          ///< which tray; -1: all, side by side
     int samples = 3;        ///< per pixel and axis, against jagged edges
     /// Copies drawn apart along their ways out, the tray stretched by 1 + this (>= 0) that way.
-    std::optional<double> explode;
+    std::optional<double> explode = {};
     /// The disassembly plan's step from 1 on: its copies highlighted half way, with what is left of
     /// those they stood together with. 0: the whole tray. Needs one tray to be chosen.
-    std::optional<int> step;
+    std::optional<int> step = {};
 };
 
 /// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the container outlined,
