@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Public headers that any room may include.
-VALUES = ["error", "events", "geometry", "grid", "mesh", "stop"]
+VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop"]
 # Those that speak of jobs and packings: for the rooms that know the model.
 MODEL_VALUES = ["check", "disassembly", "job", "options", "orientations", "packing", "printers", "render"]
 
@@ -21,8 +21,6 @@ MODEL = ["model", "model values"]
 ALLOWED = {
     "core": ["values"],
     "geometry": BASE,
-    "generate": BASE + ["geometry"],
-    "prepare": BASE + ["geometry"],
     "model": BASE + ["geometry", "model values"],
     "formats": BASE + ["geometry"] + MODEL,
     "voxel": BASE + ["geometry"],
@@ -35,12 +33,15 @@ ALLOWED = {
     "refine": BASE + ["geometry", *MODEL, "voxel", "search"],
     "disassembly": BASE + ["geometry", *MODEL, "voxel", "search"],
     "packing": BASE + ["geometry", *MODEL, "voxel", "search", "refine", "disassembly"],
-    "api": BASE + ["geometry", "generate", "prepare", *MODEL, "formats", "voxel", "render", "verify", "search",
+    "api": BASE + ["geometry", *MODEL, "formats", "voxel", "render", "verify", "search",
                    "search/reference", "search/cpu", "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
+    # Beside the product: on its public face, and on the rooms that all others stand on.
+    "tools": BASE + ["geometry", "formats", "model values", "spectralpack", "tools face"],
     "values": [],
     "model values": ["values"],
     "spectralpack": ["values", "model values"],
-    "cli": ["values", "model values", "spectralpack"],
+    "tools face": ["values", "model values", "spectralpack"],
+    "cli": ["values", "model values", "spectralpack", "tools face"],
 }
 
 LIBRARIES = {  # pattern of the header -> the rooms that may see it
@@ -51,7 +52,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"embree|png\.h": ["render"],
     r"fcl/": ["verify"],
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
-    r"meshoptimizer": ["prepare"],
+    r"meshoptimizer": ["tools"],
     r"xxhash": ["api"],
     r"CLI/": ["cli"],
 }
@@ -61,6 +62,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 
 def room_of(path):
     parts = path.relative_to(ROOT).parts
+    if parts[:3] == ("include", "spectralpack", "tools"):
+        return "tools face"
     if parts[0] == "include":
         return "values" if path.stem in VALUES else "model values" if path.stem in MODEL_VALUES else "spectralpack"
     if parts[0] == "apps":

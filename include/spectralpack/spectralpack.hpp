@@ -1,5 +1,6 @@
 #pragma once
-/// spectralpack: dense, collision-free packing of generic 3D objects. The whole public face.
+/// spectralpack: dense, collision-free packing of generic 3D objects. The whole public face, without the
+/// tools beside it (spectralpack/tools).
 ///
 ///     spectralpack::Job job;
 ///     job.parts = spectralpack::expand_inputs({"parts/", "bracket.stl:12"}, "").parts;
@@ -8,10 +9,7 @@
 
 #include "spectralpack/check.hpp"
 #include "spectralpack/files.hpp"
-#include "spectralpack/generate.hpp"
-#include "spectralpack/inspect.hpp"
 #include "spectralpack/pack.hpp"
 #include "spectralpack/plan.hpp"
-#include "spectralpack/prepare.hpp"
 #include "spectralpack/printers.hpp"
 #include "spectralpack/render.hpp"

@@ -7,9 +7,9 @@
 
 #include "formats/mesh_reader.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "geometry/mesh_inspect.hpp"
 #include "model/physical_surfaces.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/mesh_figures.hpp"
 
 namespace spectralpack {
 namespace {

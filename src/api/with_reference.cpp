@@ -22,8 +22,8 @@ MetricFields fields_of(const Tray& tray, const Shape& shape, int index, const Wo
 }  // namespace
 
 const ReferenceEngine* reference_engine() {
-    static constexpr ReferenceEngine engine{make, memory_of, fields_of};
-    return &engine;
+    static constexpr ReferenceEngine kEngine{make, memory_of, fields_of};
+    return &kEngine;
 }
 
 }  // namespace spectralpack
