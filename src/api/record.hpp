@@ -6,8 +6,7 @@
 
 #include "api/load.hpp"
 #include "api/plan.hpp"
-#include "packing/least_box.hpp"
-#include "packing/many_trays.hpp"
+#include "packing/job/packing_job.hpp"
 
 namespace spectralpack {
 

@@ -1,4 +1,4 @@
-#include "packing/many_trays.hpp"
+#include "packing/job/trays.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/order_search.hpp"
+#include "packing/job/order_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "disassembly/scenes.hpp"
 #include "packing/best_admitted.hpp"
 #include "packing/mesh_parts.hpp"
-#include "packing/tray_filler.hpp"
+#include "packing/job/tray_filler.hpp"
 #include "search/brute_force.hpp"
 #include "search/plain_region.hpp"
 

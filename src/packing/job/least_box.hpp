@@ -6,14 +6,9 @@
 #include <functional>
 #include <optional>
 
+#include "packing/job/trays_packer.hpp"
+
 namespace spectralpack {
-
-/// Sides of a base, in voxels.
-struct BaseSize {
-    int x = 0, y = 0;
-
-    auto operator<=>(const BaseSize&) const = default;
-};
 
 /// How good a packing is: less is better, lexicographically.
 struct BoxScore {
@@ -31,5 +26,11 @@ using PackOnBase = std::function<std::optional<BoxScore>(const BaseSize&)>;
 /// tried twice; all are within [`least`, `most`]. Ends when `pack` returns none. Deterministic; a few dozen calls. The
 /// caller keeps the best packing: the first with the least score.
 void search_bases(int side, const BaseSize& least, const BaseSize& most, const PackOnBase& pack);
+
+/// Packs the job on one base after the other, `most` the largest, and keeps the packing whose own box is least. What a
+/// stop cuts short counts only where there is nothing else. `packed` holds what there is when an exception leaves
+/// this function.
+void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToken& stop, const TellProgress& tell,
+                       PackedJob& packed);
 
 }  // namespace spectralpack

@@ -1,4 +1,4 @@
-#include "api/fill_setup.hpp"
+#include "api/packing_job.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,12 @@ void require_free(const BitGrid& blocked, const Container& container, const Pack
     throw UsageError("between the keep-outs " + what);
 }
 
-}  // namespace
-
-FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& listener, const Workers& workers) {
+FillSetup fill_setup(const JobSource& source, Listener& listener, const Workers& workers) {
     const auto& [loaded, plan, container, options] = source;
     const double wall = 2 * options.wall_gap;
     FillSetup setup;
     setup.container = container;
     setup.container.size = tray_size(options);
-    if (options.minimise == Minimise::box) {
-        setup.container.size.x = base.x * options.voxel + wall;
-        setup.container.size.y = base.y * options.voxel + wall;
-    }
     setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
     setup.tray.blocked = blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers);
     setup.tray.blocked_is_physical = container.physical;
@@ -69,6 +63,35 @@ FillSetup fill_setup(const FillSource& source, const BaseSize& base, Listener& l
         setup.fixed.push_back({fixed.tray, loaded.meshes[part], fixed.placement.transform, loaded.parts[part].gap});
     }
     return setup;
+}
+
+std::vector<JobPart> job_parts(const LoadedJob& loaded, const Plan& plan) {
+    std::vector<JobPart> parts;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        const PackedPart& part = loaded.parts[i];
+        parts.push_back({loaded.meshes[i], part.to_mm(), part.gap, plan.orientations[i], part.volume,
+                         loaded.box_volume[i], part.count});
+    }
+    return parts;
+}
+
+}  // namespace
+
+PackingJob packing_job(const JobSource& source, Listener& listener, const Workers& workers) {
+    const auto& [loaded, plan, container, options] = source;
+    PackingJob job;
+    job.parts = job_parts(loaded, plan);
+    job.items = plan.items;
+    job.ranks = plan.ranks;
+    job.fill = fill_setup(source, listener, workers);
+    job.limit = {options.trays, options.try_per_tray};
+    job.in_shares = options.fill;
+    job.room = plan.room;
+    job.keep = plan.keep;
+    job.ahead = plan.ahead;
+    job.held = plan.held();
+    job.keeps_all = plan.keeps_all;
+    return job;
 }
 
 }  // namespace spectralpack

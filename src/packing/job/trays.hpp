@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "packing/tray_filler.hpp"
+#include "packing/job/tray_filler.hpp"
 
 namespace spectralpack {
 

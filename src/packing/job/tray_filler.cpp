@@ -1,4 +1,4 @@
-#include "packing/tray_filler.hpp"
+#include "packing/job/tray_filler.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "packing/many_trays.hpp"
-#include "packing/packing_score.hpp"
+#include "packing/job/trays_packer.hpp"
 
 namespace spectralpack {
 
@@ -34,5 +34,20 @@ struct FoundOrder {
 /// must not return none.
 FoundOrder find_order(const std::vector<PackItem>& items, const OrderSearch& search, const PackInOrder& pack,
                       const StopToken& stop);
+
+/// Which orders of a job are packed in, and when that ends.
+struct BestOrderSetup {
+    int restarts = 1, beam = 1;  ///< as in OrderSearch
+    std::uint64_t seed = 0;
+    StopToken stop;
+    StopToken enough;  ///< ends the search for an order, whose best is then packed in
+    /// Of a beam of so many states: one engine each.
+    std::function<std::unique_ptr<PlacementSearch>(int states)> make_engine;
+};
+
+/// Looks for the order that packs best on the grid, then packs in it as the job asks for. Cut off before all copies
+/// were tried, that is the packing on the grid. An order that memory is too short for is passed over, but for the
+/// first. `packed` holds what there is when an exception leaves this function.
+void pack_in_best_order(TraysPacker& packer, const BestOrderSetup& setup, const TellProgress& tell, PackedJob& packed);
 
 }  // namespace spectralpack
