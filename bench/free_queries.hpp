@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "disassembly/reachable_region.hpp"
-#include "packing/greedy.hpp"
+#include "disassembly/ways/reachable_region.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {

@@ -28,7 +28,7 @@
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
 #include "free_queries.hpp"
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/orientations.hpp"

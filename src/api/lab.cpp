@@ -9,7 +9,7 @@
 #include "formats/mesh_reader.hpp"
 #include "geometry/bvh.hpp"
 #include "geometry/mesh_distance.hpp"
-#include "packing/standing.hpp"
+#include "packing/tray/placed_copy.hpp"
 #include "search/placement_search.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/lab/distance.hpp"

@@ -6,7 +6,7 @@
 
 #include "api/check_options.hpp"
 #include "api/short_number.hpp"
-#include "packing/walls.hpp"
+#include "packing/containers/walls.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {

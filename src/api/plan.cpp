@@ -10,7 +10,7 @@
 #include "api/memory_plan.hpp"
 #include "api/short_number.hpp"
 #include "geometry/minimum_box.hpp"
-#include "packing/shape_store.hpp"
+#include "packing/tray/shape_store.hpp"
 #include "spectralpack/geometry.hpp"
 #include "spectralpack/orientations.hpp"
 #include "voxel/axis_turn.hpp"

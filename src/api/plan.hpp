@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/load.hpp"
-#include "packing/order.hpp"
+#include "packing/order/order.hpp"
 
 namespace spectralpack {
 

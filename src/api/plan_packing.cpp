@@ -9,8 +9,8 @@
 #include "api/plan.hpp"
 #include "disassembly/disassembler.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "packing/interlocking.hpp"
-#include "packing/physical_walls.hpp"
+#include "packing/containers/physical_walls.hpp"
+#include "packing/interlocking/untangle.hpp"
 #include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 

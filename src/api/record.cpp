@@ -8,7 +8,7 @@
 #include "api/fixed_copies.hpp"
 #include "api/machine.hpp"
 #include "formats/packing_names.hpp"
-#include "packing/measure.hpp"
+#include "packing/tray/measure.hpp"
 
 namespace spectralpack {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "disassembly/blocking_graph.hpp"
-#include "disassembly/rays.hpp"
+#include "disassembly/graph/blocking_graph.hpp"
+#include "disassembly/graph/rays.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {

@@ -6,7 +6,7 @@
 #include <list>
 #include <vector>
 
-#include "disassembly/company.hpp"
+#include "disassembly/subassembly.hpp"
 #include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {

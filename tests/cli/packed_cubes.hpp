@@ -4,7 +4,7 @@
 #include "cli/program.hpp"
 #include "core/parallel.hpp"
 #include "formats/packing_file.hpp"
-#include "packing/measure.hpp"
+#include "packing/tray/measure.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {

@@ -1,4 +1,4 @@
-#include "disassembly/rays.hpp"
+#include "disassembly/graph/rays.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "disassembly/reachable_region.hpp"
+#include "disassembly/ways/reachable_region.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/beam.hpp"
+#include "packing/order/beam.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "packing/caps.hpp"
+#include "packing/tray/caps.hpp"
 
 #include <gtest/gtest.h>
 
-#include "packing/greedy.hpp"
-#include "packing/measure.hpp"
+#include "packing/tray/greedy.hpp"
+#include "packing/tray/measure.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "support/shapes.hpp"
 

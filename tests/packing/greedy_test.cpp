@@ -1,4 +1,4 @@
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/link_cells.hpp"
+#include "packing/interlocking/link_cells.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/measure.hpp"
+#include "packing/tray/measure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "packing/open_height.hpp"
+#include "packing/tray/open_height.hpp"
 
 #include <gtest/gtest.h>
 
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "spectralpack/error.hpp"
 #include "support/shapes.hpp"

@@ -1,4 +1,4 @@
-#include "packing/order.hpp"
+#include "packing/order/order.hpp"
 
 #include <gtest/gtest.h>
 

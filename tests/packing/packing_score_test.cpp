@@ -1,4 +1,4 @@
-#include "packing/packing_score.hpp"
+#include "packing/order/packing_score.hpp"
 
 #include <gtest/gtest.h>
 

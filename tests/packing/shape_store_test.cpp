@@ -1,4 +1,4 @@
-#include "packing/shape_store.hpp"
+#include "packing/tray/shape_store.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "packing/unlinked_search.hpp"
+#include "packing/interlocking/unlinked_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include "disassembly/scenes.hpp"
 #include "packing/best_admitted.hpp"
-#include "packing/mesh_parts.hpp"
 #include "packing/job/tray_filler.hpp"
+#include "packing/mesh_parts.hpp"
 #include "search/brute_force.hpp"
 #include "search/plain_region.hpp"
 

@@ -1,4 +1,4 @@
-#include "packing/walls.hpp"
+#include "packing/containers/walls.hpp"
 
 #include <gtest/gtest.h>
 

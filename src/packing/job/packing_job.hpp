@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "packing/job/trays.hpp"
-#include "packing/packing_score.hpp"
+#include "packing/order/packing_score.hpp"
 
 namespace spectralpack {
 

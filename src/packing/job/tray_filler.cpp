@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "packing/measure.hpp"
-#include "packing/reachable_search.hpp"
-#include "packing/walls.hpp"
+#include "packing/containers/walls.hpp"
+#include "packing/interlocking/reachable_search.hpp"
+#include "packing/tray/measure.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {

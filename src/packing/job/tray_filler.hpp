@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "packing/beam.hpp"
-#include "packing/greedy.hpp"
-#include "packing/interlocking.hpp"
-#include "packing/refinement.hpp"
-#include "packing/unlinked_search.hpp"
+#include "packing/interlocking/unlinked_search.hpp"
+#include "packing/interlocking/untangle.hpp"
+#include "packing/order/beam.hpp"
+#include "packing/tray/greedy.hpp"
+#include "packing/tray/refinement.hpp"
 #include "spectralpack/packing.hpp"
 
 namespace spectralpack {

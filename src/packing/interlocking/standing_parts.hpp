@@ -1,0 +1,61 @@
+#pragma once
+/// What stands in a tray, as disassembly sees it (disassembly/standing_part.hpp).
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "disassembly/subassembly.hpp"
+#include "packing/containers/physical_walls.hpp"
+#include "packing/tray/greedy.hpp"
+#include "packing/tray/part_surfaces.hpp"
+
+namespace spectralpack {
+
+struct StandingSetup {
+    double wall_gap = 0;  ///< mm
+    std::optional<double>
+        ray_spacing;  ///< mm; none: DisassemblySetup::spacing_for() voxels that collisions are decided on
+    PartSurfaces* surfaces = nullptr;
+    std::vector<StandingPart> fixed;       ///< what stands in the tray besides the copies placed, and never moves
+    const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
+    Workers workers;
+};
+
+class StandingParts {
+  public:
+    /// All that is referred to outlives it; `tray` holds what is `placed`. `search`: answers what is free.
+    StandingParts(const StandingSetup& setup, const Tray& tray, const std::vector<PlacedItem>& placed,
+                  PlacementSearch& search, const StopToken& stop);
+    StandingParts(const StandingParts&) = delete;
+    StandingParts& operator=(const StandingParts&) = delete;
+
+    /// Names are indices into `placed`.
+    const DisassemblySetup& disassembly() const { return disassembly_; }
+    /// Under an open ceiling the tray grows. Makes the grid that ways out are looked for in as high; true where it was
+    /// not.
+    bool follow_tray();
+
+    /// `object` is what it is, or would be, in the tray.
+    StandingPart of(const PlacedItem& item, const TrayObject& object) const;
+    /// The first `count` of what is placed, or all.
+    std::vector<StandingPart> placed(std::size_t count = kAll) const;
+    /// Fixed copies come after all others.
+    void add_fixed(std::vector<StandingPart>& parts) const;
+    /// Fixed copies, and the walls of a physical container.
+    void add_what_stays(std::vector<StandingPart>& parts) const;
+
+  private:
+    static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
+
+    TrayObject in_grid(const TrayObject& object) const;
+
+    const StandingSetup& setup_;
+    const Tray& tray_;
+    const std::vector<PlacedItem>& placed_;
+    DisassemblySetup disassembly_;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,157 @@
+#include "packing/tray/greedy.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "packing/tray/open_height.hpp"
+#include "spectralpack/error.hpp"
+
+namespace spectralpack {
+namespace {
+
+void grow(Tray& tray, int enough, int most_layers) {
+    const int layers = tray.extent().z;
+    int wanted = std::max(enough, layers + layers / 2);
+    if (most_layers > 0) {
+        wanted = std::min(wanted, most_layers);
+        if (wanted < enough || wanted <= layers) {
+            throw ResourceError(
+                "the packing grows beyond the height that memory allows; a larger base, coarser "
+                "voxels or more memory would help");
+        }
+    }
+    tray = grown(tray, wanted);
+}
+
+/// Places one copy after another.
+class Placer {
+  public:
+    enum class Outcome { placed, no_place, stopped };
+
+    Placer(Tray& tray, PlacementSearch& search, const CostModel& model, const Settle& settle, const StopToken& stop,
+           GreedyResult& result, const GreedyLimits& limits)
+        : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result), limits_(limits) {}
+
+    template <class ShapeOf>
+    Outcome place(const PackItem& item, const ShapeOf& shape_of) {
+        if (stop_.stopped()) return Outcome::stopped;
+        if (limits_.caps) {
+            const std::string why = limits_.caps->why_not(item.part);
+            if (!why.empty()) {
+                result_.why[item.part] = why;
+                return Outcome::no_place;
+            }
+        }
+        const Shape& shape = shape_of();
+        const SearchResult found = find_place(tray_, search_, model_, item, shape, limits_, stop_);
+        if (found.stopped) return Outcome::stopped;
+        ++result_.searches;
+        if (!found.best) {
+            const std::string why = limits_.caps ? limits_.caps->no_layer_left() : "";
+            if (!why.empty()) result_.why[item.part] = why;
+            return Outcome::no_place;
+        }
+        const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
+        Standing standing = settle_(item, shape, *found.best);
+        const ObjectId object = tray_.add(std::move(standing.object));
+        if (limits_.caps) limits_.caps->add(item.part, oriented.orientation, standing.offset);
+        result_.placed.push_back(
+            {item, oriented.orientation, found.best->position, standing.offset, object, found.best->cost});
+        return Outcome::placed;
+    }
+
+  private:
+    Tray& tray_;
+    PlacementSearch& search_;
+    const CostModel& model_;
+    const Settle& settle_;
+    const StopToken& stop_;
+    GreedyResult& result_;
+    const GreedyLimits& limits_;
+};
+
+}  // namespace
+
+SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const PackItem& item,
+                        const Shape& shape, const GreedyLimits& limits, const StopToken& stop) {
+    for (;;) {
+        CostModel allowed = model;
+        if (limits.caps) allowed.allowed = limits.caps->allowed(item.part, shape, tray.extent().z);
+        SearchResult found = search.best_placement(tray, shape, allowed, stop);
+        if (found.stopped || tray.setup().ceiling == Ceiling::closed) return found;
+        if (found.best && holds_in_any_grid(tray, shape, allowed, *found.best)) return found;
+        const int enough = layers_on_top(tray, shape);
+        if (!found.best && tray.extent().z >= enough) return found;
+        grow(tray, enough, limits.most_layers);
+    }
+}
+
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PackItem>& items,
+                   ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                   GreedyResult& result, const GreedyLimits& limits) {
+    Placer placer(tray, search, model, settle, stop, result, limits);
+    std::unordered_set<int> hopeless;  // parts that found no place
+    const auto most_hopeless = static_cast<std::size_t>(limits.give_up_after);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (most_hopeless > 0 && hopeless.size() >= most_hopeless) return;
+        const PackItem& item = items[i];
+        bool placed = false;
+        if (hopeless.contains(item.part)) {
+            result.left_over.push_back(item);
+        } else {
+            const auto outcome = placer.place(item, [&]() -> const Shape& { return shapes.at(i); });
+            if (outcome == Placer::Outcome::stopped) {
+                result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
+                return;
+            }
+            placed = outcome == Placer::Outcome::placed;
+            if (!placed) {
+                hopeless.insert(item.part);
+                result.left_over.push_back(item);
+            }
+        }
+        shapes.release(i, placed);
+        item_done(i + 1);
+    }
+}
+
+void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
+                    ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+                    GreedyResult& result, const GreedyLimits& limits) {
+    struct Candidate {
+        std::size_t index;  // in `shares`
+        int placed = 0;
+    };
+    std::vector<Candidate> open;  // parts that still find a place
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        open.push_back({i});
+    }
+    Placer placer(tray, search, model, settle, stop, result, limits);
+    while (!open.empty()) {
+        std::int64_t placed = 0, all = 0;
+        for (const Candidate& part : open) {
+            placed += part.placed;
+            all += shares[part.index].share;
+        }
+        // What a part lacks once there is one copy more: share / all * (placed + 1) - its own, times `all`.
+        const auto lacks = [&](const Candidate& part) {
+            return static_cast<double>(shares[part.index].share) * static_cast<double>(placed + 1) -
+                   static_cast<double>(part.placed) * static_cast<double>(all);
+        };
+        const auto next = std::max_element(open.begin(), open.end(),
+                                           [&](const Candidate& a, const Candidate& b) { return lacks(a) < lacks(b); });
+        const auto outcome = placer.place({shares[next->index].part, next->placed},
+                                          [&]() -> const Shape& { return shapes.at(next->index); });
+        if (outcome == Placer::Outcome::stopped) return;
+        if (outcome == Placer::Outcome::placed) {
+            ++next->placed;
+        } else {
+            shapes.release(next->index, true);
+            open.erase(next);
+        }
+        item_done(result.placed.size());
+    }
+}
+
+}  // namespace spectralpack
