@@ -192,7 +192,7 @@ MetricFields Tray::metric_fields(const Shape& shape, int orientation) const {
 CopyId Tray::add(const Shape& shape, int orientation, const VoxelIndex& position) {
     const Shape::Data& data = impl_->checked(shape.data_.get());
     const spectralpack::BestPlacement at{Impl::index_of(data, orientation), position, 0, {}, {}};
-    return impl_->tray.add(stand_on_grid(data.shape, at, data.voxel_size, data.detail, 0).object);
+    return impl_->tray.add(settle_on_grid(data.shape, at, data.voxel_size, data.detail, 0).object);
 }
 
 void Tray::remove(CopyId copy) {

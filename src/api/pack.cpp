@@ -52,7 +52,7 @@ class Run {
         TraysResult& trays = packed.trays;
         if (trays.stuck) result.failure = stuck_error(loaded_, trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
-        if (!packed.items.empty()) plan_.items = std::move(packed.items);
+        if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();
         result.packing = packing_of(
             {loaded_, container_, options_, plan_, trays, packed.base, seconds_, verified_, packed.orders}, workers_);
@@ -107,7 +107,7 @@ class Run {
         if (options_.minimise == Minimise::box) {
             pack_in_least_box(packer, {plan_.grid.x, plan_.grid.y}, stop_, tell, packed);
         } else if (options_.restarts > 1 || options_.beam > 1) {
-            const BestOrderSetup setup{
+            const BestOrderOptions setup{
                 options_.restarts,
                 options_.beam,
                 options_.seed,
@@ -116,7 +116,7 @@ class Run {
                 [&](int states) { return make_engine(plan_.engine, plan_.cache / states, workers_); }};
             pack_in_best_order(packer, setup, tell, packed);
         } else {
-            packer.pack({packer.job().items, packer.job().fill, stop_, tell}, packed.trays);
+            packer.pack({packer.job().copies, packer.job().fill, stop_, tell}, packed.trays);
         }
     }
 

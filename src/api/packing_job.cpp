@@ -20,10 +20,10 @@ void require_free(const BitGrid& blocked, const Container& container, const Pack
     throw UsageError("between the keep-outs " + what);
 }
 
-FillSetup fill_setup(const JobSource& source, Listener& listener, const Workers& workers) {
+FillOptions fill_setup(const JobSource& source, Listener& listener, const Workers& workers) {
     const auto& [loaded, plan, container, options] = source;
     const double wall = 2 * options.wall_gap;
-    FillSetup setup;
+    FillOptions setup;
     setup.container = container;
     setup.container.size = tray_size(options);
     setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
@@ -81,7 +81,7 @@ PackingJob packing_job(const JobSource& source, Listener& listener, const Worker
     const auto& [loaded, plan, container, options] = source;
     PackingJob job;
     job.parts = job_parts(loaded, plan);
-    job.items = plan.items;
+    job.copies = plan.items;
     job.ranks = plan.ranks;
     job.fill = fill_setup(source, listener, workers);
     job.limit = {options.trays, options.try_per_tray};

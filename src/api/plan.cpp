@@ -176,7 +176,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     if (!is_open(options) && material > container_volume) plan.placed = container_volume / material;
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
-    plan.items = order_items(sizes, options.order, options.seed);
+    plan.items = order_copies(sizes, options.order, options.seed);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));

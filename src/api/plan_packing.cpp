@@ -37,7 +37,7 @@ class StandingTray {
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
         make_surfaces();
         Box box;
-        for (const StandingPart& part : parts_) {
+        for (const Body& part : parts_) {
             box.add(part.box());
         }
         if (container.physical) box.add({{}, container.size});
@@ -58,8 +58,8 @@ class StandingTray {
     }
 
     /// The copies, then the walls of a physical container.
-    const std::vector<StandingPart>& parts() const { return parts_; }
-    DisassemblySetup& setup() { return setup_; }
+    const std::vector<Body>& parts() const { return parts_; }
+    DisassemblyOptions& setup() { return setup_; }
 
   private:
     const Mesh& mesh(std::size_t i) const { return *meshes_[static_cast<std::size_t>(tray_.placements[i].part)]; }
@@ -100,9 +100,9 @@ class StandingTray {
     const PartMeshes& meshes_;
     double voxel_;
     Workers workers_;
-    std::vector<StandingPart> parts_;
+    std::vector<Body> parts_;
     std::map<int, bool> closed_;  // whether a part's mesh encloses a solid, which takes as long as voxelising it
-    DisassemblySetup setup_;
+    DisassemblyOptions setup_;
 };
 
 }  // namespace
@@ -114,7 +114,7 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
     const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
     if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
     const double ray_spacing = settings.ray_spacing.value_or(settings.voxel || !scene.packing.options.ray_spacing
-                                                                 ? DisassemblySetup::spacing_for(voxel)
+                                                                 ? DisassemblyOptions::spacing_for(voxel)
                                                                  : *scene.packing.options.ray_spacing);
     check_ray_spacing(ray_spacing, voxel);
     const Workers workers(settings.threads);

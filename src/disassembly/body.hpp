@@ -9,7 +9,7 @@
 
 namespace spectralpack {
 
-struct StandingPart {
+struct Body {
     std::shared_ptr<const Bvh> surface;  ///< turned and scaled, mm
     Vec3 offset;                         ///< mm by which it is moved to where it stands
     TrayObject object;                   ///< its voxels there; fixed ones never move
@@ -17,9 +17,9 @@ struct StandingPart {
     Box box() const { return {surface->box().min + offset, surface->box().max + offset}; }
 };
 
-inline std::vector<Box> boxes_of(const std::vector<StandingPart>& parts) {
+inline std::vector<Box> boxes_of(const std::vector<Body>& parts) {
     std::vector<Box> boxes;
-    for (const StandingPart& part : parts) {
+    for (const Body& part : parts) {
         boxes.push_back(part.box());
     }
     return boxes;

@@ -10,10 +10,10 @@
 namespace spectralpack {
 namespace {
 
-/// Whose company each part is in while steps are made.
-class Companies {
+/// Whose subassembly each part is in while steps are made.
+class Subassemblies {
   public:
-    explicit Companies(std::size_t parts) : of_(parts, 0) {}
+    explicit Subassemblies(std::size_t parts) : of_(parts, 0) {}
 
     int of(std::size_t part) const { return of_[part]; }
     int of(const RemovalStep& step) const { return of_[static_cast<std::size_t>(step.placements.front())]; }
@@ -30,9 +30,9 @@ class Companies {
     int founded_ = 1;
 };
 
-constexpr std::size_t kMostChanged = 2;  // more than one in so many, and the company is made anew
+constexpr std::size_t kMostChanged = 2;  // more than one in so many, and the subassembly is made anew
 
-double weight(const StandingPart& part) { return static_cast<double>(part.object.solid->count()); }
+double weight(const Body& part) { return static_cast<double>(part.object.solid->count()); }
 
 /// Clear of the other in some direction.
 bool outside(const Box& box, const Box& others) {
@@ -44,15 +44,15 @@ bool outside(const Box& box, const Box& others) {
 
 }  // namespace
 
-/// Lets one part in: goes through the steps of its company from when it was discarded on.
-class GrowingPlan::Letting {
+/// Lets one part in: goes through the steps of its subassembly from when it was discarded on.
+class PlanRepair::Letting {
   public:
-    Letting(GrowingPlan& plan, std::size_t part);
+    Letting(PlanRepair& plan, std::size_t part);
     /// Changes the plan if it is true.
     bool run(std::size_t most, bool instead);
 
   private:
-    bool member(std::size_t i) const { return companies_.of(i) == company_; }
+    bool member(std::size_t i) const { return subassemblies_.of(i) == subassembly_; }
     void keep(Step step);
     std::optional<Path> past(const Members& movers, Path path) const;
     bool leaves_before(const Step& planned);
@@ -60,12 +60,12 @@ class GrowingPlan::Letting {
     bool still_stuck();
     bool take_apart_those_waiting(bool instead);
 
-    GrowingPlan& plan_;
+    PlanRepair& plan_;
     const std::size_t part_;
     std::size_t next_ = 0;             // of the plan's steps
     std::vector<Step> steps_;          // the new plan, so far
-    Companies companies_;              // after those
-    int company_ = 0;                  // the part's
+    Subassemblies subassemblies_;      // after those
+    int subassembly_ = 0;              // the part's
     Members waiting_;                  // go last
     std::vector<bool> waits_;          // by part
     StandingHull standing_;            // those waiting included
@@ -74,17 +74,17 @@ class GrowingPlan::Letting {
     std::vector<Since> discarded_;     // instead of the part
 };
 
-GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart> parts,
-                         const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
-    : setup_(setup),
+PlanRepair::PlanRepair(const DisassemblyOptions& options, std::vector<Body> parts,
+                       const std::vector<RemovalStep>& steps, std::vector<std::size_t> discarded_after)
+    : options_(options),
       parts_(std::move(parts)),
       names_(parts_.size()),
       discarded_after_(std::move(discarded_after)),
-      by_index_(setup),
+      by_index_(options),
       places_(parts_.size(), kAway) {
-    by_index_.on_grid = [this](int i) { return setup_.on_grid(names_[static_cast<std::size_t>(i)]); };
+    by_index_.on_grid = [this](int i) { return options_.on_grid(names_[static_cast<std::size_t>(i)]); };
     std::iota(names_.begin(), names_.end(), 0);
-    for (const StandingPart& part : parts_) {
+    for (const Body& part : parts_) {
         weights_.push_back(weight(part));
     }
     for (const RemovalStep& step : steps) {
@@ -92,7 +92,7 @@ GrowingPlan::GrowingPlan(const DisassemblySetup& setup, std::vector<StandingPart
     }
 }
 
-std::vector<RemovalStep> GrowingPlan::steps() const {
+std::vector<RemovalStep> PlanRepair::steps() const {
     std::vector<RemovalStep> steps;
     for (const Step& step : steps_) {
         steps.push_back(step.step);
@@ -103,20 +103,20 @@ std::vector<RemovalStep> GrowingPlan::steps() const {
     return steps;
 }
 
-void GrowingPlan::put_first(int name, StandingPart part, Path path) {
+void PlanRepair::put_first(int name, Body part, Path path) {
     const auto i = static_cast<int>(parts_.size());
     add(name, std::move(part), kStayed);
     steps_.insert(steps_.begin(), {{{i}, std::move(path)}, 0});
 }
 
-bool GrowingPlan::let_in(int name, StandingPart part, std::size_t most) {
+bool PlanRepair::let_in(int name, Body part, std::size_t most) {
     add(name, std::move(part), 0);
     if (let(parts_.size() - 1, most, false)) return true;
     remove_last();
     return false;
 }
 
-void GrowingPlan::add(int name, StandingPart part, std::size_t discarded_after) {
+void PlanRepair::add(int name, Body part, std::size_t discarded_after) {
     weights_.push_back(weight(part));
     parts_.push_back(std::move(part));
     names_.push_back(name);
@@ -124,8 +124,8 @@ void GrowingPlan::add(int name, StandingPart part, std::size_t discarded_after) 
     places_.push_back(kAway);
 }
 
-void GrowingPlan::remove_last() {
-    if (places_.back() != kAway) company_->remove(places_.back());
+void PlanRepair::remove_last() {
+    if (places_.back() != kAway) subassembly_->remove(places_.back());
     weights_.pop_back();
     parts_.pop_back();
     names_.pop_back();
@@ -133,9 +133,9 @@ void GrowingPlan::remove_last() {
     places_.pop_back();
 }
 
-bool GrowingPlan::let_back(int part, std::size_t most) { return let(static_cast<std::size_t>(part), most, true); }
+bool PlanRepair::let_back(int part, std::size_t most) { return let(static_cast<std::size_t>(part), most, true); }
 
-GrowingPlan::Members GrowingPlan::movers(const RemovalStep& step) const {
+PlanRepair::Members PlanRepair::movers(const RemovalStep& step) const {
     Members members;
     for (const int i : step.placements) {
         const auto part = static_cast<std::size_t>(i);
@@ -145,16 +145,16 @@ GrowingPlan::Members GrowingPlan::movers(const RemovalStep& step) const {
 }
 
 /// Along `path` the movers meet none of the others.
-bool GrowingPlan::free_of(const Members& movers, const Path& path, const Members& others) const {
+bool PlanRepair::free_of(const Members& movers, const Path& path, const Members& others) const {
     for (const std::size_t member : movers) {
-        const StandingPart& moving = parts_[member];
+        const Body& moving = parts_[member];
         Vec3 from;
         for (const Vec3& move : path) {
             const AxisDirection direction = direction_of(move);
             const double way = std::abs(move[direction.axis]);
             const Box box = swept(moved(moving.box(), from), direction, way);
             for (const std::size_t other : others) {
-                const StandingPart& still = parts_[other];
+                const Body& still = parts_[other];
                 if (!meet(box, still.box())) continue;
                 const Vec3 offset = moving.offset + from - still.offset;
                 if (!slides_past(*moving.surface, offset, *still.surface, direction, kGraze, way)) return false;
@@ -165,8 +165,8 @@ bool GrowingPlan::free_of(const Members& movers, const Path& path, const Members
     return true;
 }
 
-std::vector<StandingPart> GrowingPlan::parts_of(const Members& members) const {
-    std::vector<StandingPart> parts;
+std::vector<Body> PlanRepair::parts_of(const Members& members) const {
+    std::vector<Body> parts;
     for (const std::size_t i : members) {
         parts.push_back(parts_[i]);
     }
@@ -174,15 +174,17 @@ std::vector<StandingPart> GrowingPlan::parts_of(const Members& members) const {
 }
 
 /// For members named by their index in `members`, which is to outlive it.
-DisassemblySetup GrowingPlan::setup_of(const Members& members) const {
-    DisassemblySetup setup = setup_;
-    setup.on_grid = [this, &members](int i) { return setup_.on_grid(names_[members[static_cast<std::size_t>(i)]]); };
-    return setup;
+DisassemblyOptions PlanRepair::options_of(const Members& members) const {
+    DisassemblyOptions options = options_;
+    options.on_grid = [this, &members](int i) {
+        return options_.on_grid(names_[members[static_cast<std::size_t>(i)]]);
+    };
+    return options;
 }
 
-/// Makes the company that of `standing`, ascending: by those that came and went, where they are few. To make it anew
-/// takes as long as to fill a tray with all.
-void GrowingPlan::gather(const Members& standing) {
+/// Makes the subassembly that of `standing`, ascending: by those that came and went, where they are few. To make it
+/// anew takes as long as to fill a tray with all.
+void PlanRepair::gather(const Members& standing) {
     Members came, went;
     auto next = standing.begin();
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -191,17 +193,17 @@ void GrowingPlan::gather(const Members& standing) {
         if (stands && places_[i] == kAway) came.push_back(i);
         if (!stands && places_[i] != kAway) went.push_back(i);
     }
-    if (company_ && kMostChanged * (came.size() + went.size()) < standing.size() &&
-        company_->size() + came.size() <= 2 * standing.size()) {
+    if (subassembly_ && kMostChanged * (came.size() + went.size()) < standing.size() &&
+        subassembly_->size() + came.size() <= 2 * standing.size()) {
         for (const std::size_t i : went) {
-            company_->remove(std::exchange(places_[i], kAway));
+            subassembly_->remove(std::exchange(places_[i], kAway));
         }
         for (const std::size_t i : came) {
-            places_[i] = company_->add(static_cast<int>(i), parts_[i]);
+            places_[i] = subassembly_->add(static_cast<int>(i), parts_[i]);
         }
         return;
     }
-    company_.emplace(by_index_, std::vector<int>(standing.begin(), standing.end()), parts_of(standing));
+    subassembly_.emplace(by_index_, std::vector<int>(standing.begin(), standing.end()), parts_of(standing));
     std::ranges::fill(places_, kAway);
     for (std::size_t k = 0; k < standing.size(); ++k) {
         places_[standing[k]] = k;
@@ -209,15 +211,15 @@ void GrowingPlan::gather(const Members& standing) {
 }
 
 /// Of one that stands with the others.
-std::optional<GrowingPlan::Path> GrowingPlan::way_out(std::size_t part, const Members& standing) {
+std::optional<PlanRepair::Path> PlanRepair::way_out(std::size_t part, const Members& standing) {
     gather(standing);
     ++fills_;
-    return company_->any_way_out(places_[part]);
+    return subassembly_->any_way_out(places_[part]);
 }
 
 /// Of those that hold each other, by index into `members`, one that could go, but for `part`.
-std::optional<int> GrowingPlan::lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members,
-                                            std::size_t part) const {
+std::optional<int> PlanRepair::lightest_of(const std::vector<std::vector<int>>& stuck, const Members& members,
+                                           std::size_t part) const {
     std::optional<int> lightest;
     double least = Box::kInfinity;
     for (const std::vector<int>& set : stuck) {
@@ -233,16 +235,16 @@ std::optional<int> GrowingPlan::lightest_of(const std::vector<std::vector<int>>&
 
 /// Plans for members that stand by themselves. Where they hold each other, those that are lighter than `part` together
 /// are discarded if that helps and may be done `instead`.
-std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members, std::size_t part, bool instead) {
-    const DisassemblySetup setup = setup_of(members);
-    Disassembler disassembler(setup, parts_of(members), [](int, int) {});
-    Apart apart;
+std::optional<PlanRepair::TakenApart> PlanRepair::take_apart(const Members& members, std::size_t part, bool instead) {
+    const DisassemblyOptions options = options_of(members);
+    Disassembler disassembler(options, parts_of(members), [](int, int) {});
+    TakenApart apart;
     double discarded = 0;
     bool all = false;
     for (;;) {
         disassembler.run();
         all = disassembler.standing() == 0;
-        if (all || !instead || setup_.stop.stopped()) break;
+        if (all || !instead || options_.stop.stopped()) break;
         const std::optional<int> lightest = lightest_of(disassembler.stuck(), members, part);
         if (!lightest) break;
         const std::size_t member = members[static_cast<std::size_t>(*lightest)];
@@ -271,14 +273,14 @@ std::optional<GrowingPlan::Apart> GrowingPlan::take_apart(const Members& members
     return apart;
 }
 
-bool GrowingPlan::let(std::size_t part, std::size_t most, bool instead) {
+bool PlanRepair::let(std::size_t part, std::size_t most, bool instead) {
     return Letting(*this, part).run(most, instead);
 }
 
-GrowingPlan::Letting::Letting(GrowingPlan& plan, std::size_t part)
+PlanRepair::Letting::Letting(PlanRepair& plan, std::size_t part)
     : plan_(plan),
       part_(part),
-      companies_(plan.parts_.size()),
+      subassemblies_(plan.parts_.size()),
       waiting_{part},
       waits_(plan.parts_.size(), false),
       standing_(boxes_of(plan.parts_)),
@@ -286,7 +288,7 @@ GrowingPlan::Letting::Letting(GrowingPlan& plan, std::size_t part)
     for (; next_ < plan_.steps_.size() && plan_.steps_[next_].number < plan_.discarded_after_[part]; ++next_) {
         keep(plan_.steps_[next_]);
     }
-    company_ = companies_.of(part);
+    subassembly_ = subassemblies_.of(part);
     waits_[part] = true;
     for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
         if (!member(i) || i == part) going_.remove(i);
@@ -294,14 +296,14 @@ GrowingPlan::Letting::Letting(GrowingPlan& plan, std::size_t part)
     }
 }
 
-void GrowingPlan::Letting::keep(Step step) {
-    companies_.make(step.step);
+void PlanRepair::Letting::keep(Step step) {
+    subassemblies_.make(step.step);
     steps_.push_back(std::move(step));
 }
 
 /// `path`, on which the movers leave those that go as planned, gone on with until they leave those that wait as well;
 /// none where those are in the way.
-std::optional<GrowingPlan::Path> GrowingPlan::Letting::past(const Members& movers, Path path) const {
+std::optional<PlanRepair::Path> PlanRepair::Letting::past(const Members& movers, Path path) const {
     if (path.empty()) return std::nullopt;  // nobody else was left
     Box own;
     for (const std::size_t member : movers) {
@@ -330,7 +332,7 @@ std::optional<GrowingPlan::Path> GrowingPlan::Letting::past(const Members& mover
 }
 
 /// The part leaves before that step, if it has a way out then. All later steps hold.
-bool GrowingPlan::Letting::leaves_before(const Step& planned) {
+bool PlanRepair::Letting::leaves_before(const Step& planned) {
     Members standing;
     for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
         if (member(i) && (!plan_.is_out(i) || i == part_)) standing.push_back(i);
@@ -348,7 +350,7 @@ bool GrowingPlan::Letting::leaves_before(const Step& planned) {
 }
 
 /// Keeps a step that its movers can make with those waiting where they are; where they cannot they wait as well.
-void GrowingPlan::Letting::go_on(const Step& planned, const Members& movers, std::optional<Path> path) {
+void PlanRepair::Letting::go_on(const Step& planned, const Members& movers, std::optional<Path> path) {
     for (const int i : planned.step.placements) {
         const auto out = static_cast<std::size_t>(i);
         if (plan_.is_out(out) && (!path || !plan_.free_of({out}, *path, waiting_))) {
@@ -370,7 +372,7 @@ void GrowingPlan::Letting::go_on(const Step& planned, const Members& movers, std
 
 /// Whether the part is held by those that held the last one for which no plan was found: many copies are tried in the
 /// same hole, and a few of those around it are asked sooner than all that wait.
-bool GrowingPlan::Letting::still_stuck() {
+bool PlanRepair::Letting::still_stuck() {
     Members few = plan_.last_stuck_;
     if (few.empty() || !std::ranges::all_of(few, [&](std::size_t i) { return waits_[i]; })) return false;
     few.push_back(part_);
@@ -379,14 +381,14 @@ bool GrowingPlan::Letting::still_stuck() {
 }
 
 /// By themselves, after all others have left.
-bool GrowingPlan::Letting::take_apart_those_waiting(bool instead) {
+bool PlanRepair::Letting::take_apart_those_waiting(bool instead) {
     if (!instead && still_stuck()) return false;
     Members members = waiting_;
     std::sort(members.begin(), members.end());
     for (std::size_t i = 0; i < plan_.parts_.size(); ++i) {
         if (plan_.parts_[i].object.fixed && member(i)) members.push_back(i);
     }
-    std::optional<Apart> apart = plan_.take_apart(members, part_, instead);
+    std::optional<TakenApart> apart = plan_.take_apart(members, part_, instead);
     if (!apart) return false;
     for (const auto& [member, steps] : apart->discarded) {
         discarded_.emplace_back(member, plan_.next_number_ + steps);
@@ -397,11 +399,11 @@ bool GrowingPlan::Letting::take_apart_those_waiting(bool instead) {
     return true;
 }
 
-bool GrowingPlan::Letting::run(std::size_t most, bool instead) {
+bool PlanRepair::Letting::run(std::size_t most, bool instead) {
     bool left = false;
     for (; next_ < plan_.steps_.size(); ++next_) {
         const Step& planned = plan_.steps_[next_];
-        if (!left && companies_.of(planned.step) == company_) {
+        if (!left && subassemblies_.of(planned.step) == subassembly_) {
             const Members movers = plan_.movers(planned.step);
             std::optional<Path> path = planned.step.path;
             if (std::ranges::any_of(movers, [&](std::size_t i) { return waits_[i]; })) {

@@ -29,21 +29,21 @@ Box hull_of(const std::vector<Box>& boxes) {
 }
 
 /// Voxel indices as coordinates.
-Box voxel_box(const StandingPart& part) {
+Box voxel_box(const Body& part) {
     const VoxelBox box = part.object.box();
     return {{1.0 * box.lo.x, 1.0 * box.lo.y, 1.0 * box.lo.z}, {1.0 * box.hi.x, 1.0 * box.hi.y, 1.0 * box.hi.z}};
 }
 
-std::vector<Box> voxel_boxes_of(const std::vector<StandingPart>& parts) {
+std::vector<Box> voxel_boxes_of(const std::vector<Body>& parts) {
     std::vector<Box> boxes;
-    for (const StandingPart& part : parts) {
+    for (const Body& part : parts) {
         boxes.push_back(voxel_box(part));
     }
     return boxes;
 }
 
 template <class T>
-std::vector<T> picked(const std::vector<T>& from, const Company::Members& members) {
+std::vector<T> picked(const std::vector<T>& from, const Subassembly::Members& members) {
     std::vector<T> some;
     for (const std::size_t i : members) {
         some.push_back(from[i]);
@@ -57,12 +57,12 @@ VoxelIndex voxel(const Vec3& corner) {
 
 }  // namespace
 
-Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts)
-    : Company(setup, std::move(names), std::move(parts), {setup.grid, {}}) {}
+Subassembly::Subassembly(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts)
+    : Subassembly(options, std::move(names), std::move(parts), {options.grid, {}}) {}
 
-Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts,
-                 const Plot& plot)
-    : setup_(setup),
+Subassembly::Subassembly(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts,
+                         const Plot& plot)
+    : options_(options),
       names_(std::move(names)),
       parts_(std::move(parts)),
       boxes_(boxes_of(parts_)),
@@ -78,15 +78,15 @@ Company::Company(const DisassemblySetup& setup, std::vector<int> names, std::vec
     }
 }
 
-Company::Company(const Company& whole, const Members& members)
-    : Company(closed(whole.setup_, picked(whole.names_, members), picked(whole.parts_, members))) {
+Subassembly::Subassembly(const Subassembly& whole, const Members& members)
+    : Subassembly(closed(whole.options_, picked(whole.names_, members), picked(whole.parts_, members))) {
     for (std::size_t i = 0; i < members.size(); ++i) {
         const auto known = whole.on_grid_.find(members[i]);
         if (known != whole.on_grid_.end()) on_grid_.emplace(i, known->second);
     }
 }
 
-std::size_t Company::add(int name, StandingPart part) {
+std::size_t Subassembly::add(int name, Body part) {
     const std::size_t i = parts_.size();
     names_.push_back(name);
     boxes_.push_back(part.box());
@@ -99,10 +99,10 @@ std::size_t Company::add(int name, StandingPart part) {
     return i;
 }
 
-/// Without the rest of the grid: large trays are taken apart in many companies.
-Company::Plot Company::plot_around(const TraySetup& grid, const std::vector<StandingPart>& parts) {
+/// Without the rest of the grid: large trays are taken apart in many subassemblies.
+Subassembly::Plot Subassembly::plot_around(const TraySetup& grid, const std::vector<Body>& parts) {
     VoxelBox around;
-    for (const StandingPart& part : parts) {
+    for (const Body& part : parts) {
         around = hull(around, part.object.box());
     }
     VoxelBox all;  // of it, and perhaps a voxel more, which holds nothing
@@ -118,17 +118,17 @@ Company::Plot Company::plot_around(const TraySetup& grid, const std::vector<Stan
     return plot;
 }
 
-Company Company::closed(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts) {
-    const Plot plot = plot_around(setup.grid, parts);
-    return {setup, std::move(names), std::move(parts), plot};
+Subassembly Subassembly::closed(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts) {
+    const Plot plot = plot_around(options.grid, parts);
+    return {options, std::move(names), std::move(parts), plot};
 }
 
-ObjectId Company::place(TrayObject object) {
+ObjectId Subassembly::place(TrayObject object) {
     object.position = object.position - origin_;
     return tray_.add(std::move(object));
 }
 
-void Company::remove(std::size_t i) {
+void Subassembly::remove(std::size_t i) {
     present_[i] = false;
     on_grid_.erase(i);
     index_.remove(static_cast<std::int64_t>(i), boxes_[i]);
@@ -137,7 +137,7 @@ void Company::remove(std::size_t i) {
     tray_.remove(objects_[i]);
 }
 
-Company::Members Company::movable() const {
+Subassembly::Members Subassembly::movable() const {
     Members members;
     for (std::size_t i = 0; i < size(); ++i) {
         if (movable(i)) members.push_back(i);
@@ -145,7 +145,8 @@ Company::Members Company::movable() const {
     return members;
 }
 
-std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const {
+std::optional<Subassembly::Pair> Subassembly::meeting(const Move& move, const Hints& hints,
+                                                      std::vector<Pair>& passed) const {
     struct Near {
         double apart;
         Pair pair;
@@ -169,14 +170,14 @@ std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hin
     // The nearest first: it is the likeliest to be in the way, and asked before threads share the others.
     std::stable_sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.apart < b.apart; });
     const auto meets = [&](const Pair& pair) {
-        const StandingPart &moving = parts_[pair.member], &still = parts_[pair.other];
+        const Body &moving = parts_[pair.member], &still = parts_[pair.other];
         const Vec3 offset = moving.offset + move.from - still.offset;
         return !slides_past(*moving.surface, offset, *still.surface, direction, kGraze, move.way);
     };
     std::size_t met = 0;
     if (!near.empty() && !meets(near.front().pair)) {
         const std::span<const Near> others = std::span(near).subspan(1);
-        met = 1 + static_cast<std::size_t>(setup_.workers.first(std::ssize(others), [&](std::int64_t k) {
+        met = 1 + static_cast<std::size_t>(options_.workers.first(std::ssize(others), [&](std::int64_t k) {
                   return meets(others[static_cast<std::size_t>(k)].pair);
               }));
     }
@@ -187,7 +188,7 @@ std::optional<Company::Pair> Company::meeting(const Move& move, const Hints& hin
     return std::nullopt;
 }
 
-Box Company::box_of(const Members& members) const {
+Box Subassembly::box_of(const Members& members) const {
     Box box;
     for (const std::size_t member : members) {
         box.add(boxes_[member]);
@@ -195,8 +196,8 @@ Box Company::box_of(const Members& members) const {
     return box;
 }
 
-Company::Straight Company::straight_way(const Members& members, const Vec3& from, AxisDirection direction,
-                                        const Hints& hints) const {
+Subassembly::Straight Subassembly::straight_way(const Members& members, const Vec3& from, AxisDirection direction,
+                                                const Hints& hints) const {
     const Box others = hull_.without(members);
     if (others.empty()) return {};
     const Box own = moved(box_of(members), from);
@@ -207,18 +208,18 @@ Company::Straight Company::straight_way(const Members& members, const Vec3& from
     return straight;
 }
 
-Company::Straight Company::straight_way(const Members& members, AxisDirection direction,
-                                        const BlockingGraph* known) const {
+Subassembly::Straight Subassembly::straight_way(const Members& members, AxisDirection direction,
+                                                const BlockingGraph* known) const {
     return straight_way(members, Vec3{}, direction, {known, std::nullopt});
 }
 
-bool Company::free_move(const Members& members, const Vec3& from, const Vec3& move) const {
+bool Subassembly::free_move(const Members& members, const Vec3& from, const Vec3& move) const {
     const AxisDirection direction = direction_of(move);
     std::vector<Pair> passed;
     return !meeting({members, from, direction, std::abs(move[direction.axis])}, {}, passed);
 }
 
-bool Company::free_path(const Members& members, Vec3 from, const Path& path) const {
+bool Subassembly::free_path(const Members& members, Vec3 from, const Path& path) const {
     for (const Vec3& move : path) {
         if (!free_move(members, from, move)) return false;
         from = from + move;
@@ -226,7 +227,7 @@ bool Company::free_path(const Members& members, Vec3 from, const Path& path) con
     return true;
 }
 
-std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) const {
+std::optional<Subassembly::Path> Subassembly::snap(std::size_t i, const Vec3& move) const {
     constexpr int kOrders[6][3] = {{2, 0, 1}, {2, 1, 0}, {0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}};
     for (const auto& order : kOrders) {
         Path path;
@@ -242,24 +243,24 @@ std::optional<Company::Path> Company::snap(std::size_t i, const Vec3& move) cons
 }
 
 /// Of a copy off the grid. They are made without the lock, since that may be done by several threads.
-std::shared_ptr<const BitGrid> Company::voxels_on_grid(std::size_t i) const {
+std::shared_ptr<const BitGrid> Subassembly::voxels_on_grid(std::size_t i) const {
     {
         const std::lock_guard lock(*asking_);
         if (const auto known = on_grid_.find(i); known != on_grid_.end()) return known->second;
     }
-    std::shared_ptr<const BitGrid> made = setup_.on_grid(names_[i]);
+    std::shared_ptr<const BitGrid> made = options_.on_grid(names_[i]);
     const std::lock_guard lock(*asking_);
     return on_grid_[i] = std::move(made);
 }
 
-Company::Flood Company::flood(std::size_t i) const {
-    const StandingPart& part = parts_[i];
+Subassembly::Flood Subassembly::flood(std::size_t i) const {
+    const Body& part = parts_[i];
     Flood flood;
     flood.i = i;
     const Box rest = voxel_hull_.without({i});
     if (rest.empty()) return flood;
     flood.others = {voxel(rest.min) - origin_, voxel(rest.max) - origin_};
-    flood.at = boxes_[i].min - inset(boxes_[i].size(), tray_.voxel_size()) - setup_.corner;
+    flood.at = boxes_[i].min - inset(boxes_[i].size(), tray_.voxel_size()) - options_.corner;
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = flood.at[axis] / tray_.voxel_size();
         flood.nearest[axis] = static_cast<int>(std::lround(voxels));
@@ -267,15 +268,15 @@ Company::Flood Company::flood(std::size_t i) const {
     }
     flood.solid = flood.on_grid ? part.object.solid : voxels_on_grid(i);
     const std::lock_guard lock(*asking_);
-    flood.tiles = setup_.search->free_tiles(tray_, flood.solid, {objects_[i], 1});
+    flood.tiles = options_.search->free_tiles(tray_, flood.solid, {objects_[i], 1});
     return flood;
 }
 
-Company::Flooded Company::way_out(Flood& flood) const {
+Subassembly::Flooded Subassembly::way_out(Flood& flood) const {
     if (!flood.tiles) return {Path{}};
     const auto& [i, solid, at, nearest, on_grid, others, tiles] = flood;
     const double dx = tray_.voxel_size();
-    ReachableRegion region(*tiles, solid->extent(), others, setup_.stop);
+    ReachableRegion region(*tiles, solid->extent(), others, options_.stop);
 
     // Where to start: on the grid where it stands; off it, at free positions near by.
     struct Start {
@@ -303,7 +304,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
     }
     int snaps = 0;
     for (const Start& start : starts) {
-        if (!region.free(start.position - origin_)) continue;  // in a pocket found closed
+        if (!region.free(start.position - origin_)) continue;  // in a closed region found closed
         if (start.away > 0 && ++snaps > kSnaps) break;
         if (!region.contains(start.position - origin_)) continue;
         // Sweeps take longer than walks, which never come to the same place twice: so only from where there is a way.
@@ -314,7 +315,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
             if (!there_by) continue;
             path = std::move(*there_by);
         }
-        const std::vector<VoxelIndex> way = FloodFill(region, setup_.stop).way_out(start.position - origin_);
+        const std::vector<VoxelIndex> way = FloodFill(region, options_.stop).way_out(start.position - origin_);
         if (way.empty()) break;  // stopped
         for (std::size_t k = 1; k < way.size(); ++k) {
             const VoxelIndex d = way[k] - way[k - 1];
@@ -327,7 +328,7 @@ Company::Flooded Company::way_out(Flood& flood) const {
             return {shortened(std::move(*out), free)};
         }
         // Voxels and meshes disagree, which only rounding can make them do. Whoever leaves may change that.
-        return {std::nullopt, Pocket({others.lo + origin_, others.hi + origin_}), true};
+        return {std::nullopt, ClosedRegion({others.lo + origin_, others.hi + origin_}), true};
     }
     // Positions that were found taken, or that sweeps led by.
     constexpr int kSwept = kSnapReach + 1;
@@ -337,10 +338,10 @@ Company::Flooded Company::way_out(Flood& flood) const {
         walked = {walked.lo + origin_ - VoxelIndex{1, 1, 1}, walked.hi + origin_ + VoxelIndex{1, 1, 1}};
         asked = hull(asked, walked);
     }
-    return {std::nullopt, Pocket(*solid, asked), !starts.empty()};
+    return {std::nullopt, ClosedRegion(*solid, asked), !starts.empty()};
 }
 
-std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
+std::optional<Subassembly::Path> Subassembly::any_way_out(std::size_t i) const {
     for (int d = 0; d < BlockingGraph::kDirections; ++d) {
         Straight straight = straight_way({i}, BlockingGraph::direction(d));
         if (!straight.met) return std::move(straight.path);
@@ -349,7 +350,7 @@ std::optional<Company::Path> Company::any_way_out(std::size_t i) const {
     return way_out(last).path;
 }
 
-std::optional<Company::Path> Company::way_beside_the_grid(std::size_t i) const {
+std::optional<Subassembly::Path> Subassembly::way_beside_the_grid(std::size_t i) const {
     std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way from elsewhere, likely is from here
     for (int d = 0; d < BlockingGraph::kDirections; ++d) {
         const AxisDirection first = BlockingGraph::direction(d);
@@ -371,7 +372,7 @@ std::optional<Company::Path> Company::way_beside_the_grid(std::size_t i) const {
     return std::nullopt;
 }
 
-bool Company::leads_out(const Members& members, const Path& path) const {
+bool Subassembly::leads_out(const Members& members, const Path& path) const {
     const Box others = hull_.without(members);
     if (others.empty()) return true;
     const bool along_axes = std::ranges::all_of(path, [](const Vec3& move) {
@@ -381,7 +382,7 @@ bool Company::leads_out(const Members& members, const Path& path) const {
     return along_axes && !meet(at_end(box_of(members), path), others) && free_path(members, {}, path);
 }
 
-std::optional<Company::Path> Company::out_along(std::size_t i, const Path& path) const {
+std::optional<Subassembly::Path> Subassembly::out_along(std::size_t i, const Path& path) const {
     Path gone;
     Vec3 from;
     std::array<Hints, BlockingGraph::kDirections> hints;  // who was in the way the last time, likely still is

@@ -27,7 +27,7 @@ namespace spectralpack {
 inline constexpr double kClearance = 1;  ///< by which a copy that has left is clear of the box of the others
 inline constexpr double kGraze = 8e-4;   ///< overlap sideways let pass: voxels are drawn in by 1e-4 dx, from both sides
 
-struct DisassemblySetup {
+struct DisassemblyOptions {
     PlacementSearch* search = nullptr;
     TraySetup grid;          ///< whose voxels the parts' objects are in
     Vec3 corner;             ///< of that grid, mm
@@ -40,25 +40,25 @@ struct DisassemblySetup {
     StopToken stop;
 };
 
-class Company {
+class Subassembly {
   public:
     using Path = std::vector<Vec3>;
     using Members = std::vector<std::size_t>;
 
-    Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
+    Subassembly(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts);
     /// To which nobody is added: its voxels are only those around it.
-    static Company closed(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts);
+    static Subassembly closed(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts);
     /// `members` of `whole`, which become 0, 1, ..., to themselves; closed.
-    Company(const Company& whole, const Members& members);
+    Subassembly(const Subassembly& whole, const Members& members);
 
     std::size_t size() const { return parts_.size(); }
-    const StandingPart& part(std::size_t i) const { return parts_[i]; }
+    const Body& part(std::size_t i) const { return parts_[i]; }
     int name(std::size_t i) const { return names_[i]; }
     bool present(std::size_t i) const { return present_[i]; }
     bool movable(std::size_t i) const { return present_[i] && !parts_[i].object.fixed; }
     Members movable() const;
 
-    std::size_t add(int name, StandingPart part);
+    std::size_t add(int name, Body part);
     void remove(std::size_t i);
 
     /// A member and one of the others.
@@ -72,14 +72,14 @@ class Company {
         Path path;                 ///< of one move; empty where no others are left
         std::vector<Pair> passed;  ///< pairs near the way that were swept and found to pass
     };
-    /// From where they stand. Pairs that `known` (of this company's indices) tells to pass are not swept again. Time
-    /// grows with the triangles near to the way.
+    /// From where they stand. Pairs that `known` (of this subassembly's indices) tells to pass are not swept again.
+    /// Time grows with the triangles near to the way.
     Straight straight_way(const Members& members, AxisDirection direction, const BlockingGraph* known = nullptr) const;
 
     struct Flooded {
         std::optional<Path> path;
-        std::optional<Pocket> pocket{};  ///< where there is none
-        bool began = false;              ///< some position near where it stands is free
+        std::optional<ClosedRegion> closed_region{};  ///< where there is none
+        bool began = false;                           ///< some position near where it stands is free
     };
     /// What a flood fill for one copy starts from.
     struct Flood {
@@ -94,7 +94,7 @@ class Company {
     /// Several threads may ask for different copies.
     Flood flood(std::size_t i) const;
     /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the
-    /// setup's token has stopped it, there is none and the pocket says nothing. Likewise.
+    /// options's token has stopped it, there is none and the closed region says nothing. Likewise.
     Flooded way_out(Flood& flood) const;
     /// A straight one, or else any.
     std::optional<Path> any_way_out(std::size_t i) const;
@@ -105,13 +105,13 @@ class Company {
     bool leads_out(const Members& members, const Path& path) const;
 
   private:
-    /// Part of the setup's grid, and where it lies in that.
+    /// Part of the options's grid, and where it lies in that.
     struct Plot {
         TraySetup grid;
         VoxelIndex origin;
     };
-    Company(const DisassemblySetup& setup, std::vector<int> names, std::vector<StandingPart> parts, const Plot& plot);
-    static Plot plot_around(const TraySetup& grid, const std::vector<StandingPart>& parts);
+    Subassembly(const DisassemblyOptions& options, std::vector<int> names, std::vector<Body> parts, const Plot& plot);
+    static Plot plot_around(const TraySetup& grid, const std::vector<Body>& parts);
     ObjectId place(TrayObject object);
     std::shared_ptr<const BitGrid> voxels_on_grid(std::size_t i) const;
 
@@ -139,14 +139,14 @@ class Company {
     /// that way. None where a move is not free.
     std::optional<Path> out_along(std::size_t i, const Path& path) const;
 
-    const DisassemblySetup& setup_;
+    const DisassemblyOptions& options_;
     std::vector<int> names_;
-    std::vector<StandingPart> parts_;
+    std::vector<Body> parts_;
     std::vector<Box> boxes_;
     std::vector<bool> present_;
     BoxIndex index_;
     StandingHull hull_, voxel_hull_;
-    VoxelIndex origin_;  // of the tray, in the setup's grid
+    VoxelIndex origin_;  // of the tray, in the options's grid
     Tray tray_;
     std::vector<ObjectId> objects_;
     std::unique_ptr<std::mutex> asking_ = std::make_unique<std::mutex>();  // guards the search and what follows

@@ -13,7 +13,7 @@ VoxelIndex random_place(RandomStream& random, int low, int high) {
     return {between(random, low, high), between(random, low, high), between(random, low, high)};
 }
 
-TEST(Pocket, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
+TEST(ClosedRegion, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
     int touched = 0, in_box_only = 0;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
@@ -33,11 +33,11 @@ TEST(Pocket, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
                 }
             }
         }
-        ASSERT_EQ(Pocket(solid, positions).touches(object), meets);
+        ASSERT_EQ(ClosedRegion(solid, positions).touches(object), meets);
         const Extent& e = solid.extent();
         const VoxelBox box{positions.lo, positions.hi + VoxelIndex{e.x - 1, e.y - 1, e.z - 1}};
         const bool in_box = !intersection(box, object.box()).empty();
-        ASSERT_EQ(Pocket(box).touches(object), in_box);
+        ASSERT_EQ(ClosedRegion(box).touches(object), in_box);
         touched += meets;
         in_box_only += in_box && !meets;
     }
@@ -45,16 +45,16 @@ TEST(Pocket, IsTouchedByWhomTheSolidMeetsAtSomePosition) {
     EXPECT_GT(in_box_only, 200);
 }
 
-TEST(Pocket, OfAWideRangeIsTheBoxAround) {
+TEST(ClosedRegion, OfAWideRangeIsTheBoxAround) {
     BitGrid corner({2, 2, 2});
     corner.set(0, 0, 0);
-    const Pocket pocket(corner, {{0, 0, 0}, {100, 1, 1}});
+    const ClosedRegion region(corner, {{0, 0, 0}, {100, 1, 1}});
     BitGrid die({1, 1, 1});
     die.fill(true);
     const auto solid = std::make_shared<const BitGrid>(die);
-    EXPECT_TRUE(pocket.touches({solid, {99, 0, 0}}));
-    EXPECT_TRUE(pocket.touches({solid, {100, 1, 1}}));
-    EXPECT_FALSE(pocket.touches({solid, {101, 0, 0}}));
+    EXPECT_TRUE(region.touches({solid, {99, 0, 0}}));
+    EXPECT_TRUE(region.touches({solid, {100, 1, 1}}));
+    EXPECT_FALSE(region.touches({solid, {101, 0, 0}}));
 }
 
 }  // namespace

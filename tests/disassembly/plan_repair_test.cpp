@@ -31,9 +31,9 @@ class Planned {
 
     /// `choose(sets)`: whom to discard next, of those that hold each other; where it says none, whoever is discarded.
     template <class Choose>
-    GrowingPlan disassemble(const Choose& choose, std::vector<int> at_once = {}) {
-        const std::vector<StandingPart>& parts = scene_.parts();
-        std::vector<std::size_t> after(parts.size(), GrowingPlan::kStayed);
+    PlanRepair disassemble(const Choose& choose, std::vector<int> at_once = {}) {
+        const std::vector<Body>& parts = scene_.parts();
+        std::vector<std::size_t> after(parts.size(), PlanRepair::kStayed);
         Disassembler disassembler(scene_.setup(), parts, [](int, int) {});
         const auto discard = [&](int part) {
             disassembler.discard(part);
@@ -45,11 +45,11 @@ class Planned {
         for (disassembler.run(); disassembler.standing() > 0; disassembler.run()) {
             discard(choose(disassembler.stuck()));
         }
-        return GrowingPlan(scene_.setup(), parts, disassembler.steps(), after);
+        return PlanRepair(scene_.setup(), parts, disassembler.steps(), after);
     }
 
     /// Replays the plan on the meshes of those that are not out; `more`: those that were let in.
-    void replay(const GrowingPlan& plan, const std::vector<Mesh>& more = {}) const {
+    void replay(const PlanRepair& plan, const std::vector<Mesh>& more = {}) const {
         AssemblyScene standing(size_);
         std::vector<int> renumbered;
         std::size_t fixed = 0;
@@ -75,23 +75,23 @@ int first_of(const std::vector<std::vector<int>>& sets) { return sets.front().fr
 
 Mesh ring(double size) { return frame_mesh(size, 2, 2); }
 
-TEST(GrowingPlan, LetsBackWhatIsInNobodysWay) {
+TEST(PlanRepair, LetsBackWhatIsInNobodysWay) {
     Planned planned({40, 40, 40});
     planned.add(test::cube_mesh(8));
     planned.add(placed(test::cube_mesh(8), {0, 0, 10}));
-    GrowingPlan plan = planned.disassemble(first_of, {1});
+    PlanRepair plan = planned.disassemble(first_of, {1});
     ASSERT_TRUE(plan.out(1));
     EXPECT_TRUE(plan.let_back(1, kAnyNumber));
     EXPECT_FALSE(plan.out(1));
     planned.replay(plan);
 }
 
-TEST(GrowingPlan, KeepsOutWhatHoldsOthersUnlessLighterOnesGoInstead) {
+TEST(PlanRepair, KeepsOutWhatHoldsOthersUnlessLighterOnesGoInstead) {
     Planned planned({60, 60, 60});
     planned.add(placed(ring(20), {10, 10, 20}));            // linked with
     planned.add(placed(lying(ring(20), 0), {19, 19, 11}));  // the other
     planned.add(placed(test::cube_mesh(6), {50, 50, 0}));
-    GrowingPlan plan = planned.disassemble(first_of);
+    PlanRepair plan = planned.disassemble(first_of);
     ASSERT_TRUE(plan.out(0));
     EXPECT_FALSE(plan.let_back(0, kAnyNumber)) << "both weigh the same";
     EXPECT_TRUE(plan.out(0));
@@ -100,7 +100,7 @@ TEST(GrowingPlan, KeepsOutWhatHoldsOthersUnlessLighterOnesGoInstead) {
     Planned uneven({60, 60, 60});
     uneven.add(placed(frame_mesh(20, 3, 4), {10, 10, 20}));
     uneven.add(placed(lying(ring(20), 0), {19, 19, 12}));
-    GrowingPlan other = uneven.disassemble(first_of);
+    PlanRepair other = uneven.disassemble(first_of);
     ASSERT_TRUE(other.out(0));
     EXPECT_TRUE(other.let_back(0, kAnyNumber));
     EXPECT_FALSE(other.out(0));
@@ -108,12 +108,12 @@ TEST(GrowingPlan, KeepsOutWhatHoldsOthersUnlessLighterOnesGoInstead) {
     uneven.replay(other);
 }
 
-TEST(GrowingPlan, LetsInWhereTheWayOpensLater) {
+TEST(PlanRepair, LetsInWhereTheWayOpensLater) {
     // An open chest with a lid that fits loosely over it.
     Planned planned({40, 40, 40});
     planned.add(test::chest_mesh(26, 2, true));
     planned.add(placed(box_mesh({0, 0, 0}, {26, 26, 2}), {0, 0, 27}));
-    GrowingPlan plan = planned.disassemble(first_of);
+    PlanRepair plan = planned.disassemble(first_of);
     const Mesh inside = placed(test::cube_mesh(8), {10, 10, 10});
     AssemblyScene alone({40, 40, 40});
     alone.add(inside);
@@ -126,25 +126,25 @@ TEST(GrowingPlan, LetsInWhereTheWayOpensLater) {
     planned.replay(plan, {inside, wide});
 }
 
-TEST(GrowingPlan, RefusesWhatNeverComesOut) {
+TEST(PlanRepair, RefusesWhatNeverComesOut) {
     Planned planned({40, 40, 40});
     planned.add(test::chest_mesh(26, 2, false));
     planned.add(placed(test::cube_mesh(5), {30, 30, 0}));
-    GrowingPlan plan = planned.disassemble(first_of);
+    PlanRepair plan = planned.disassemble(first_of);
     AssemblyScene alone({40, 40, 40});
     alone.add(placed(test::cube_mesh(8), {10, 10, 10}));
     EXPECT_FALSE(plan.let_in(2, alone.parts().front(), kAnyNumber));
     planned.replay(plan);
 }
 
-TEST(GrowingPlan, RefusesASecondOneInTheSameHoleAndTakesOneBesideIt) {
+TEST(PlanRepair, RefusesASecondOneInTheSameHoleAndTakesOneBesideIt) {
     // A chest stands on one half open, and what is in that leaves round a corner after the chest: all of them wait for
     // it.
     Planned planned({40, 40, 90});
     planned.add(placed(test::chest_mesh(26, 2, false), {0, 0, 27}));
     planned.add(test::merged(test::chest_mesh(26, 2, true), box_mesh({0, 0, 24}, {13, 26, 26})));
     planned.add(placed(test::cube_mesh(8), {3, 8, 5}));
-    GrowingPlan plan = planned.disassemble(first_of);
+    PlanRepair plan = planned.disassemble(first_of);
     const auto refused = [&](int name, const Mesh& mesh) {
         AssemblyScene alone({40, 40, 90});
         alone.add(mesh);
@@ -162,7 +162,7 @@ TEST(GrowingPlan, RefusesASecondOneInTheSameHoleAndTakesOneBesideIt) {
     planned.replay(plan, {outside});
 }
 
-TEST(GrowingPlan, PlansOfRandomScenesReplayWhoeverIsLetBack) {
+TEST(PlanRepair, PlansOfRandomScenesReplayWhoeverIsLetBack) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
@@ -192,7 +192,7 @@ TEST(GrowingPlan, PlansOfRandomScenesReplayWhoeverIsLetBack) {
         for (const int part : movable) {
             if (random.below(3) == 0) at_once.push_back(part);
         }
-        GrowingPlan plan = planned.disassemble(
+        PlanRepair plan = planned.disassemble(
             [&](const std::vector<std::vector<int>>& sets) {
                 std::vector<int> some;
                 for (const int part : sets.front()) {

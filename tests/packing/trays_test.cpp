@@ -25,30 +25,30 @@ class ManyTrays : public testing::Test {
         setup_.container.size = {4, 4, 2};
     }
 
-    void pack(const std::vector<PackItem>& items, const TraysLimit& limit) {
+    void pack(const std::vector<Copy>& copies, const TraysLimit& limit) {
         TrayFiller filler(setup_, search_, {}, Workers(1));
         fill_trays(
-            items, limit, filler, shapes_,
+            copies, limit, filler, shapes_,
             [this](const GreedyResult&, std::size_t done) {
                 if (done == stop_after_) stop_.request(StopReason::cancelled);
             },
             stop_.token(), result_);
     }
 
-    static std::vector<PackItem> copies(int part, int count) {
-        std::vector<PackItem> items;
+    static std::vector<Copy> copies(int part, int count) {
+        std::vector<Copy> copies;
         for (int copy = 0; copy < count; ++copy) {
-            items.push_back({part, copy});
+            copies.push_back({part, copy});
         }
-        return items;
+        return copies;
     }
 
-    FillSetup setup_;
+    FillOptions setup_;
     test::FirstFit search_;
     std::atomic<int> made_{0};
     ShapeStore shapes_;
     StopSource stop_;
-    std::size_t stop_after_ = 0;  // items; 0: never
+    std::size_t stop_after_ = 0;  // copies; 0: never
     TraysResult result_;
 };
 
@@ -58,7 +58,7 @@ TEST_F(ManyTrays, AsManyAsItTakes) {
     EXPECT_EQ(result_.trays[0].placed.size(), 4u);
     EXPECT_EQ(result_.trays[1].placed.size(), 4u);
     EXPECT_EQ(result_.trays[2].placed.size(), 2u);
-    EXPECT_EQ(result_.trays[1].placed[0].item, (PackItem{1, 4}));
+    EXPECT_EQ(result_.trays[1].placed[0].copy, (Copy{1, 4}));
     EXPECT_TRUE(result_.left_over.empty());
     EXPECT_FALSE(result_.stuck);
     EXPECT_EQ(result_.placed(), 10);
@@ -68,28 +68,28 @@ TEST_F(ManyTrays, AsManyAsItTakes) {
 TEST_F(ManyTrays, NoMoreThanAllowed) {
     pack(copies(1, 10), {2, 0});
     EXPECT_EQ(result_.trays.size(), 2u);
-    EXPECT_EQ(result_.left_over, (std::vector<PackItem>{{1, 8}, {1, 9}}));
+    EXPECT_EQ(result_.left_over, (std::vector<Copy>{{1, 8}, {1, 9}}));
 }
 
 TEST_F(ManyTrays, EachIsFullOnceSoManyPartsFindNoPlace) {
-    std::vector<PackItem> items = copies(1, 6);
-    items.push_back({0, 0});
-    pack(items, {0, 1});
+    std::vector<Copy> copies = copies(1, 6);
+    copies.push_back({0, 0});
+    pack(copies, {0, 1});
     ASSERT_EQ(result_.trays.size(), 2u);
     EXPECT_EQ(result_.trays[0].placed.size(), 4u);  // a fifth finds no place, so part 0 is not tried
     EXPECT_EQ(result_.trays[0].searches, 5);
     ASSERT_EQ(result_.trays[1].placed.size(), 3u);
-    EXPECT_EQ(result_.trays[1].placed[2].item, (PackItem{0, 0}));
+    EXPECT_EQ(result_.trays[1].placed[2].copy, (Copy{0, 0}));
     // One tray alone tries all.
     result_ = {};
-    pack(items, {1, 1});
+    pack(copies, {1, 1});
     EXPECT_EQ(result_.trays[0].searches, 6);
 }
 
 TEST_F(ManyTrays, ATrayThatStaysEmptyEndsIt) {
-    std::vector<PackItem> items = copies(2, 2);  // too high for any tray
-    items.push_back({1, 0});
-    pack(items, {0, 0});
+    std::vector<Copy> copies = copies(2, 2);  // too high for any tray
+    copies.push_back({1, 0});
+    pack(copies, {0, 0});
     ASSERT_EQ(result_.trays.size(), 1u);
     EXPECT_EQ(result_.trays[0].placed.size(), 1u);
     EXPECT_TRUE(result_.stuck);
@@ -149,7 +149,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
          test::cube_mesh(8)}};
     ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
     StopSource stop;
-    FillSetup setup;
+    FillOptions setup;
     setup.tray.size = {32, 26, 26};
     setup.tray.voxel_size = 1;
     setup.container.size = {32, 26, 26};
@@ -170,7 +170,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
         {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(), result);
     ASSERT_EQ(result.trays.size(), 1u);
     EXPECT_EQ(result.trays[0].report.counts.removed, 2);
-    EXPECT_EQ(result.trays[0].interlocked, (std::vector<PackItem>{{1, 0}}));
+    EXPECT_EQ(result.trays[0].interlocked, (std::vector<Copy>{{1, 0}}));
     EXPECT_TRUE(result.left_over.empty()) << "the second cube was not tried";
 }
 

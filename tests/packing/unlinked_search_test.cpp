@@ -84,7 +84,7 @@ TEST(LinkSample, IsRowsSpreadOverTheSolidWholeForSmallOnes) {
 FilledTray chest_and_cube(Links links) {
     const MeshParts parts{{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})), cube_mesh(14)}};
     ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
-    FillSetup setup;
+    FillOptions setup;
     setup.tray.size = {60, 26, 26};
     setup.tray.voxel_size = 1;
     setup.container.size = {60, 26, 26};

@@ -30,7 +30,7 @@ class Interlocking : public testing::Test {
         for (std::size_t i = 0; i < made->orientations.size(); ++i) {
             if (made->orientations[i].orientation == orientation) best.index = static_cast<int>(i);
         }
-        Standing standing = stand_on_grid(*made, best, 1, 1, 0);
+        Settled standing = settle_on_grid(*made, best, 1, 1, 0);
         placed_.push_back(
             {{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
     }
@@ -55,9 +55,9 @@ class Interlocking : public testing::Test {
     Tray tray_;
     test::MeshParts parts_{{}, {Mat3{}, Mat3{{Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}}};
     ShapeStore shapes_{[this](int part, const Workers&) { return parts_.shape(part); }, Workers(1)};
-    std::vector<PlacedItem> placed_;
+    std::vector<PlacedCopy> placed_;
     PartSurfaces surfaces_{[this](int part) { return parts_.scaled(part); }, Workers(1)};
-    InterlockSetup setup_;
+    UntangleOptions setup_;
     std::unique_ptr<PlacementSearch> search_;
 };
 
@@ -75,7 +75,7 @@ TEST_F(Interlocking, PutsBackWhatItTookOutAndTakesItOutFirst) {
     ASSERT_EQ(placed_.size(), 3u);
     expect_complete(result);
     EXPECT_EQ(result.plan.steps.front().placements, std::vector<int>{2}) << "put back last";
-    EXPECT_EQ(placed_[2].item.part, 0) << "of two of one size the first is taken";
+    EXPECT_EQ(placed_[2].copy.part, 0) << "of two of one size the first is taken";
     EXPECT_TRUE(tray_.find(placed_[2].object));
 }
 
@@ -101,7 +101,7 @@ TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterial) {
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 1);
     ASSERT_EQ(placed_.size(), 1u);
-    EXPECT_EQ(placed_.front().item.part, 0);
+    EXPECT_EQ(placed_.front().copy.part, 0);
     expect_complete(result);
 }
 
@@ -120,7 +120,7 @@ TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterialForItsBoxAndPutsInWhatHadWai
     ASSERT_EQ(result.interlocked.size(), 1u);
     EXPECT_EQ(result.interlocked.front().part, 0) << "the thin frame; what waited is not called interlocked";
     ASSERT_EQ(placed_.size(), 3u);
-    EXPECT_EQ(placed_[1].item.part, 2);
+    EXPECT_EQ(placed_[1].copy.part, 2);
     expect_complete(result);
 }
 
@@ -152,7 +152,7 @@ TEST_F(Interlocking, PutsACopyWhereItsWayOpensLater) {
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.added, 1);
     expect_complete(result);
-    const auto cube = std::ranges::find(placed_, 5, [](const PlacedItem& placed) { return placed.item.part; });
+    const auto cube = std::ranges::find(placed_, 5, [](const PlacedCopy& placed) { return placed.copy.part; });
     ASSERT_NE(cube, placed_.end());
     EXPECT_LT(cube->position.x, 26) << "in the chest";
     EXPECT_LT(cube->position.z, 26);
@@ -175,8 +175,8 @@ TEST_F(Interlocking, TriesTheNextBestPlaceWhereACopyDoesNotComeOutOfTheBest) {
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.added, 2);
     expect_complete(result);
-    for (const PlacedItem& placed : placed_) {
-        if (placed.item.part != 6) continue;
+    for (const PlacedCopy& placed : placed_) {
+        if (placed.copy.part != 6) continue;
         EXPECT_LT(placed.position.x, 26) << "in the open chest, the second copy as well";
         EXPECT_LT(placed.position.z, 26);
     }
@@ -194,7 +194,7 @@ TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
     EXPECT_EQ(result.report.counts.removed, 0);
     ASSERT_EQ(placed_.size(), 3u);
     expect_complete(result);
-    for (const PlacedItem& placed : placed_) {
+    for (const PlacedCopy& placed : placed_) {
         ASSERT_TRUE(tray_.find(placed.object));
         const TrayObject& object = tray_.object(placed.object);
         EXPECT_LE(object.box().hi.z, 16);
@@ -205,7 +205,7 @@ TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
 TEST_F(Interlocking, LeavesWhatIsFreeAsItIs) {
     put(ring(), 0, {10, 10, 20});
     put(ring(), 1, {50, 19, 11});
-    const std::vector<PlacedItem> before = placed_;
+    const std::vector<PlacedCopy> before = placed_;
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 0);
     ASSERT_EQ(placed_.size(), 2u);
@@ -231,7 +231,7 @@ TEST_F(Interlocking, TheLastCopyToLeaveStillHasFixedOnesToPass) {
 
 TEST_F(Interlocking, WaysOutAreLookedForInTheTrayAsHighAsItHasGrown) {
     tray_ = Tray(TraySetup{{40, 40, 10}, 1, 1, {0}, Ceiling::open, 0, {}, false});
-    StandingParts standing(setup_, tray_, placed_, *search_, {});
+    PlacedBodies standing(setup_, tray_, placed_, *search_, {});
     RemovablePacking packing(standing, {});
     tray_ = grown(tray_, 50);
     // Above the grid as it was: a chest with a hole in a corner of its lid, and a cube in the opposite corner.

@@ -107,13 +107,12 @@ void add_edges(std::vector<Span>& spans, int axis, BlockingGraph& graph) {
 
 }  // namespace
 
-void cast_rays(const std::vector<const StandingPart*>& parts, double spacing, BlockingGraph& graph,
-               const Workers& workers) {
+void cast_rays(const std::vector<const Body*>& parts, double spacing, BlockingGraph& graph, const Workers& workers) {
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<std::vector<Span>> of_copy(parts.size());
         workers.for_each(static_cast<std::int64_t>(parts.size()), [&](std::int64_t i) {
             const auto copy = static_cast<std::size_t>(i);
-            const StandingPart& part = *parts[copy];
+            const Body& part = *parts[copy];
             RayGrid rays(part.box(), axis, spacing);
             for (std::size_t t = 0; t < part.surface->triangle_count(); ++t) {
                 Corners corners = part.surface->corners(t);

@@ -16,8 +16,7 @@ namespace spectralpack {
 /// All rays of a direction lie on a square grid, so a triangle's hits are those grid points that its projection
 /// covers: scan conversion finds them without a tree. Of each copy a ray needs to know the first and the last hit
 /// only. O(triangles + hits + copies met by a ray, squared, summed over the rays).
-void cast_rays(const std::vector<const StandingPart*>& parts, double spacing, BlockingGraph& graph,
-               const Workers& workers);
+void cast_rays(const std::vector<const Body*>& parts, double spacing, BlockingGraph& graph, const Workers& workers);
 
 /// Hits nearer to each other than this, mm, are of copies that touch: none is behind the other.
 inline constexpr double kRayTolerance = 2e-3;

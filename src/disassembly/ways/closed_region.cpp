@@ -21,7 +21,7 @@ void spread(BitGrid& grid, int axis, int by) {
 
 }  // namespace
 
-Pocket::Pocket(const BitGrid& solid, const VoxelBox& positions) {
+ClosedRegion::ClosedRegion(const BitGrid& solid, const VoxelBox& positions) {
     const Extent& e = solid.extent();
     box_ = {positions.lo, positions.hi + VoxelIndex{e.x - 1, e.y - 1, e.z - 1}};
     const VoxelIndex range = positions.hi - positions.lo;
@@ -33,7 +33,7 @@ Pocket::Pocket(const BitGrid& solid, const VoxelBox& positions) {
     }
 }
 
-bool Pocket::touches(const TrayObject& object) const {
+bool ClosedRegion::touches(const TrayObject& object) const {
     if (intersection(box_, object.box()).empty()) return false;
     return voxels_.words().empty() || intersects(voxels_, *object.solid, object.position - box_.lo);
 }

@@ -7,13 +7,13 @@
 
 namespace spectralpack {
 
-class Pocket {
+class ClosedRegion {
   public:
     /// All of this box.
-    explicit Pocket(const VoxelBox& box) : box_(box) {}
+    explicit ClosedRegion(const VoxelBox& box) : box_(box) {}
     /// The voxels that `solid` fills at some of these positions; of wide ranges of them the box around. O(words of the
     /// box around, log positions).
-    Pocket(const BitGrid& solid, const VoxelBox& positions);
+    ClosedRegion(const BitGrid& solid, const VoxelBox& positions);
 
     /// Whether the object, of the same grid, has voxels in it. O(words where their boxes meet).
     bool touches(const TrayObject& object) const;

@@ -174,7 +174,7 @@ bool ReachableRegion::contains(const VoxelIndex& start) {
     const std::uint64_t bit = std::uint64_t{1} << (q.x % 64);
     const Place from = place(q.x / 64, q.y, q.z);
     if (from.word().outside() & bit) return true;
-    if (from.word().known & ~from.word().free & bit) return false;  // of a closed pocket
+    if (from.word().known & ~from.word().free & bit) return false;  // of a closed region
 
     from.word().free |= bit;
     reach(from, bit);

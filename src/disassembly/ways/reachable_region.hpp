@@ -33,7 +33,7 @@ class ReachableRegion {
 
     /// Finds out at once which of these positions are free: sooner than one by one.
     void look_around(const VoxelBox& positions);
-    /// Free, and not in a pocket that a walk found closed.
+    /// Free, and not in a closed region that a walk found closed.
     bool free(const VoxelIndex& position);
     /// On a walk so far that led outside.
     bool visited(const VoxelIndex& position) const;
@@ -56,7 +56,7 @@ class ReachableRegion {
   private:
     static constexpr int kRows = FreeTileReader::kRows;
     /// What is known of 64 positions. There are millions of these, so they say much in few bits: of what the walk under
-    /// way has visited nothing is known, and once it ends that stays free and visited which has a way. A closed pocket
+    /// way has visited nothing is known, and once it ends that stays free and visited which has a way. A closed region
     /// is as good as occupied: no later walk comes near it.
     struct Word {
         std::uint64_t known = 0, free = 0;  ///< whether each is free

@@ -49,8 +49,7 @@ void set_outside_box(BitGrid& grid, const GridPlace& place, const Vec3& size) {
 
 }  // namespace
 
-StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner,
-                            const Workers& workers) {
+Body standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner, const Workers& workers) {
     auto voxels = std::make_shared<BitGrid>(Tray(grid).extent());
     const GridPlace place{corner, grid.voxel_size};
     set_outside_box(*voxels, place, container.size);

@@ -11,12 +11,11 @@ namespace spectralpack {
 /// As its surfaces and as voxels of `grid`, whose lower corner is `corner`: those wholly outside the container's box
 /// (beside it and below), not wholly inside a container mesh, or entered by a keep-out. Layers that reach above the
 /// container's top hold keep-outs alone.
-StandingPart standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner,
-                            const Workers& workers);
+Body standing_walls(const Container& container, const TraySetup& grid, const Vec3& corner, const Workers& workers);
 
 /// The same for a tray's grid, which it makes larger, so that there are voxels outside the container all round.
 struct PhysicalWalls {
-    StandingPart part;
+    Body part;
     TraySetup grid;  ///< without gap classes of its own: those of the tray
     Vec3 corner;     ///< its lower one, mm
     int margin = 0;  ///< voxels that `grid` has more on every side but above

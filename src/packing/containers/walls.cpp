@@ -39,8 +39,8 @@ BitGrid blocked_voxels(const Container& container, const Extent& grid, double vo
     return blocked;
 }
 
-std::vector<StandingCopy> wall_surfaces(const Container& container, double wall_gap) {
-    std::vector<StandingCopy> walls;
+std::vector<PlacedSurface> wall_surfaces(const Container& container, double wall_gap) {
+    std::vector<PlacedSurface> walls;
     const auto add = [&](const Mesh& mesh) {
         walls.push_back({std::make_shared<const Bvh>(mesh), {}, wall_gap, true});
     };

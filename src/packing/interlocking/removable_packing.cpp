@@ -4,34 +4,34 @@
 #include <utility>
 
 namespace spectralpack {
-RemovablePacking::RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps)
+RemovablePacking::RemovablePacking(PlacedBodies& standing, const std::vector<RemovalStep>& steps)
     : standing_(standing) {
     make(standing_.placed(), steps);
 }
 
-void RemovablePacking::make(const std::vector<StandingPart>& placed, const std::vector<RemovalStep>& steps) {
-    std::vector<StandingPart> parts = placed;
+void RemovablePacking::make(const std::vector<Body>& placed, const std::vector<RemovalStep>& steps) {
+    std::vector<Body> parts = placed;
     copies_ = static_cast<int>(parts.size());
     std::vector<int> names(parts.size());
     std::iota(names.begin(), names.end(), 0);
     standing_.add_what_stays(parts);
     names.resize(parts.size(), -1);
-    plan_.emplace(standing_.disassembly(), parts, steps, std::vector<std::size_t>(parts.size(), GrowingPlan::kStayed));
-    company_.emplace(standing_.disassembly(), std::move(names), std::move(parts));
+    plan_.emplace(standing_.disassembly(), parts, steps, std::vector<std::size_t>(parts.size(), PlanRepair::kStayed));
+    subassembly_.emplace(standing_.disassembly(), std::move(names), std::move(parts));
 }
 
-bool RemovablePacking::admit(const PlacedItem& last, const TrayObject& object) {
+bool RemovablePacking::admit(const PlacedCopy& last, const TrayObject& object) {
     if (standing_.follow_tray()) {
         fills_ = fills();
         const std::vector<RemovalStep> steps = plan_->steps();
         make(standing_.placed(static_cast<std::size_t>(copies_)), steps);
     }
-    StandingPart part = standing_.of(last, object);
-    const std::size_t i = company_->add(copies_, part);
-    if (std::optional<Company::Path> path = company_->any_way_out(i)) {
+    Body part = standing_.of(last, object);
+    const std::size_t i = subassembly_->add(copies_, part);
+    if (std::optional<Subassembly::Path> path = subassembly_->any_way_out(i)) {
         plan_->put_first(copies_, std::move(part), std::move(*path));
     } else if (!plan_->let_in(copies_, std::move(part))) {
-        company_->remove(i);
+        subassembly_->remove(i);
         return false;
     }
     ++copies_;

@@ -6,33 +6,33 @@
 
 #include "disassembly/plan_repair.hpp"
 #include "disassembly/subassembly.hpp"
-#include "packing/interlocking/standing_parts.hpp"
+#include "packing/interlocking/placed_bodies.hpp"
 
 namespace spectralpack {
 
 class RemovablePacking {
   public:
     /// What stands comes apart by `steps`. `standing` and what it refers to outlive it.
-    RemovablePacking(StandingParts& standing, const std::vector<RemovalStep>& steps);
+    RemovablePacking(PlacedBodies& standing, const std::vector<RemovalStep>& steps);
 
     /// Whether all still comes apart with the last of what is placed, which would be `object` in the tray and is not
     /// yet: at once, or in its turn, after others. If so it is in the plan, else the packing is without it. When the
     /// setup's token stops it, there is no way.
-    bool admit(const PlacedItem& last, const TrayObject& object);
+    bool admit(const PlacedCopy& last, const TrayObject& object);
 
     /// By index into what is placed.
     std::vector<RemovalStep> steps() const { return plan_->steps(); }
     int fills() const { return fills_ + plan_->fills(); }
 
   private:
-    void make(const std::vector<StandingPart>& placed, const std::vector<RemovalStep>& steps);
+    void make(const std::vector<Body>& placed, const std::vector<RemovalStep>& steps);
 
-    StandingParts& standing_;
+    PlacedBodies& standing_;
     int copies_ = 0;
     int fills_ = 0;
     // Of all that stands; what the plan keeps for itself lacks those that have left before the step it looks at.
-    std::optional<Company> company_;
-    std::optional<GrowingPlan> plan_;
+    std::optional<Subassembly> subassembly_;
+    std::optional<PlanRepair> plan_;
 };
 
 }  // namespace spectralpack

@@ -101,7 +101,7 @@ class UnlinkedSearch::Asking {
         const Extent& solid = moving.sample->extent();
         const VoxelIndex at{s * q.x, s * q.y, s * q.z};
         const VoxelBox box{at, at + VoxelIndex{solid.x, solid.y, solid.z}};
-        for (const Standing& object : standing_) {
+        for (const StandingObject& object : standing_) {
             if (intersection(box, object.box).empty()) continue;
             const VoxelIndex beside = at - object.box.lo;
             const std::shared_ptr<const Outlines> outlines = outlines_of(object.id);
@@ -113,7 +113,7 @@ class UnlinkedSearch::Asking {
 
   private:
     using Moving = Known::Moving;
-    struct Standing {
+    struct StandingObject {
         ObjectId id;
         VoxelBox box;  // in the voxels that collisions are decided on
     };
@@ -183,7 +183,7 @@ class UnlinkedSearch::Asking {
     const Tray& tray_;
     const Shape& shape_;
     StopToken stop_;
-    std::vector<Standing> standing_;
+    std::vector<StandingObject> standing_;
     std::mutex making_;  // guards the trays of the known and what else is the owner's
 };
 

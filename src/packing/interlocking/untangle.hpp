@@ -7,22 +7,22 @@
 #include <vector>
 
 #include "disassembly/disassembler.hpp"
-#include "packing/interlocking/standing_parts.hpp"
+#include "packing/interlocking/placed_bodies.hpp"
 #include "packing/tray/shape_store.hpp"
 #include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 
-struct InterlockSetup : StandingSetup {
+struct UntangleOptions : BodyOptions {
     double voxel_size = 2;  ///< mm
     CostModel model;
     PlacementSearch* best = nullptr;  ///< tells where copies are tried first; null: the one that all else is asked of
     ShapeStore* shapes = nullptr;     ///< free to start a tray
-    GreedyLimits limits;
+    PlaceLimits limits;
     TakeOut take_out = TakeOut::thinnest;
     bool measure_gap = false;          ///< between copies in the end, where something changed
-    std::vector<PackItem> order;       ///< in which copies are put back
-    std::vector<PackItem> waiting;     ///< had found no place; are tried again where others were taken out
+    std::vector<Copy> order;           ///< in which copies are put back
+    std::vector<Copy> waiting;         ///< had found no place; are tried again where others were taken out
     bool waiting_had_no_room = false;  ///< collided everywhere, or was linked there; not merely out of reach
     Disassembler::Left left;           ///< told while planning
     /// Told how many copies are still to be tried, while letting them back where they stood, then anew while putting
@@ -40,8 +40,8 @@ struct InterlockReport {
 };
 
 struct Untangled {
-    Disassembly plan;                   ///< by index into `placed`
-    std::vector<PackItem> interlocked;  ///< taken out for good
+    Disassembly plan;               ///< by index into `placed`
+    std::vector<Copy> interlocked;  ///< taken out for good
     InterlockReport report;
 };
 
@@ -53,13 +53,13 @@ struct Untangled {
 /// `tray` end as the packing that the plan is of. When stopped, the plan is complete only if all that stands had been
 /// planned by then, and what has been found interlocked until then is out; what had not been tried by then is not among
 /// `interlocked`. (docs/algorithm.md, section 11)
-Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedItem>& placed, const InterlockSetup& setup,
+Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedCopy>& placed, const UntangleOptions& options,
                    const StopToken& stop);
 
 /// Makes the plan for parts that stand, by the steps `told` where it finds none (may be null); takes nothing out.
 /// `interlocked` names the sets that hold each other, of the first `copies` parts: what comes after them is a
 /// container.
-Disassembly plan_disassembly(const DisassemblySetup& setup, std::vector<StandingPart> parts, std::size_t copies,
+Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> parts, std::size_t copies,
                              const Disassembler::Left& left, const std::vector<RemovalStep>* told);
 
 }  // namespace spectralpack

@@ -61,28 +61,28 @@ class BaseSearch {
     bool stopped_ = false;
 };
 
-FillSetup on_base(FillSetup setup, const BaseSize& base) {
-    const double wall = 2 * setup.wall_gap;
-    setup.container.size.x = base.x * setup.tray.voxel_size + wall;
-    setup.container.size.y = base.y * setup.tray.voxel_size + wall;
-    setup.tray.size.x = setup.container.size.x - wall;
-    setup.tray.size.y = setup.container.size.y - wall;
-    return setup;
+FillOptions on_base(FillOptions options, const BaseSize& base) {
+    const double wall = 2 * options.wall_gap;
+    options.container.size.x = base.x * options.tray.voxel_size + wall;
+    options.container.size.y = base.y * options.tray.voxel_size + wall;
+    options.tray.size.x = options.container.size.x - wall;
+    options.tray.size.y = options.container.size.y - wall;
+    return options;
 }
 
 /// About as long as the sides of a cube that holds the boxes of all copies, in voxels.
 int first_side(const PackingJob& job) {
     double boxes = 0;
-    for (const PackItem& item : job.items) {
-        boxes += job.parts[static_cast<std::size_t>(item.part)].box_volume;
+    for (const Copy& copy : job.copies) {
+        boxes += job.parts[static_cast<std::size_t>(copy.part)].box_volume;
     }
     return std::max(1, static_cast<int>(std::cbrt(boxes) / job.fill.tray.voxel_size));
 }
 
 double box_volume(const PackingJob& job, const FilledTray& tray) {
     Box box;
-    for (const PlacedItem& placed : tray.placed) {
-        const JobPart& part = job.parts[static_cast<std::size_t>(placed.item.part)];
+    for (const PlacedCopy& placed : tray.placed) {
+        const JobPart& part = job.parts[static_cast<std::size_t>(placed.copy.part)];
         box.add(bounding_box(transformed(*part.mesh, part.transform_of(placed))));
     }
     return box.volume();
@@ -105,13 +105,13 @@ void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToke
     const PackOnBase pack_on = [&](const BaseSize& base) -> std::optional<BoxScore> {
         TraysResult trays;
         try {
-            packer.pack({job.items, on_base(job.fill, base), stop, tell}, trays);
+            packer.pack({job.copies, on_base(job.fill, base), stop, tell}, trays);
         } catch (const ResourceError&) {
             if (!least) throw;
             return BoxScore{std::numeric_limits<std::int64_t>::max(), 0};  // too high a packing: not this base
         }
         searches += trays.searches();
-        const auto missing = static_cast<std::int64_t>(job.items.size()) - trays.placed();
+        const auto missing = static_cast<std::int64_t>(job.copies.size()) - trays.placed();
         const bool cut_short = missing > 0 && stop.stopped();
         const BoxScore score{missing, box_volume(job, trays.trays.front())};
         if (!least || (!cut_short && score < *least)) {

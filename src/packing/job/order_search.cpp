@@ -14,17 +14,17 @@ namespace {
 /// The best of several packings of the same copies.
 class Best {
   public:
-    Best(const std::vector<PackItem>& items, const PackingMeasures& measures) : items_(items), measures_(measures) {}
+    Best(const std::vector<Copy>& copies, const PackingMeasures& measures) : copies_(copies), measures_(measures) {}
 
     /// `order`: what `trays` were packed in.
-    void consider(const std::vector<PackItem>& order, TraysResult trays) {
+    void consider(const std::vector<Copy>& order, TraysResult trays) {
         searches_ += trays.searches();
         ++packings_;
-        std::vector<const std::vector<PlacedItem>*> placed;
+        std::vector<const std::vector<PlacedCopy>*> placed;
         for (const FilledTray& tray : trays.trays) {
             placed.push_back(&tray.placed);
         }
-        const PackingScore score = score_packing(items_, placed, measures_);
+        const PackingScore score = score_packing(copies_, placed, measures_);
         if (packings_ > 1 && !(score < score_)) return;
         score_ = score;
         order_ = order;
@@ -33,15 +33,15 @@ class Best {
 
     FoundOrder found() && {
         FoundOrder found;
-        std::set<PackItem> placed;
+        std::set<Copy> placed;
         for (const FilledTray& tray : trays_.trays) {
-            for (const PlacedItem& copy : tray.placed) {
-                found.items.push_back(copy.item);
-                placed.insert(copy.item);
+            for (const PlacedCopy& copy : tray.placed) {
+                found.copies.push_back(copy.copy);
+                placed.insert(copy.copy);
             }
         }
-        const std::vector<PackItem> rest = without(order_, placed);
-        found.items.insert(found.items.end(), rest.begin(), rest.end());
+        const std::vector<Copy> rest = without(order_, placed);
+        found.copies.insert(found.copies.end(), rest.begin(), rest.end());
         if (!trays_.trays.empty()) trays_.trays.front().searches += searches_ - trays_.searches();
         found.trays = std::move(trays_);
         found.packings = packings_;
@@ -49,9 +49,9 @@ class Best {
     }
 
   private:
-    const std::vector<PackItem>& items_;
+    const std::vector<Copy>& copies_;
     const PackingMeasures& measures_;
-    std::vector<PackItem> order_;
+    std::vector<Copy> order_;
     TraysResult trays_;
     PackingScore score_;
     std::int64_t searches_ = 0;
@@ -105,47 +105,48 @@ class OrdersProgress {
 
 }  // namespace
 
-FoundOrder find_order(const std::vector<PackItem>& items, const OrderSearch& search, const PackInOrder& pack,
+FoundOrder find_order(const std::vector<Copy>& copies, const OrderSearchOptions& search, const PackInOrder& pack,
                       const StopToken& stop) {
-    Best best(items, search.measures);
-    const auto attempt = [&](const std::vector<PackItem>& order, bool beam) {
+    Best best(copies, search.measures);
+    const auto attempt = [&](const std::vector<Copy>& order, bool beam) {
         std::optional<TraysResult> trays = pack(order, beam);
         if (trays) best.consider(order, std::move(*trays));
     };
-    attempt(items, false);
-    if (search.beam > 1 && !stop.stopped()) attempt(items, true);
+    attempt(copies, false);
+    if (search.beam > 1 && !stop.stopped()) attempt(copies, true);
     RandomStream random(search.seed);
     for (int i = 1; i < search.restarts && !stop.stopped(); ++i) {
-        attempt(perturbed(items, search.ranks, random), false);
+        attempt(perturbed(copies, search.ranks, random), false);
     }
     return std::move(best).found();
 }
 
-void pack_in_best_order(TraysPacker& packer, const BestOrderSetup& setup, const TellProgress& tell, PackedJob& packed) {
+void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, const TellProgress& tell,
+                        PackedJob& packed) {
     const PackingJob& job = packer.job();
     if (job.keeps_all) packer.keep_shapes();
-    FillSetup on_grid = job.fill;
+    FillOptions on_grid = job.fill;
     on_grid.refine = false;
     on_grid.interlock = Interlock::off;
     // The second engine does not look at beams.
     const bool done_on_grid = !job.fill.refine && job.fill.interlock == Interlock::off && !job.verified;
-    const StopToken enough = done_on_grid ? setup.stop : setup.enough;
+    const StopToken enough = done_on_grid ? options.stop : options.enough;
 
-    const OrderSearch wanted{setup.restarts, setup.beam, setup.seed, job.ranks, measures_of(job.parts)};
+    const OrderSearchOptions wanted{options.restarts, options.beam, options.seed, job.ranks, measures_of(job.parts)};
     const bool by_beam = wanted.beam > 1;
     const int beam_work = by_beam ? kBeamBranch * wanted.beam : 0;
     OrdersProgress progress(wanted.restarts + (by_beam ? 1 : 0), wanted.restarts + beam_work + (done_on_grid ? 0 : 1),
                             tell);
-    const PackInOrder pack = [&](const std::vector<PackItem>& items, bool beam) -> std::optional<TraysResult> {
-        FillSetup fill = on_grid;
+    const PackInOrder pack = [&](const std::vector<Copy>& copies, bool beam) -> std::optional<TraysResult> {
+        FillOptions fill = on_grid;
         if (beam) {
             fill.beam =
-                BeamSetup{wanted.beam, job.ranks, [&] { return setup.make_engine(wanted.beam); }, wanted.measures};
+                BeamOptions{wanted.beam, job.ranks, [&] { return options.make_engine(wanted.beam); }, wanted.measures};
         }
         const int work = beam ? beam_work : 1;
         TraysResult trays;
         try {
-            packer.pack({items, fill, enough, progress.of(work)}, trays);
+            packer.pack({copies, fill, enough, progress.of(work)}, trays);
         } catch (...) {
             if (progress.first()) packed.trays = std::move(trays);
             if (progress.first() || !out_of_memory(std::current_exception())) throw;
@@ -155,15 +156,15 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderSetup& setup, const 
         if (trays.trays.empty()) return std::nullopt;
         return trays;
     };
-    FoundOrder found = find_order(job.items, wanted, pack, enough);
+    FoundOrder found = find_order(job.copies, wanted, pack, enough);
     packed.orders = found.packings;
     const std::int64_t searches = found.trays.searches();
     packed.trays = std::move(found.trays);
-    if (done_on_grid || setup.stop.stopped()) return;
-    packed.items = std::move(found.items);
+    if (done_on_grid || options.stop.stopped()) return;
+    packed.copies = std::move(found.copies);
     TraysResult last;
     progress.last();
-    packer.pack({packed.items, job.fill, setup.stop, progress.of(1)}, last);
+    packer.pack({packed.copies, job.fill, options.stop, progress.of(1)}, last);
     last.trays.front().searches += searches;
     if (last.trays.back().untried.empty()) packed.trays = std::move(last);
 }

@@ -26,16 +26,16 @@ struct JobPart {
     /// Its mesh in millimetres, not turned.
     ScaledPart scaled() const;
     /// From the file's own coordinates to where the copy stands.
-    Transform transform_of(const PlacedItem& placed) const;
+    Transform transform_of(const PlacedCopy& placed) const;
 };
 
 struct PackingJob {
     std::vector<JobPart> parts;
-    std::vector<PackItem> items;  ///< in the order to try, without what cannot fit
-    std::vector<int> ranks;       ///< by part: urgency_ranks()
-    FillSetup fill;               ///< how trays are filled
+    std::vector<Copy> copies;  ///< in the order to try, without what cannot fit
+    std::vector<int> ranks;    ///< by part: urgency_ranks()
+    FillOptions fill;          ///< how trays are filled
     TraysLimit limit;
-    /// One tray is filled with as many copies as fit, in shares (pack_in_shares()), whatever `items` says of numbers.
+    /// One tray is filled with as many copies as fit, in shares (pack_in_shares()), whatever `copies` says of numbers.
     bool in_shares = false;
     Vec3 room;               ///< for the copies' boxes, mm: as make_shape() has it
     std::int64_t keep = 0;   ///< bytes of voxels that may be held from one tray to the next
@@ -57,7 +57,7 @@ struct BaseSize {
 struct PackedJob {
     TraysResult trays;             ///< where several packings were made, the one kept, with the searches of all
     int orders = 1;                ///< packed in, of which the best was kept
-    std::vector<PackItem> items;   ///< the job's, in the order packed in last; empty: in the job's
+    std::vector<Copy> copies;      ///< the job's, in the order packed in last; empty: in the job's
     std::optional<BaseSize> base;  ///< of the tray, where it was searched for
 };
 

@@ -25,7 +25,7 @@ struct FixedCopy {
 };
 
 /// What all trays of a job have in common, and the fixed copies of each.
-struct FillSetup {
+struct FillOptions {
     TraySetup tray;       ///< the container's grid, walls and keep-outs; every tray starts from it
     Container container;  ///< with open height its size.z is infinite
     double wall_gap = 0;  ///< mm
@@ -33,44 +33,44 @@ struct FillSetup {
     CostModel model;
     std::optional<double> max_density, max_layer_fill;  ///< packing/caps.hpp
     int most_layers = 0;                                ///< open height: the grid may grow to so many
-    std::optional<BeamSetup> beam;         ///< copies are not tried in one order; without refinement and caps only
+    std::optional<BeamOptions> beam;       ///< copies are not tried in one order; without refinement and caps only
     bool refine = false;                   ///< continuous refinement (section 3.2)
     Interlock interlock = Interlock::off;  ///< section 4
     Links links = Links::avoid;            ///< with Interlock::post: whether copies may be placed linked with another
     TakeOut take_out = TakeOut::thinnest;  ///< with Interlock::post: what goes where some are interlocked
-    std::optional<double> ray_spacing;     ///< StandingSetup's
+    std::optional<double> ray_spacing;     ///< BodyOptions's
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 
 /// What one tray is to be filled with.
-struct TrayItems {
-    int number = 0;               ///< of the tray, from 0: which fixed copies stand in it
-    std::vector<PackItem> items;  ///< in the order to try
-    bool next = false;            ///< another tray follows for what finds no place
-    int give_up_after = 0;        ///< parts that find no place (GreedyLimits)
+struct TrayCopies {
+    int number = 0;            ///< of the tray, from 0: which fixed copies stand in it
+    std::vector<Copy> copies;  ///< in the order to try
+    bool next = false;         ///< another tray follows for what finds no place
+    int give_up_after = 0;     ///< parts that find no place (PlaceLimits)
 };
 
 /// What became of one tray.
 struct FilledTray : GreedyResult {
-    std::vector<PackItem> interlocked;  ///< taken out again: they could not be taken out of the finished packing
-    std::optional<Disassembly> plan;    ///< by index into `placed`; none where interlocking was not looked at
+    std::vector<Copy> interlocked;    ///< taken out again: they could not be taken out of the finished packing
+    std::optional<Disassembly> plan;  ///< by index into `placed`; none where interlocking was not looked at
     InterlockReport report;
 };
 
 class TrayFiller {
   public:
     /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that are moved.
-    TrayFiller(FillSetup setup, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
+    TrayFiller(FillOptions options, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
 
     /// Fills a new tray with what finds a place of `wanted`; `shapes` makes their voxels. `result` as in
     /// pack_greedily(); in the end it is a packing that comes apart, unless interlocking is off. What finds no place is
     /// tried again where interlocked copies made room, unless it is left to a next tray.
-    void fill(const TrayItems& wanted, ShapeStore& shapes, const ItemDone& item_done, const StopToken& stop,
+    void fill(const TrayCopies& wanted, ShapeStore& shapes, const CopyDone& copy_done, const StopToken& stop,
               FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
     /// does; copies then count from 0 again.
-    void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const ItemDone& item_done,
+    void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const CopyDone& copy_done,
                         const StopToken& stop, FilledTray& result);
 
     int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one
@@ -80,23 +80,23 @@ class TrayFiller {
     std::optional<double> least_gap() const { return least_gap_; }
 
   private:
-    bool avoids_links() const { return setup_.interlock == Interlock::post && setup_.links == Links::avoid; }
+    bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
     /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
     /// are placed by; then makes what it packed come apart.
     template <class Pack>
-    void fill_one(const TrayItems& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
+    void fill_one(const TrayCopies& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
                   const Pack& pack);
 
-    std::vector<StandingPart> stand_fixed(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
-    void make_removable(const TrayItems& wanted, Tray& tray, std::vector<StandingPart> fixed, PartSurfaces& surfaces,
-                        ShapeStore& shapes, const GreedyLimits& limits, const StopToken& stop, FilledTray& result);
+    std::vector<Body> stand_fixed(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
+    void make_removable(const TrayCopies& wanted, Tray& tray, std::vector<Body> fixed, PartSurfaces& surfaces,
+                        ShapeStore& shapes, const PlaceLimits& limits, const StopToken& stop, FilledTray& result);
 
-    FillSetup setup_;
+    FillOptions options_;
     PlacementSearch& search_;
     UnlinkedSearch unlinked_;
     PartSurfaces::PartOf part_of_;
     Workers workers_;
-    std::vector<StandingCopy> walls_;        // for refinement
+    std::vector<PlacedSurface> walls_;       // for refinement
     std::optional<PhysicalWalls> physical_;  // where ways out have to pass them
     int trays_with_fixed_ = 0;
     double refine_seconds_ = 0, untangle_seconds_ = 0;

@@ -21,31 +21,31 @@ std::int64_t TraysResult::placed() const {
     return static_cast<std::int64_t>(sum);
 }
 
-void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
-                const TrayItemDone& item_done, const StopToken& stop, TraysResult& result) {
+void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
+                const TrayCopyDone& copy_done, const StopToken& stop, TraysResult& result) {
     const bool several = limit.trays != 1;
-    std::vector<PackItem> remaining = items;
+    std::vector<Copy> remaining = copies;
     bool stopped = false;
     do {
         const auto index = result.trays.size();
         const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
-        const TrayItems wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
+        const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
         FilledTray& tray = result.trays.emplace_back();
         try {
             filler.fill(
-                wanted, shapes, [&](std::size_t done) { item_done(tray, done); }, stop, tray);
+                wanted, shapes, [&](std::size_t done) { copy_done(tray, done); }, stop, tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;
         }
-        std::set<PackItem> placed;
-        for (const PlacedItem& copy : tray.placed) {
-            placed.insert(copy.item);
+        std::set<Copy> placed;
+        for (const PlacedCopy& copy : tray.placed) {
+            placed.insert(copy.copy);
         }
         remaining = without(remaining, placed);
         stopped = stop.stopped();
         // What a next tray would have been tried for has not been tried to the end.
-        result.left_over = stopped && next ? std::vector<PackItem>{} : without(tray.left_over, placed);
+        result.left_over = stopped && next ? std::vector<Copy>{} : without(tray.left_over, placed);
         const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());
         if (several && empty && !remaining.empty() && !stopped) {
             result.trays.pop_back();

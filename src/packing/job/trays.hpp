@@ -16,8 +16,8 @@ struct TraysLimit {
 
 struct TraysResult {
     std::vector<FilledTray> trays;
-    std::vector<PackItem> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
-                                      ///< to the end, or is interlocked
+    std::vector<Copy> left_over;  ///< found no place in the last tray either; what else is not placed was not tried
+                                  ///< to the end, or is interlocked
     /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
     /// `trays`.
     bool stuck = false;
@@ -27,14 +27,14 @@ struct TraysResult {
     std::int64_t placed() const;
 };
 
-/// Called after each item with its tray and how many of that tray's items are done.
-using TrayItemDone = std::function<void(const FilledTray& tray, std::size_t items_done)>;
+/// Called after each copy with its tray and how many of that tray's copies are done.
+using TrayCopyDone = std::function<void(const FilledTray& tray, std::size_t copies_done)>;
 
-/// Fills one tray after the other with `items`, which come in the order to try; what found no place in one tray is
+/// Fills one tray after the other with `copies`, which come in the order to try; what found no place in one tray is
 /// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray
 /// without fixed copies stays empty. `result` is filled as it goes, so that it holds what was done when an exception
 /// leaves this function.
-void fill_trays(const std::vector<PackItem>& items, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
-                const TrayItemDone& item_done, const StopToken& stop, TraysResult& result);
+void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
+                const TrayCopyDone& copy_done, const StopToken& stop, TraysResult& result);
 
 }  // namespace spectralpack

@@ -25,15 +25,15 @@ std::vector<std::uint64_t> shape_ids_of(const std::vector<JobPart>& parts) {
     return by_part;
 }
 
-/// By part, how many of the items have its shape.
-std::vector<int> copies_of_shapes(const std::vector<PackItem>& items, const std::vector<std::uint64_t>& shape_ids) {
-    std::unordered_map<std::uint64_t, int> copies;
-    for (const PackItem& item : items) {
-        ++copies[shape_ids[static_cast<std::size_t>(item.part)]];
+/// By part, how many of the copies have its shape.
+std::vector<int> copies_of_shapes(const std::vector<Copy>& copies, const std::vector<std::uint64_t>& shape_ids) {
+    std::unordered_map<std::uint64_t, int> counts;
+    for (const Copy& copy : copies) {
+        ++counts[shape_ids[static_cast<std::size_t>(copy.part)]];
     }
     std::vector<int> by_part;
     for (const std::uint64_t id : shape_ids) {
-        by_part.push_back(copies[id]);
+        by_part.push_back(counts[id]);
     }
     return by_part;
 }
@@ -42,9 +42,9 @@ std::vector<int> copies_of_shapes(const std::vector<PackItem>& items, const std:
 std::vector<PartShare> shares_of(const PackingJob& job) {
     std::vector<PartShare> shares;
     std::set<int> seen;
-    for (const PackItem& item : job.items) {
-        if (!seen.insert(item.part).second) continue;
-        shares.push_back({item.part, job.parts[static_cast<std::size_t>(item.part)].count});
+    for (const Copy& copy : job.copies) {
+        if (!seen.insert(copy.part).second) continue;
+        shares.push_back({copy.part, job.parts[static_cast<std::size_t>(copy.part)].count});
     }
     return shares;
 }
@@ -53,27 +53,27 @@ std::vector<PartShare> shares_of(const PackingJob& job) {
 class SearchProgress {
   public:
     SearchProgress(const PackingJob& job, const PackingPass& pass, bool one_tray)
-        : job_(job), pass_(pass), one_tray_(one_tray), container_(volume_of(pass.setup.container)) {
-        for (const PackItem& item : pass.items) {
-            efforts_.push_back(efforts_.back() + effort(item));
+        : job_(job), pass_(pass), one_tray_(one_tray), container_(volume_of(pass.fill.container)) {
+        for (const Copy& copy : pass.copies) {
+            efforts_.push_back(efforts_.back() + effort(copy));
         }
-        pass_.tell({Phase::search, 0, static_cast<std::int64_t>(pass.items.size()), 0, 0});
+        pass_.tell({Phase::search, 0, static_cast<std::int64_t>(pass.copies.size()), 0, 0});
     }
 
     /// `tray` is the last of `trays`.
-    void item_done(const FilledTray& tray, std::size_t done, std::size_t trays) {
+    void copy_done(const FilledTray& tray, std::size_t done, std::size_t trays) {
         if (std::exchange(number_, trays) != trays) placed_ = 0;
         for (; placed_ < tray.placed.size(); ++placed_, ++settled_) {
-            const PackItem& item = tray.placed[placed_].item;
-            volume_ += job_.parts[static_cast<std::size_t>(item.part)].volume;
-            settled_effort_ += effort(item);
+            const Copy& copy = tray.placed[placed_].copy;
+            volume_ += job_.parts[static_cast<std::size_t>(copy.part)].volume;
+            settled_effort_ += effort(copy);
         }
         std::optional<double> density;
-        if (pass_.setup.tray.ceiling == Ceiling::closed) density = volume_ / (container_ * static_cast<double>(trays));
+        if (pass_.fill.tray.ceiling == Ceiling::closed) density = volume_ / (container_ * static_cast<double>(trays));
         // What one tray leaves over the next one tries again.
         const std::int64_t sure = one_tray_ ? static_cast<std::int64_t>(done) : settled_;
         // How many copies will fill the tray is not known before.
-        const std::int64_t total = job_.in_shares ? sure : static_cast<std::int64_t>(pass_.items.size());
+        const std::int64_t total = job_.in_shares ? sure : static_cast<std::int64_t>(pass_.copies.size());
         const double work =
             job_.in_shares ? density.value_or(0) : (one_tray_ ? efforts_[done] : settled_effort_) / efforts_.back();
         pass_.tell({Phase::search, sure, total, density, std::min(work, 1.0), job_.verified ? job_.verified() : 0});
@@ -82,16 +82,16 @@ class SearchProgress {
   private:
     /// As measured, a search takes about as long as the faces of the copy's box are large; one that is verified takes
     /// as long as the transforms of the reference engine, which are of the tray's size whatever the copy's is.
-    double effort(const PackItem& item) const {
+    double effort(const Copy& copy) const {
         if (job_.verified) return 1.0;
-        return std::pow(job_.parts[static_cast<std::size_t>(item.part)].box_volume, 2.0 / 3);
+        return std::pow(job_.parts[static_cast<std::size_t>(copy.part)].box_volume, 2.0 / 3);
     }
 
     const PackingJob& job_;
     const PackingPass& pass_;
     bool one_tray_;
     double container_;                // volume
-    std::vector<double> efforts_{0};  // of the first so many items
+    std::vector<double> efforts_{0};  // of the first so many copies
     double volume_ = 0, settled_effort_ = 0;
     std::size_t placed_ = 0;    // in the tray being filled
     std::int64_t settled_ = 0;  // in all trays
@@ -103,15 +103,14 @@ class SearchProgress {
 TraysPacker::TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers)
     : job_(job), engine_(engine), workers_(workers), shape_ids_(shape_ids_of(job.parts)), kept_(job.parts.size()) {}
 
-std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int copies, const TraySetup& tray,
-                                                   const Workers& workers) {
+std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int count, const TraySetup& tray, const Workers& workers) {
     const auto i = static_cast<std::size_t>(part);
     std::shared_ptr<const Shape> shape = kept_[i];
     if (!shape) {
         const ScaledPart scaled = job_.parts[i].scaled();
         Shape made = make_shape(shape_ids_[i], *scaled.mesh, *scaled.orientations, tray.voxel_size, tray.detail,
                                 scaled.gap, tray.gap_classes, workers, job_.room);
-        made.copies = job_.in_shares ? 0 : copies;  // filling goes on as long as there is room
+        made.copies = job_.in_shares ? 0 : count;  // filling goes on as long as there is room
         shape = std::make_shared<const Shape>(std::move(made));
         if (keeps_shapes_) kept_[i] = shape;
     }
@@ -120,18 +119,18 @@ std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int copies, const T
 
 void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
     TrayFiller filler(
-        pass.setup, engine_, [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); }, workers_);
-    const std::vector<int> copies = copies_of_shapes(pass.items, shape_ids_);
+        pass.fill, engine_, [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); }, workers_);
+    const std::vector<int> counts = copies_of_shapes(pass.copies, shape_ids_);
     ShapeStore shapes(
         [&](int part, const Workers& workers) {
-            return shape_of(part, copies[static_cast<std::size_t>(part)], pass.setup.tray, workers);
+            return shape_of(part, counts[static_cast<std::size_t>(part)], pass.fill.tray, workers);
         },
         workers_, job_.keep, job_.ahead);
     TraysLimit limit = job_.limit;
     if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
     SearchProgress progress(job_, pass, limit.trays == 1);
-    const TrayItemDone item_done = [&](const FilledTray& tray, std::size_t done) {
-        progress.item_done(tray, done, result.trays.size());
+    const TrayCopyDone copy_done = [&](const FilledTray& tray, std::size_t done) {
+        progress.copy_done(tray, done, result.trays.size());
     };
     const auto note = [&] {
         seconds_.voxelize += shapes.seconds();
@@ -143,9 +142,9 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
         if (job_.in_shares) {
             FilledTray& tray = result.trays.emplace_back();
             filler.fill_in_shares(
-                shares_of(job_), shapes, [&](std::size_t done) { item_done(tray, done); }, pass.stop, tray);
+                shares_of(job_), shapes, [&](std::size_t done) { copy_done(tray, done); }, pass.stop, tray);
         } else {
-            fill_trays(pass.items, limit, filler, shapes, item_done, pass.stop, result);
+            fill_trays(pass.copies, limit, filler, shapes, copy_done, pass.stop, result);
         }
     } catch (...) {
         note();

@@ -15,8 +15,8 @@ using TellProgress = std::function<void(const Progress&)>;
 
 /// One packing of the job.
 struct PackingPass {
-    const std::vector<PackItem>& items;  ///< the job's, in the order to try
-    const FillSetup& setup;
+    const std::vector<Copy>& copies;  ///< the job's, in the order to try
+    const FillOptions& fill;
     StopToken stop;
     TellProgress tell;  ///< Phase::search
 };
@@ -43,7 +43,7 @@ class TraysPacker {
     const Seconds& seconds() const { return seconds_; }
 
   private:
-    std::shared_ptr<const Shape> shape_of(int part, int copies, const TraySetup& tray, const Workers& workers);
+    std::shared_ptr<const Shape> shape_of(int part, int count, const TraySetup& tray, const Workers& workers);
 
     const PackingJob& job_;
     PlacementSearch& engine_;

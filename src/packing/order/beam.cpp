@@ -33,23 +33,23 @@ MeanCost with(MeanCost mean, const CostModel& model, const Cost& cost, std::int6
     return mean;
 }
 
-enum class Copy : char { waiting, placed, left_over };
+enum class Fate : char { waiting, placed, left_over };
 
 struct State {
     Tray tray;
     std::unique_ptr<PlacementSearch> engine;
-    std::vector<Copy> copies;  // by item
-    std::vector<PlacedItem> placed;
+    std::vector<Fate> fates;  // by copy
+    std::vector<PlacedCopy> placed;
     std::vector<Stand> stands;  // sorted
     MeanCost cost;
 
-    bool waits_for(std::size_t item) const { return copies[item] == Copy::waiting; }
+    bool waits_for(std::size_t copy) const { return fates[copy] == Fate::waiting; }
 };
 
 /// A copy that a state may place next.
 struct Step {
     std::size_t state = 0;  // whose
-    std::size_t item = 0;
+    std::size_t copy = 0;
     BestPlacement best;
     MeanCost cost;              // after it
     std::vector<Stand> stands;  // the same
@@ -57,20 +57,20 @@ struct Step {
 
 class Beam {
   public:
-    Beam(const BeamSetup& setup, const CostModel& model, const std::vector<PackItem>& items, ShapeStore& shapes,
+    Beam(const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies, ShapeStore& shapes,
          const Settle& settle, const StopToken& stop, GreedyResult& result, int most_layers)
-        : setup_(setup),
+        : options_(options),
           model_(model),
-          items_(items),
+          copies_(copies),
           shapes_(shapes),
           settle_(settle),
           stop_(stop),
           result_(result),
           most_layers_(most_layers),
-          released_(items.size(), false) {}
+          released_(copies.size(), false) {}
 
-    void run(Tray& tray, const ItemDone& item_done) {
-        State first{tray, setup_.make_engine(), std::vector<Copy>(items_.size(), Copy::waiting), {}, {}, {}};
+    void run(Tray& tray, const CopyDone& copy_done) {
+        State first{tray, options_.make_engine(), std::vector<Fate>(copies_.size(), Fate::waiting), {}, {}, {}};
         states_.push_back(std::move(first));
         while (!states_.empty() && !stopped_) {
             std::vector<Step> steps;
@@ -80,16 +80,16 @@ class Beam {
             if (stopped_) break;
             take(best_of(std::move(steps)));
             release();
-            if (!states_.empty()) item_done(done());
+            if (!states_.empty()) copy_done(done());
         }
         for (State& state : states_) {
             finish(state);  // cut off
         }
         tray = std::move(best_->tray);
         result_.placed = std::move(best_->placed);
-        for (std::size_t i = 0; i < items_.size(); ++i) {
-            if (best_->copies[i] == Copy::left_over) result_.left_over.push_back(items_[i]);
-            if (best_->copies[i] == Copy::waiting) result_.untried.push_back(items_[i]);
+        for (std::size_t i = 0; i < copies_.size(); ++i) {
+            if (best_->fates[i] == Fate::left_over) result_.left_over.push_back(copies_[i]);
+            if (best_->fates[i] == Fate::waiting) result_.untried.push_back(copies_[i]);
         }
     }
 
@@ -97,33 +97,33 @@ class Beam {
     /// Adds what state i may do next; false where nothing finds a place.
     bool look_ahead(std::size_t i, std::vector<Step>& steps) {
         State& state = states_[i];
-        const int branch = std::min(kBeamBranch, setup_.width);
+        const int branch = std::min(kBeamBranch, options_.width);
         std::set<int> seen;  // parts
         std::optional<int> rank;
         int found = 0;
-        for (std::size_t k = 0; k < items_.size() && found < branch; ++k) {
-            const PackItem& item = items_[k];
-            if (!state.waits_for(k) || seen.contains(item.part)) continue;
-            const int of_item = setup_.ranks[static_cast<std::size_t>(item.part)];
+        for (std::size_t k = 0; k < copies_.size() && found < branch; ++k) {
+            const Copy& copy = copies_[k];
+            if (!state.waits_for(k) || seen.contains(copy.part)) continue;
+            const int of_item = options_.ranks[static_cast<std::size_t>(copy.part)];
             if (rank && of_item != *rank) break;
             const Shape& shape = shapes_.at(k);
             const SearchResult answer =
-                find_place(state.tray, *state.engine, model_, item, shape, {nullptr, most_layers_}, stop_);
+                find_place(state.tray, *state.engine, model_, copy, shape, {nullptr, most_layers_}, stop_);
             stopped_ = answer.stopped;
             if (stopped_) return true;
             ++result_.searches;
             if (!answer.best) {
-                leave_over(state, item.part);
+                leave_over(state, copy.part);
                 continue;
             }
             rank = of_item;
-            seen.insert(item.part);
+            seen.insert(copy.part);
             ++found;
             const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(answer.best->index)];
             const VoxelIndex& at = answer.best->position;
             Step step{i, k, *answer.best, with(state.cost, model_, answer.best->cost, oriented.solid->count()),
                       state.stands};
-            const Stand stand{item.part, oriented.orientation, at.x, at.y, at.z};
+            const Stand stand{copy.part, oriented.orientation, at.x, at.y, at.z};
             step.stands.insert(std::upper_bound(step.stands.begin(), step.stands.end(), stand), stand);
             steps.push_back(std::move(step));
         }
@@ -131,8 +131,8 @@ class Beam {
     }
 
     void leave_over(State& state, int part) const {
-        for (std::size_t k = 0; k < items_.size(); ++k) {
-            if (state.waits_for(k) && items_[k].part == part) state.copies[k] = Copy::left_over;
+        for (std::size_t k = 0; k < copies_.size(); ++k) {
+            if (state.waits_for(k) && copies_[k].part == part) state.fates[k] = Fate::left_over;
         }
     }
 
@@ -141,7 +141,7 @@ class Beam {
         std::set<std::vector<Stand>> known;
         std::vector<Step> best;
         for (Step& step : steps) {
-            if (static_cast<int>(best.size()) == setup_.width) break;
+            if (static_cast<int>(best.size()) == options_.width) break;
             if (known.insert(step.stands).second) best.push_back(std::move(step));
         }
         return best;
@@ -165,12 +165,12 @@ class Beam {
             } else {
                 std::unique_ptr<PlacementSearch> engine;
                 if (idle.empty()) {
-                    engine = setup_.make_engine();
+                    engine = options_.make_engine();
                 } else {
                     engine = std::move(idle.back());
                     idle.pop_back();
                 }
-                next.push_back({from.tray, std::move(engine), from.copies, from.placed, {}, {}});
+                next.push_back({from.tray, std::move(engine), from.fates, from.placed, {}, {}});
             }
             place(next.back(), std::move(step));
         }
@@ -178,20 +178,20 @@ class Beam {
     }
 
     void place(State& state, Step step) {
-        const PackItem& item = items_[step.item];
-        const Shape& shape = shapes_.at(step.item);
-        Standing standing = settle_(item, shape, step.best);
+        const Copy& copy = copies_[step.copy];
+        const Shape& shape = shapes_.at(step.copy);
+        Settled standing = settle_(copy, shape, step.best);
         const ObjectId object = state.tray.add(std::move(standing.object));
         const int orientation = shape.orientations[static_cast<std::size_t>(step.best.index)].orientation;
-        state.placed.push_back({item, orientation, step.best.position, standing.offset, object, step.best.cost});
-        state.copies[step.item] = Copy::placed;
+        state.placed.push_back({copy, orientation, step.best.position, standing.offset, object, step.best.cost});
+        state.fates[step.copy] = Fate::placed;
         state.stands = std::move(step.stands);
         state.cost = step.cost;
     }
 
     /// Keeps the state if none was better.
     void finish(State& state) {
-        const PackingScore score = score_packing(items_, {&state.placed}, setup_.measures);
+        const PackingScore score = score_packing(copies_, {&state.placed}, options_.measures);
         if (best_ && !(score < score_)) return;
         score_ = score;
         best_.emplace(std::move(state));
@@ -200,7 +200,7 @@ class Beam {
 
     /// Gives back the voxels of copies that no state waits for.
     void release() {
-        for (std::size_t k = 0; k < items_.size(); ++k) {
+        for (std::size_t k = 0; k < copies_.size(); ++k) {
             if (released_[k]) continue;
             released_[k] =
                 std::none_of(states_.begin(), states_.end(), [k](const State& state) { return state.waits_for(k); });
@@ -210,13 +210,13 @@ class Beam {
 
     /// Copies that the best state is done with.
     std::size_t done() const {
-        const std::vector<Copy>& copies = states_.front().copies;
-        return items_.size() - static_cast<std::size_t>(std::count(copies.begin(), copies.end(), Copy::waiting));
+        const std::vector<Fate>& fates = states_.front().fates;
+        return copies_.size() - static_cast<std::size_t>(std::count(fates.begin(), fates.end(), Fate::waiting));
     }
 
-    const BeamSetup& setup_;
+    const BeamOptions& options_;
     const CostModel& model_;
-    const std::vector<PackItem>& items_;
+    const std::vector<Copy>& copies_;
     ShapeStore& shapes_;
     const Settle& settle_;
     const StopToken& stop_;
@@ -231,10 +231,10 @@ class Beam {
 
 }  // namespace
 
-void pack_in_beam(Tray& tray, const BeamSetup& setup, const CostModel& model, const std::vector<PackItem>& items,
-                  ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+void pack_in_beam(Tray& tray, const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies,
+                  ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
                   GreedyResult& result, int most_layers) {
-    Beam(setup, model, items, shapes, settle, stop, result, most_layers).run(tray, item_done);
+    Beam(options, model, copies, shapes, settle, stop, result, most_layers).run(tray, copy_done);
 }
 
 }  // namespace spectralpack

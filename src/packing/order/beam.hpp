@@ -10,7 +10,7 @@
 
 namespace spectralpack {
 
-struct BeamSetup {
+struct BeamOptions {
     int width = 1;           ///< states that are kept
     std::vector<int> ranks;  ///< urgency_ranks(): only copies of equal rank change places
     /// For each state, so that one that goes on keeps the tables of its tray.
@@ -22,7 +22,7 @@ struct BeamSetup {
 /// only the first, so that it is pack_greedily().
 inline constexpr int kBeamBranch = 2;
 
-/// Packs `items` into `tray` as pack_greedily() does, but not in one order. A state is a tray in which some copies
+/// Packs `copies` into `tray` as pack_greedily() does, but not in one order. A state is a tray in which some copies
 /// stand. Each goes on by one copy, at its best placement, in up to kBeamBranch ways; of all states that result, the
 /// `width` with the least cost go on: the sum of the costs of the copies placed by the sum of their voxels (with height
 /// at the top, that of top layers times voxels by the sum of voxels, then that of proximities). States in which copies
@@ -31,8 +31,8 @@ inline constexpr int kBeamBranch = 2;
 /// were placed: pack_greedily() in that order gives the same packing. When stopped, the best of what there is.
 /// Deterministic; about width * kBeamBranch times the searches of pack_greedily(), and a tray and an engine a state.
 /// For trays without caps.
-void pack_in_beam(Tray& tray, const BeamSetup& setup, const CostModel& model, const std::vector<PackItem>& items,
-                  ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
+void pack_in_beam(Tray& tray, const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies,
+                  ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
                   GreedyResult& result, int most_layers);
 
 }  // namespace spectralpack

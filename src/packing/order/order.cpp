@@ -38,36 +38,36 @@ double size_of(const PartSize& part, Order order) {
 
 }  // namespace
 
-std::vector<PackItem> without(const std::vector<PackItem>& items, const std::set<PackItem>& out) {
-    std::vector<PackItem> rest;
-    for (const PackItem& item : items) {
-        if (!out.contains(item)) rest.push_back(item);
+std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>& out) {
+    std::vector<Copy> rest;
+    for (const Copy& copy : copies) {
+        if (!out.contains(copy)) rest.push_back(copy);
     }
     return rest;
 }
 
-std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
+std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
     std::vector<PartSize> sorted = parts;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const PartSize& a, const PartSize& b) { return size_of(a, order) > size_of(b, order); });
-    std::vector<PackItem> items;
+    std::vector<Copy> copies;
     for (const PartSize& part : sorted) {
         for (int copy = 0; copy < part.count; ++copy) {
-            items.push_back({part.part, copy});
+            copies.push_back({part.part, copy});
         }
     }
     if (order == Order::random) {
         RandomStream random(seed);
-        shuffle(items, random);
+        shuffle(copies, random);
     }
     std::map<int, const PartSize*> by_part;
     for (const PartSize& part : parts) {
         by_part[part.part] = &part;
     }
-    std::stable_sort(items.begin(), items.end(), [&](const PackItem& a, const PackItem& b) {
+    std::stable_sort(copies.begin(), copies.end(), [&](const Copy& a, const Copy& b) {
         return goes_before(*by_part.at(a.part), *by_part.at(b.part));
     });
-    return items;
+    return copies;
 }
 
 std::vector<int> urgency_ranks(const std::vector<PartSize>& parts) {
@@ -88,25 +88,24 @@ std::vector<int> urgency_ranks(const std::vector<PartSize>& parts) {
     return ranks;
 }
 
-std::vector<PackItem> perturbed(const std::vector<PackItem>& items, const std::vector<int>& ranks,
-                                RandomStream& random) {
+std::vector<Copy> perturbed(const std::vector<Copy>& copies, const std::vector<int>& ranks, RandomStream& random) {
     struct Moved {
-        PackItem item;
+        Copy copy;
         int rank;
         double place;
     };
-    const double farthest = kFarthest * static_cast<double>(items.size());
+    const double farthest = kFarthest * static_cast<double>(copies.size());
     std::vector<Moved> moved;
-    for (const PackItem& item : items) {
+    for (const Copy& copy : copies) {
         const double place = static_cast<double>(moved.size()) + farthest * random.unit();
-        moved.push_back({item, ranks[static_cast<std::size_t>(item.part)], place});
+        moved.push_back({copy, ranks[static_cast<std::size_t>(copy.part)], place});
     }
     std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) {
         return a.rank != b.rank ? a.rank < b.rank : a.place < b.place;
     });
-    std::vector<PackItem> order;
+    std::vector<Copy> order;
     for (const Moved& one : moved) {
-        order.push_back(one.item);
+        order.push_back(one.copy);
     }
     return order;
 }

@@ -1,27 +1,19 @@
 #pragma once
 /// In which order copies are tried (section 3.3).
 
-#include <compare>
 #include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/random.hpp"
+#include "packing/tray/placed_copy.hpp"
 #include "spectralpack/options.hpp"
 
 namespace spectralpack {
 
-/// One copy to place.
-struct PackItem {
-    int part = 0;  ///< index into Packing::parts
-    int copy = 0;
-
-    auto operator<=>(const PackItem&) const = default;
-};
-
-/// `items` but those in `out`, in their order.
-std::vector<PackItem> without(const std::vector<PackItem>& items, const std::set<PackItem>& out);
+/// `copies` but those in `out`, in their order.
+std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>& out);
 
 /// What ordering needs to know of a part.
 struct PartSize {
@@ -40,16 +32,15 @@ struct PartSize {
 ///  input:  as given
 ///  random: a permutation of the input order that only `seed` decides
 /// Before that, in every order: higher priority first, then earlier due date.
-std::vector<PackItem> order_items(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
+std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
 
 /// Which parts go first whatever the order, by part: lower ranks first, and only copies of equal rank may change
 /// places. `parts` in any order; parts that are not among them rank 0.
 std::vector<int> urgency_ranks(const std::vector<PartSize>& parts);
 
-/// Another order, not far from `items`: each copy goes back by up to a fifth of their number, at random, and none
+/// Another order, not far from `copies`: each copy goes back by up to a fifth of their number, at random, and none
 /// passes one of another rank.
-std::vector<PackItem> perturbed(const std::vector<PackItem>& items, const std::vector<int>& ranks,
-                                RandomStream& random);
+std::vector<Copy> perturbed(const std::vector<Copy>& copies, const std::vector<int>& ranks, RandomStream& random);
 
 /// Appendix A.2: 4 where the boxes of all copies come to more than 1.2 times the container (it will be full),
 /// else 1e8 (keep it low).

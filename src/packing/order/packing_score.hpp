@@ -24,12 +24,12 @@ struct PackingScore {
 /// What scores are made of; `top` in any unit, the same for all packings that are compared.
 struct PackingMeasures {
     std::function<double(int part)> volume;  ///< mm^3
-    std::function<double(const PlacedItem&)> top;
+    std::function<double(const PlacedCopy&)> top;
 };
 
-/// `trays` hold some of `items`, each at most once. Packings of the same copies have the same sums to the last bit, in
+/// `trays` hold some of `copies`, each at most once. Packings of the same copies have the same sums to the last bit, in
 /// whatever order they were placed.
-PackingScore score_packing(const std::vector<PackItem>& items, const std::vector<const std::vector<PlacedItem>*>& trays,
+PackingScore score_packing(const std::vector<Copy>& copies, const std::vector<const std::vector<PlacedCopy>*>& trays,
                            const PackingMeasures& measures);
 
 }  // namespace spectralpack

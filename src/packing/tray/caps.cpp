@@ -20,30 +20,30 @@ std::string percent(double share) {
 
 }  // namespace
 
-Caps::Caps(const CapSetup& setup, CapParts parts) : setup_(setup), parts_(std::move(parts)) {}
+Caps::Caps(const CapOptions& options, CapParts parts) : options_(options), parts_(std::move(parts)) {}
 
 double Caps::most(std::size_t k) const {
-    const std::vector<double>& sections = setup_.sections;
-    const double section = sections.empty() ? setup_.base : k < sections.size() ? sections[k] : 0;
-    return *setup_.layer_fill * section * (1 + kRounding);
+    const std::vector<double>& sections = options_.sections;
+    const double section = sections.empty() ? options_.base : k < sections.size() ? sections[k] : 0;
+    return *options_.layer_fill * section * (1 + kRounding);
 }
 
 std::string Caps::why_not(int part) const {
-    if (!setup_.density) return "";
-    const double density = (volume_ + parts_.volume(part)) / setup_.volume;
-    if (density <= *setup_.density * (1 + kRounding)) return "";
-    return "the density would come to " + percent(density) + ", beyond the cap of " + percent(*setup_.density);
+    if (!options_.density) return "";
+    const double density = (volume_ + parts_.volume(part)) / options_.volume;
+    if (density <= *options_.density * (1 + kRounding)) return "";
+    return "the density would come to " + percent(density) + ", beyond the cap of " + percent(*options_.density);
 }
 
 std::vector<double> Caps::sections(int part, int orientation, const Vec3& offset) const {
-    return section_areas(transformed(parts_.turned_mesh(part, orientation), {Mat3{}, offset}), setup_.voxel_size);
+    return section_areas(transformed(parts_.turned_mesh(part, orientation), {Mat3{}, offset}), options_.voxel_size);
 }
 
 const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& corner) {
     const auto [entry, fresh] = profiles_.try_emplace({part, orientation});
     if (fresh) {
         // A plane that meets a flat side may fall to either side of it, as rounding will have it in other layers.
-        const double z = setup_.wall_gap - corner.z;
+        const double z = options_.wall_gap - corner.z;
         entry->second = sections(part, orientation, {0, 0, z + kNear});
         const std::vector<double> lower = sections(part, orientation, {0, 0, z - kNear});
         for (std::size_t k = 0; k < lower.size(); ++k) {
@@ -54,7 +54,7 @@ const std::vector<double>& Caps::profile(int part, int orientation, const Vec3& 
 }
 
 const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
-    if (!setup_.layer_fill) return nullptr;
+    if (!options_.layer_fill) return nullptr;
     allowed_.by_index.clear();
     for (const OrientedShape& oriented : shape.orientations) {
         const std::vector<double>& areas = profile(part, oriented.orientation, oriented.corner);
@@ -70,7 +70,7 @@ const AllowedLayers* Caps::allowed(int part, const Shape& shape, int layers) {
 }
 
 bool Caps::may_stand(int part, int orientation, const Vec3& offset) const {
-    if (!setup_.layer_fill) return true;
+    if (!options_.layer_fill) return true;
     const std::vector<double> areas = sections(part, orientation, offset);
     for (std::size_t k = 0; k < areas.size(); ++k) {
         if ((k < area_.size() ? area_[k] : 0) + areas[k] > most(k)) return false;
@@ -84,12 +84,12 @@ void Caps::remove(int part, int orientation, const Vec3& offset) { count(-1, par
 
 void Caps::count(int copies, int part, int orientation, const Vec3& offset) {
     volume_ += copies * parts_.volume(part);
-    if (setup_.layer_fill) add_areas(copies, sections(part, orientation, offset));
+    if (options_.layer_fill) add_areas(copies, sections(part, orientation, offset));
 }
 
 void Caps::add_fixed(const Mesh& mesh) {
     volume_ += signed_volume(mesh);
-    if (setup_.layer_fill) add_areas(1, section_areas(mesh, setup_.voxel_size));
+    if (options_.layer_fill) add_areas(1, section_areas(mesh, options_.voxel_size));
 }
 
 void Caps::add_areas(int times, const std::vector<double>& areas) {
@@ -100,8 +100,8 @@ void Caps::add_areas(int times, const std::vector<double>& areas) {
 }
 
 std::string Caps::no_layer_left() const {
-    if (!setup_.layer_fill) return "";
-    return "no place is free that keeps every layer below the cap of " + percent(*setup_.layer_fill);
+    if (!options_.layer_fill) return "";
+    return "no place is free that keeps every layer below the cap of " + percent(*options_.layer_fill);
 }
 
 }  // namespace spectralpack

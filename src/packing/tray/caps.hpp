@@ -15,7 +15,7 @@
 
 namespace spectralpack {
 
-struct CapSetup {
+struct CapOptions {
     std::optional<double> density;     ///< share of the container's volume
     std::optional<double> layer_fill;  ///< share of the container's cross-section, in each layer
     double volume = 0;                 ///< the container's, mm^3; of no interest without a cap on density
@@ -35,7 +35,7 @@ struct CapParts {
 /// meshes, on the grid: where a copy may stand depends on its orientation and layer alone (AllowedLayers).
 class Caps {
   public:
-    Caps(const CapSetup& setup, CapParts parts);
+    Caps(const CapOptions& options, CapParts parts);
 
     /// Why a copy of the part can have no place under the cap on density; empty where it may.
     std::string why_not(int part) const;
@@ -67,7 +67,7 @@ class Caps {
     const std::vector<double>& profile(int part, int orientation, const Vec3& corner);
     std::vector<double> sections(int part, int orientation, const Vec3& offset) const;
 
-    CapSetup setup_;
+    CapOptions options_;
     CapParts parts_;
     double volume_ = 0;                                            // placed
     std::vector<double> area_;                                     // by layer, placed

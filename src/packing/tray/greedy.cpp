@@ -30,34 +30,34 @@ class Placer {
     enum class Outcome { placed, no_place, stopped };
 
     Placer(Tray& tray, PlacementSearch& search, const CostModel& model, const Settle& settle, const StopToken& stop,
-           GreedyResult& result, const GreedyLimits& limits)
+           GreedyResult& result, const PlaceLimits& limits)
         : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result), limits_(limits) {}
 
     template <class ShapeOf>
-    Outcome place(const PackItem& item, const ShapeOf& shape_of) {
+    Outcome place(const Copy& copy, const ShapeOf& shape_of) {
         if (stop_.stopped()) return Outcome::stopped;
         if (limits_.caps) {
-            const std::string why = limits_.caps->why_not(item.part);
+            const std::string why = limits_.caps->why_not(copy.part);
             if (!why.empty()) {
-                result_.why[item.part] = why;
+                result_.why[copy.part] = why;
                 return Outcome::no_place;
             }
         }
         const Shape& shape = shape_of();
-        const SearchResult found = find_place(tray_, search_, model_, item, shape, limits_, stop_);
+        const SearchResult found = find_place(tray_, search_, model_, copy, shape, limits_, stop_);
         if (found.stopped) return Outcome::stopped;
         ++result_.searches;
         if (!found.best) {
             const std::string why = limits_.caps ? limits_.caps->no_layer_left() : "";
-            if (!why.empty()) result_.why[item.part] = why;
+            if (!why.empty()) result_.why[copy.part] = why;
             return Outcome::no_place;
         }
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
-        Standing standing = settle_(item, shape, *found.best);
+        Settled standing = settle_(copy, shape, *found.best);
         const ObjectId object = tray_.add(std::move(standing.object));
-        if (limits_.caps) limits_.caps->add(item.part, oriented.orientation, standing.offset);
+        if (limits_.caps) limits_.caps->add(copy.part, oriented.orientation, standing.offset);
         result_.placed.push_back(
-            {item, oriented.orientation, found.best->position, standing.offset, object, found.best->cost});
+            {copy, oriented.orientation, found.best->position, standing.offset, object, found.best->cost});
         return Outcome::placed;
     }
 
@@ -68,16 +68,16 @@ class Placer {
     const Settle& settle_;
     const StopToken& stop_;
     GreedyResult& result_;
-    const GreedyLimits& limits_;
+    const PlaceLimits& limits_;
 };
 
 }  // namespace
 
-SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const PackItem& item,
-                        const Shape& shape, const GreedyLimits& limits, const StopToken& stop) {
+SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const Copy& copy,
+                        const Shape& shape, const PlaceLimits& limits, const StopToken& stop) {
     for (;;) {
         CostModel allowed = model;
-        if (limits.caps) allowed.allowed = limits.caps->allowed(item.part, shape, tray.extent().z);
+        if (limits.caps) allowed.allowed = limits.caps->allowed(copy.part, shape, tray.extent().z);
         SearchResult found = search.best_placement(tray, shape, allowed, stop);
         if (found.stopped || tray.setup().ceiling == Ceiling::closed) return found;
         if (found.best && holds_in_any_grid(tray, shape, allowed, *found.best)) return found;
@@ -87,38 +87,38 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& mo
     }
 }
 
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PackItem>& items,
-                   ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
-                   GreedyResult& result, const GreedyLimits& limits) {
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<Copy>& copies,
+                   ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
+                   GreedyResult& result, const PlaceLimits& limits) {
     Placer placer(tray, search, model, settle, stop, result, limits);
     std::unordered_set<int> hopeless;  // parts that found no place
     const auto most_hopeless = static_cast<std::size_t>(limits.give_up_after);
-    for (std::size_t i = 0; i < items.size(); ++i) {
+    for (std::size_t i = 0; i < copies.size(); ++i) {
         if (most_hopeless > 0 && hopeless.size() >= most_hopeless) return;
-        const PackItem& item = items[i];
+        const Copy& copy = copies[i];
         bool placed = false;
-        if (hopeless.contains(item.part)) {
-            result.left_over.push_back(item);
+        if (hopeless.contains(copy.part)) {
+            result.left_over.push_back(copy);
         } else {
-            const auto outcome = placer.place(item, [&]() -> const Shape& { return shapes.at(i); });
+            const auto outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
             if (outcome == Placer::Outcome::stopped) {
-                result.untried.assign(items.begin() + static_cast<std::ptrdiff_t>(i), items.end());
+                result.untried.assign(copies.begin() + static_cast<std::ptrdiff_t>(i), copies.end());
                 return;
             }
             placed = outcome == Placer::Outcome::placed;
             if (!placed) {
-                hopeless.insert(item.part);
-                result.left_over.push_back(item);
+                hopeless.insert(copy.part);
+                result.left_over.push_back(copy);
             }
         }
         shapes.release(i, placed);
-        item_done(i + 1);
+        copy_done(i + 1);
     }
 }
 
 void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
-                    ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
-                    GreedyResult& result, const GreedyLimits& limits) {
+                    ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
+                    GreedyResult& result, const PlaceLimits& limits) {
     struct Candidate {
         std::size_t index;  // in `shares`
         int placed = 0;
@@ -150,7 +150,7 @@ void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
             shapes.release(next->index, true);
             open.erase(next);
         }
-        item_done(result.placed.size());
+        copy_done(result.placed.size());
     }
 }
 

@@ -16,49 +16,40 @@
 
 namespace spectralpack {
 
-struct PlacedItem {
-    PackItem item;
-    int orientation = 0;  ///< index in the orientation set
-    VoxelIndex position;
-    Vec3 offset;          ///< mm by which the turned mesh is moved to where the copy stands
-    ObjectId object = 0;  ///< in the tray
-    Cost cost;
-};
-
-/// Called after each item with how many are done.
-using ItemDone = std::function<void(std::size_t items_done)>;
+/// Called after each copy with how many are done.
+using CopyDone = std::function<void(std::size_t copies_done)>;
 
 struct GreedyResult {
-    std::vector<PlacedItem> placed;   ///< in the order placed
-    std::vector<PackItem> left_over;  ///< no free candidate was left for them, in the order tried
-    std::vector<PackItem> untried;    ///< the stop token came first
-    std::int64_t searches = 0;        ///< copies really searched for
-    std::map<int, std::string> why;   ///< by part, of what a cap left over
+    std::vector<PlacedCopy> placed;  ///< in the order placed
+    std::vector<Copy> left_over;     ///< no free candidate was left for them, in the order tried
+    std::vector<Copy> untried;       ///< the stop token came first
+    std::int64_t searches = 0;       ///< copies really searched for
+    std::map<int, std::string> why;  ///< by part, of what a cap left over
 };
 
 /// What else decides whether a copy is placed.
-struct GreedyLimits {
+struct PlaceLimits {
     Caps* caps = nullptr;   ///< of this tray; null: none
     int most_layers = 0;    ///< without a ceiling: how high the grid may grow; 0: as it needs
     int give_up_after = 0;  ///< parts that find no place; the rest is not tried then. 0: never
 };
 
-/// The best placement of `shape`, a copy of item.part, within the limits. Under an open ceiling `tray` is replaced by a
+/// The best placement of `shape`, a copy of copy.part, within the limits. Under an open ceiling `tray` is replaced by a
 /// higher one while a place above its grid could be the best (packing/open_height.hpp); throws ResourceError where that
 /// takes more than most_layers.
-SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const PackItem& item,
-                        const Shape& shape, const GreedyLimits& limits, const StopToken& stop);
+SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const Copy& copy,
+                        const Shape& shape, const PlaceLimits& limits, const StopToken& stop);
 
-/// Packs `items` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
+/// Packs `copies` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
 /// part has already found no place is left over without a search: the tray only fills up. `settle` decides where a
 /// copy stands once its place is found. `result` is filled as it goes, so that it holds what was done when an
 /// exception (out of memory, two engines that disagree) leaves this function.
 /// Under an open ceiling `tray` is replaced by a higher one whenever a place above its grid could be the best
 /// (packing/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is left
 /// over; throws ResourceError where that takes more than most_layers.
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PackItem>& items,
-                   ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
-                   GreedyResult& result, const GreedyLimits& limits = {});
+void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<Copy>& copies,
+                   ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
+                   GreedyResult& result, const PlaceLimits& limits = {});
 
 /// A part and how many of its copies there should be for so many of the others'.
 struct PartShare {
@@ -68,9 +59,9 @@ struct PartShare {
 
 /// As many copies as find a place: each time one of the part that lacks most of its share among the parts that still
 /// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part.
-/// `shapes`: one item a part, in the order of `shares`. Nothing is left over.
+/// `shapes`: one copy a part, in the order of `shares`. Nothing is left over.
 void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
-                    ShapeStore& shapes, const Settle& settle, const ItemDone& item_done, const StopToken& stop,
-                    GreedyResult& result, const GreedyLimits& limits = {});
+                    ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
+                    GreedyResult& result, const PlaceLimits& limits = {});
 
 }  // namespace spectralpack

@@ -2,7 +2,7 @@
 
 namespace spectralpack {
 
-Standing stand_on_grid(const Shape& shape, const BestPlacement& best, double voxel_size, int detail, double wall_gap) {
+Settled settle_on_grid(const Shape& shape, const BestPlacement& best, double voxel_size, int detail, double wall_gap) {
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best.index)];
     Vec3 corner;
     for (int axis = 0; axis < 3; ++axis) {

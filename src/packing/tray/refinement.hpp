@@ -19,13 +19,13 @@ class Refinement {
   public:
     /// One per tray, which starts empty; `voxel_size` in mm and `detail` are the tray's. A copy stays on the grid where
     /// it may not stand refined.
-    Refinement(const RefineSetup& setup, double voxel_size, int detail, PartSurfaces& surfaces, MayStand may_stand,
+    Refinement(const RefineOptions& options, double voxel_size, int detail, PartSurfaces& surfaces, MayStand may_stand,
                const Workers& workers);
 
     /// What already stands in the tray: a fixed copy, a wall.
-    void stand(StandingCopy obstacle) { refiner_.add(std::move(obstacle)); }
+    void stand(PlacedSurface obstacle) { refiner_.add(std::move(obstacle)); }
 
-    Standing settle(const PackItem& item, const Shape& shape, const BestPlacement& best);
+    Settled settle(const Copy& copy, const Shape& shape, const BestPlacement& best);
 
     /// Least distance between the meshes of two copies, mm; none with fewer than two.
     std::optional<double> least_gap() const { return refiner_.least_gap(workers_); }
@@ -33,7 +33,7 @@ class Refinement {
     double seconds() const { return seconds_; }  ///< spent in settle(), for the record
 
   private:
-    RefineSetup setup_;
+    RefineOptions options_;
     double voxel_size_;
     int detail_;
     PartSurfaces& surfaces_;

@@ -37,21 +37,21 @@ ShapeStore::ShapeStore(Make make, const Workers& workers, std::int64_t keep, int
       most_ahead_(static_cast<std::size_t>(ahead)),
       ahead_(most_ahead_) {}
 
-void ShapeStore::start_tray(const std::vector<PackItem>& items, int ahead) {
-    items_ = items;
+void ShapeStore::start_tray(const std::vector<Copy>& copies, int ahead) {
+    copies_ = copies;
     ahead_ = std::min(most_ahead_, static_cast<std::size_t>(ahead));
     next_ = 0;
     std::size_t parts = shapes_.size();
-    for (const PackItem& item : items_) {
-        parts = std::max(parts, static_cast<std::size_t>(item.part) + 1);
+    for (const Copy& copy : copies_) {
+        parts = std::max(parts, static_cast<std::size_t>(copy.part) + 1);
     }
     shapes_.resize(parts);
     making_.resize(parts);
     kept_.resize(parts, 0);
     remaining_.assign(parts, 0);
     left_over_.assign(parts, false);
-    for (const PackItem& item : items_) {
-        ++remaining_[static_cast<std::size_t>(item.part)];
+    for (const Copy& copy : copies_) {
+        ++remaining_[static_cast<std::size_t>(copy.part)];
     }
     for (std::size_t part = 0; part < parts; ++part) {
         if (remaining_[part] == 0) drop(part);
@@ -59,14 +59,14 @@ void ShapeStore::start_tray(const std::vector<PackItem>& items, int ahead) {
 }
 
 const Shape& ShapeStore::at(std::size_t i) {
-    const auto part = static_cast<std::size_t>(items_[i].part);
+    const auto part = static_cast<std::size_t>(copies_[i].part);
     const std::unique_ptr<Making> making = std::move(making_[part]);
     if (making) --begun_;
     begin_next(part);
     if (!shapes_[part]) {
         const Stopwatch watch;
         if (making) shapes_[part] = making->take().value_or(nullptr);
-        if (!shapes_[part]) shapes_[part] = make_(items_[i].part, workers_);
+        if (!shapes_[part]) shapes_[part] = make_(copies_[i].part, workers_);
         seconds_ += watch.seconds();
     }
     return *shapes_[part];
@@ -74,8 +74,8 @@ const Shape& ShapeStore::at(std::size_t i) {
 
 /// Begins the parts that come next, as many as may be held besides `now`.
 void ShapeStore::begin_next(std::size_t now) {
-    for (; next_ < items_.size() && begun_ + 1 < ahead_; ++next_) {
-        const int id = items_[next_].part;
+    for (; next_ < copies_.size() && begun_ + 1 < ahead_; ++next_) {
+        const int id = copies_[next_].part;
         const auto part = static_cast<std::size_t>(id);
         if (part == now || shapes_[part] || making_[part] || remaining_[part] == 0) continue;
         making_[part] = std::make_unique<Making>(workers_, [this, id] { return make_(id, alone_); });
@@ -84,7 +84,7 @@ void ShapeStore::begin_next(std::size_t now) {
 }
 
 void ShapeStore::release(std::size_t i, bool placed) {
-    const auto part = static_cast<std::size_t>(items_[i].part);
+    const auto part = static_cast<std::size_t>(copies_[i].part);
     if (!placed) left_over_[part] = true;
     if (--remaining_[part] > 0) return;
     if (!left_over_[part] || making_[part]) {  // what nobody asked for is not kept

@@ -31,15 +31,15 @@ class ShapeStore {
     /// `keep`: bytes of shapes that may be held from one tray to the next. `ahead`: as kAhead.
     ShapeStore(Make make, const Workers& workers, std::int64_t keep = 0, int ahead = kAhead);
 
-    /// `items`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
+    /// `copies`: the order in which one tray will ask for shapes; fixes what is made ahead and when a shape is dropped.
     /// `ahead`: fewer than the store's.
-    void start_tray(const std::vector<PackItem>& items, int ahead = kAhead);
+    void start_tray(const std::vector<Copy>& copies, int ahead = kAhead);
 
-    /// The shape of items[i].part. Calls come with i ascending, about; the next distinct parts are begun. Throws what
+    /// The shape of copies[i].part. Calls come with i ascending, about; the next distinct parts are begun. Throws what
     /// `make` throws.
     const Shape& at(std::size_t i);
 
-    /// items[i] is done with, `placed` or left over; the shape goes with the part's last copy.
+    /// copies[i] is done with, `placed` or left over; the shape goes with the part's last copy.
     void release(std::size_t i, bool placed);
 
     double seconds() const { return seconds_; }  ///< spent on shapes by those who asked for them, for the record
@@ -50,13 +50,13 @@ class ShapeStore {
     void begin_next(std::size_t now);
     void drop(std::size_t part);
 
-    std::vector<PackItem> items_;
+    std::vector<Copy> copies_;
     Make make_;
     Workers workers_, alone_{1};
     double seconds_ = 0;
     std::int64_t keep_;                                 // bytes that may still be held for later trays
     std::size_t most_ahead_, ahead_;                    // at all; in this tray
-    std::size_t next_ = 0;                              // of items_: those before have been begun or made
+    std::size_t next_ = 0;                              // of copies_: those before have been begun or made
     std::size_t begun_ = 0;                             // parts, those not asked for so far
     std::vector<std::shared_ptr<const Shape>> shapes_;  // by part, as are the next four
     std::vector<std::unique_ptr<Making>> making_;       // of parts that are begun

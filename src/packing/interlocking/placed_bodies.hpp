@@ -14,48 +14,48 @@
 
 namespace spectralpack {
 
-struct StandingSetup {
+struct BodyOptions {
     double wall_gap = 0;  ///< mm
     std::optional<double>
-        ray_spacing;  ///< mm; none: DisassemblySetup::spacing_for() voxels that collisions are decided on
+        ray_spacing;  ///< mm; none: DisassemblyOptions::spacing_for() voxels that collisions are decided on
     PartSurfaces* surfaces = nullptr;
-    std::vector<StandingPart> fixed;       ///< what stands in the tray besides the copies placed, and never moves
+    std::vector<Body> fixed;               ///< what stands in the tray besides the copies placed, and never moves
     const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
     Workers workers;
 };
 
-class StandingParts {
+class PlacedBodies {
   public:
     /// All that is referred to outlives it; `tray` holds what is `placed`. `search`: answers what is free.
-    StandingParts(const StandingSetup& setup, const Tray& tray, const std::vector<PlacedItem>& placed,
-                  PlacementSearch& search, const StopToken& stop);
-    StandingParts(const StandingParts&) = delete;
-    StandingParts& operator=(const StandingParts&) = delete;
+    PlacedBodies(const BodyOptions& options, const Tray& tray, const std::vector<PlacedCopy>& placed,
+                 PlacementSearch& search, const StopToken& stop);
+    PlacedBodies(const PlacedBodies&) = delete;
+    PlacedBodies& operator=(const PlacedBodies&) = delete;
 
     /// Names are indices into `placed`.
-    const DisassemblySetup& disassembly() const { return disassembly_; }
+    const DisassemblyOptions& disassembly() const { return disassembly_; }
     /// Under an open ceiling the tray grows. Makes the grid that ways out are looked for in as high; true where it was
     /// not.
     bool follow_tray();
 
     /// `object` is what it is, or would be, in the tray.
-    StandingPart of(const PlacedItem& item, const TrayObject& object) const;
+    Body of(const PlacedCopy& placed, const TrayObject& object) const;
     /// The first `count` of what is placed, or all.
-    std::vector<StandingPart> placed(std::size_t count = kAll) const;
+    std::vector<Body> placed(std::size_t count = kAll) const;
     /// Fixed copies come after all others.
-    void add_fixed(std::vector<StandingPart>& parts) const;
+    void add_fixed(std::vector<Body>& parts) const;
     /// Fixed copies, and the walls of a physical container.
-    void add_what_stays(std::vector<StandingPart>& parts) const;
+    void add_what_stays(std::vector<Body>& parts) const;
 
   private:
     static constexpr auto kAll = std::numeric_limits<std::size_t>::max();
 
     TrayObject in_grid(const TrayObject& object) const;
 
-    const StandingSetup& setup_;
+    const BodyOptions& options_;
     const Tray& tray_;
-    const std::vector<PlacedItem>& placed_;
-    DisassemblySetup disassembly_;
+    const std::vector<PlacedCopy>& placed_;
+    DisassemblyOptions disassembly_;
 };
 
 }  // namespace spectralpack

@@ -1,0 +1,69 @@
+#include "packing/interlocking/placed_bodies.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+PlacedBodies::PlacedBodies(const BodyOptions& options, const Tray& tray, const std::vector<PlacedCopy>& placed,
+                           PlacementSearch& search, const StopToken& stop)
+    : options_(options), tray_(tray), placed_(placed) {
+    disassembly_.search = &search;
+    disassembly_.corner =
+        options.walls ? options.walls->corner : Vec3{options.wall_gap, options.wall_gap, options.wall_gap};
+    disassembly_.grid = options.walls ? options.walls->grid : finest_setup(tray.setup());
+    disassembly_.ray_spacing =
+        options.ray_spacing.value_or(DisassemblyOptions::spacing_for(disassembly_.grid.voxel_size));
+    disassembly_.on_grid = [this](int i) {
+        const PlacedCopy& placed = placed_[static_cast<std::size_t>(i)];
+        const Mesh mesh = options_.surfaces->turned_mesh(placed.copy.part, placed.orientation);
+        return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, options_.workers));
+    };
+    disassembly_.workers = options.workers;
+    disassembly_.stop = stop;
+}
+
+bool PlacedBodies::follow_tray() {
+    if (options_.walls || disassembly_.grid.size.z >= tray_.setup().size.z) return false;
+    disassembly_.grid = finest_setup(tray_.setup());
+    return true;
+}
+
+/// An object of the tray in the grid that ways out are looked for in.
+TrayObject PlacedBodies::in_grid(const TrayObject& object) const {
+    return options_.walls ? options_.walls->moved(on_finest(object)) : on_finest(object);
+}
+
+Body PlacedBodies::of(const PlacedCopy& placed, const TrayObject& object) const {
+    return {options_.surfaces->at(placed.copy.part, placed.orientation), placed.offset, in_grid(object)};
+}
+
+std::vector<Body> PlacedBodies::placed(std::size_t count) const {
+    const std::span copies = std::span(placed_).first(std::min(count, placed_.size()));
+    std::vector<TurnedPart> wanted;
+    for (const PlacedCopy& placed : copies) {
+        wanted.push_back({placed.copy.part, placed.orientation});
+    }
+    options_.surfaces->make(wanted);
+    std::vector<Body> parts;
+    for (const PlacedCopy& placed : copies) {
+        parts.push_back(of(placed, tray_.object(placed.object)));
+    }
+    return parts;
+}
+
+void PlacedBodies::add_fixed(std::vector<Body>& parts) const {
+    for (Body part : options_.fixed) {
+        part.object = in_grid(part.object);
+        part.object.fixed = true;
+        parts.push_back(std::move(part));
+    }
+}
+
+void PlacedBodies::add_what_stays(std::vector<Body>& parts) const {
+    add_fixed(parts);
+    if (options_.walls) parts.push_back(options_.walls->part);
+}
+
+}  // namespace spectralpack
