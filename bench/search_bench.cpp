@@ -235,7 +235,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
         return settle_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
     };
     pack_greedily(
-        tray, search, question.model, question.items, shapes, settle, [](std::size_t) {}, {}, result);
+        tray, {{search, shapes, workers}, 0, question.model, {}, settle}, question.items, [](std::size_t) {}, result);
 
     Packed packed{result.placed.size(),
                   result.searches,

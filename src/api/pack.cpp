@@ -14,6 +14,7 @@
 #include "api/packing_job.hpp"
 #include "api/plan.hpp"
 #include "api/record.hpp"
+#include "api/tray_events.hpp"
 #include "core/stopwatch.hpp"
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
@@ -104,19 +105,20 @@ class Run {
 
     void pack(TraysPacker& packer, PackedJob& packed) {
         const TellProgress tell = [&](const Progress& progress) { listener_.on_progress(progress); };
+        TrayEvents events(packer.job().parts, listener_);
         if (options_.minimise == Minimise::box) {
-            pack_in_least_box(packer, {plan_.grid.x, plan_.grid.y}, stop_, tell, packed);
+            pack_in_least_box(packer, {plan_.grid.x, plan_.grid.y}, stop_, tell, &events, packed);
         } else if (options_.restarts > 1 || options_.beam > 1) {
-            const BestOrderOptions setup{
+            const BestOrderOptions orders{
                 options_.restarts,
                 options_.beam,
                 options_.seed,
                 stop_,
                 job_.enough_orders.value_or(stop_),
                 [&](int states) { return make_engine(plan_.engine, plan_.cache / states, workers_); }};
-            pack_in_best_order(packer, setup, tell, packed);
+            pack_in_best_order(packer, orders, tell, &events, packed);
         } else {
-            packer.pack({packer.job().copies, packer.job().fill, stop_, tell}, packed.trays);
+            packer.pack({packer.job().copies, packer.job().fill, stop_, tell, &events}, packed.trays);
         }
     }
 

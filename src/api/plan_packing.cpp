@@ -10,7 +10,6 @@
 #include "disassembly/disassembler.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "packing/containers/physical_walls.hpp"
-#include "packing/interlocking/untangle.hpp"
 #include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 
@@ -104,6 +103,22 @@ class StandingTray {
     std::map<int, bool> closed_;  // whether a part's mesh encloses a solid, which takes as long as voxelising it
     DisassemblyOptions setup_;
 };
+
+/// Makes the plan for bodies that stand, by the steps `told` where it finds none (may be null). `interlocked` names the
+/// sets that hold each other, of the first `copies` bodies: what comes after them is a container.
+Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> bodies, std::size_t copies,
+                             const Disassembler::Left& left, const std::vector<RemovalStep>* told) {
+    Disassembler disassembler(options, std::move(bodies), left, told);
+    disassembler.run();
+    Disassembly plan;
+    plan.steps = disassembler.steps();
+    if (!options.stop.stopped()) plan.interlocked = disassembler.stuck();
+    for (std::vector<int>& set : plan.interlocked) {
+        std::erase_if(set, [&](int body) { return static_cast<std::size_t>(body) >= copies; });
+    }
+    plan.complete = disassembler.standing() == 0;
+    return plan;
+}
 
 }  // namespace
 

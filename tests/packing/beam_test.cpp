@@ -72,10 +72,12 @@ class BeamSearch : public testing::TestWithParam<int> {
         if (width == 0) {
             const auto engine = make_cpu_search({}, workers);
             pack_greedily(
-                tray, *engine, model_, copies, shapes, settle, [](std::size_t) {}, {}, packed.result);
+                tray, {{*engine, shapes, workers}, 0, model_, {}, settle}, copies, [](std::size_t) {}, packed.result);
         } else {
+            const auto engine = make_cpu_search({}, workers);
             pack_in_beam(
-                tray, beam, model_, copies, shapes, settle, [](std::size_t) {}, stop_.token(), packed.result, 0);
+                tray, beam, {{*engine, shapes, workers, stop_.token()}, 0, model_, {}, settle}, copies,
+                [](std::size_t) {}, packed.result);
         }
         packed.score = score_packing(copies, {&packed.result.placed}, beam.measures);
         return packed;

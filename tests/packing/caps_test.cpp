@@ -38,7 +38,8 @@ class CappedTray : public testing::Test {
         PlaceLimits limits;
         limits.caps = &caps;
         pack_greedily(
-            tray, *engine, {1e8, HeightAt::bottom}, copies, shapes, settle, [](std::size_t) {}, {}, result, limits);
+            tray, {{*engine, shapes, workers}, 0, {1e8, HeightAt::bottom}, limits, settle}, copies, [](std::size_t) {},
+            result);
         return result;
     }
 

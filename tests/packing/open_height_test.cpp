@@ -38,7 +38,7 @@ class OpenHeight : public testing::Test {
         setup.ceiling = Ceiling::open;
         setup.reference_layers = 20;
         tray_.emplace(setup);
-        const std::vector<Copy> copies = copies(5, 4);
+        const std::vector<Copy> wanted = copies(5, 4);
         const Workers workers(2);
         ShapeStore shapes(
             [&](int part, const Workers&) {
@@ -46,14 +46,14 @@ class OpenHeight : public testing::Test {
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, gap, {gap}, workers));
             },
             workers);
-        shapes.start_tray(copies);
+        shapes.start_tray(wanted);
         const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
             return settle_on_grid(shape, best, 1, 1, 0);
         };
         const auto engine = make_cpu_search({}, workers);
         GreedyResult result;
         pack_greedily(
-            *tray_, *engine, model, copies, shapes, settle, [](std::size_t) {}, {}, result, limits);
+            *tray_, {{*engine, shapes, workers}, 0, model, limits, settle}, wanted, [](std::size_t) {}, result);
         return result;
     }
 

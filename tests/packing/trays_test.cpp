@@ -26,21 +26,21 @@ class ManyTrays : public testing::Test {
     }
 
     void pack(const std::vector<Copy>& copies, const TraysLimit& limit) {
-        TrayFiller filler(setup_, search_, {}, Workers(1));
+        TrayFiller filler(setup_, {search_, shapes_, Workers(1), stop_.token()}, {});
         fill_trays(
-            copies, limit, filler, shapes_,
+            copies, limit, filler,
             [this](const GreedyResult&, std::size_t done) {
                 if (done == stop_after_) stop_.request(StopReason::cancelled);
             },
-            stop_.token(), result_);
+            result_);
     }
 
     static std::vector<Copy> copies(int part, int count) {
-        std::vector<Copy> copies;
+        std::vector<Copy> all;
         for (int copy = 0; copy < count; ++copy) {
-            copies.push_back({part, copy});
+            all.push_back({part, copy});
         }
-        return copies;
+        return all;
     }
 
     FillOptions setup_;
@@ -72,9 +72,9 @@ TEST_F(ManyTrays, NoMoreThanAllowed) {
 }
 
 TEST_F(ManyTrays, EachIsFullOnceSoManyPartsFindNoPlace) {
-    std::vector<Copy> copies = copies(1, 6);
-    copies.push_back({0, 0});
-    pack(copies, {0, 1});
+    std::vector<Copy> wanted = copies(1, 6);
+    wanted.push_back({0, 0});
+    pack(wanted, {0, 1});
     ASSERT_EQ(result_.trays.size(), 2u);
     EXPECT_EQ(result_.trays[0].placed.size(), 4u);  // a fifth finds no place, so part 0 is not tried
     EXPECT_EQ(result_.trays[0].searches, 5);
@@ -82,14 +82,14 @@ TEST_F(ManyTrays, EachIsFullOnceSoManyPartsFindNoPlace) {
     EXPECT_EQ(result_.trays[1].placed[2].copy, (Copy{0, 0}));
     // One tray alone tries all.
     result_ = {};
-    pack(copies, {1, 1});
+    pack(wanted, {1, 1});
     EXPECT_EQ(result_.trays[0].searches, 6);
 }
 
 TEST_F(ManyTrays, ATrayThatStaysEmptyEndsIt) {
-    std::vector<Copy> copies = copies(2, 2);  // too high for any tray
-    copies.push_back({1, 0});
-    pack(copies, {0, 0});
+    std::vector<Copy> wanted = copies(2, 2);  // too high for any tray
+    wanted.push_back({1, 0});
+    pack(wanted, {0, 0});
     ASSERT_EQ(result_.trays.size(), 1u);
     EXPECT_EQ(result_.trays[0].placed.size(), 1u);
     EXPECT_TRUE(result_.stuck);
@@ -163,11 +163,10 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
         if (++tried == 3) stop.request(StopReason::cancelled);
     };
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
-    TrayFiller filler(
-        setup, *search, [&](int part) { return parts.scaled(part); }, Workers(1));
+    TrayFiller filler(setup, {*search, shapes, Workers(1), stop.token()}, [&](int part) { return parts.scaled(part); });
     TraysResult result;
     fill_trays(
-        {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, shapes, [](const FilledTray&, std::size_t) {}, stop.token(), result);
+        {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, [](const FilledTray&, std::size_t) {}, result);
     ASSERT_EQ(result.trays.size(), 1u);
     EXPECT_EQ(result.trays[0].report.counts.removed, 2);
     EXPECT_EQ(result.trays[0].interlocked, (std::vector<Copy>{{1, 0}}));

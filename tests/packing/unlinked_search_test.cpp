@@ -92,11 +92,10 @@ FilledTray chest_and_cube(Links links) {
     setup.links = links;
     setup.left = setup.to_put_back = [](int, int) {};
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
-    TrayFiller filler(
-        setup, *search, [&](int part) { return parts.scaled(part); }, Workers(1));
+    TrayFiller filler(setup, {*search, shapes, Workers(1)}, [&](int part) { return parts.scaled(part); });
     FilledTray result;
     filler.fill(
-        {0, {{0, 0}, {1, 0}}, false, 0}, shapes, [](std::size_t) {}, {}, result);
+        {0, {{0, 0}, {1, 0}}, false, 0}, [](std::size_t) {}, result);
     EXPECT_EQ(result.placed.size(), 2u);
     EXPECT_TRUE(result.plan && result.plan->complete);
     return result;

@@ -14,10 +14,9 @@ namespace {
 class Interlocking : public testing::Test {
   protected:
     Interlocking() : tray_(TraySetup{{80, 60, 60}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {
-        setup_.voxel_size = 1;
-        setup_.surfaces = &surfaces_;
-        setup_.shapes = &shapes_;
-        setup_.left = setup_.to_put_back = [](int, int) {};
+        options_.voxel_size = 1;
+        options_.surfaces = &surfaces_;
+        options_.left = options_.to_put_back = [](int, int) {};
         search_ = make_cpu_search({}, Workers(1));
     }
 
@@ -30,12 +29,14 @@ class Interlocking : public testing::Test {
         for (std::size_t i = 0; i < made->orientations.size(); ++i) {
             if (made->orientations[i].orientation == orientation) best.index = static_cast<int>(i);
         }
-        Settled standing = settle_on_grid(*made, best, 1, 1, 0);
-        placed_.push_back(
-            {{part, 0}, orientation, position, standing.offset, tray_.add(std::move(standing.object)), {}});
+        Settled settled = settle_on_grid(*made, best, 1, 1, 0);
+        placed_.push_back({{part, 0}, orientation, position, settled.offset, tray_.add(std::move(settled.object)), {}});
     }
 
-    Untangled untangle_all(const StopToken& stop = {}) { return untangle(tray_, *search_, placed_, setup_, stop); }
+    TrayContext context(const StopToken& stop = {}) {
+        return {{*search_, shapes_, Workers(1), stop}, 0, model_, {}, {}};
+    }
+    Untangled untangle_all(const StopToken& stop = {}) { return untangle(tray_, placed_, context(stop), options_); }
 
     /// Every copy has a step of its own.
     void expect_complete(const Untangled& result) const {
@@ -57,7 +58,8 @@ class Interlocking : public testing::Test {
     ShapeStore shapes_{[this](int part, const Workers&) { return parts_.shape(part); }, Workers(1)};
     std::vector<PlacedCopy> placed_;
     PartSurfaces surfaces_{[this](int part) { return parts_.scaled(part); }, Workers(1)};
-    UntangleOptions setup_;
+    UntangleOptions options_;
+    CostModel model_;
     std::unique_ptr<PlacementSearch> search_;
 };
 
@@ -83,7 +85,7 @@ TEST_F(Interlocking, LeavesOutWhatFindsNoPlaceThatItCanLeave) {
     tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
-    setup_.take_out = TakeOut::smallest;
+    options_.take_out = TakeOut::smallest;
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 1) << "the cube is less than a tenth, but the chest may stay without it";
     EXPECT_EQ(result.report.counts.reinserted, 0);
@@ -97,7 +99,7 @@ TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterial) {
     tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
-    setup_.take_out = TakeOut::lightest;
+    options_.take_out = TakeOut::lightest;
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 1);
     ASSERT_EQ(placed_.size(), 1u);
@@ -110,9 +112,9 @@ TEST_F(Interlocking, TakesOutWhatHasTheLeastMaterialForItsBoxAndPutsInWhatHadWai
     put(test::frame_mesh(26, 2, 2), 0, {0, 0, 7});
     put(test::lying(test::frame_mesh(16, 5, 6), 0), 0, {10, 17, 0});
     parts_.meshes.push_back(test::cube_mesh(12));
-    setup_.take_out = TakeOut::thinnest;
-    setup_.order = {{0, 0}, {2, 0}, {2, 1}, {1, 0}};
-    setup_.waiting = {{2, 0}, {2, 1}};
+    options_.take_out = TakeOut::thinnest;
+    options_.order = {{0, 0}, {2, 0}, {2, 1}, {1, 0}};
+    options_.waiting = {{2, 0}, {2, 1}};
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 1);
     EXPECT_EQ(result.report.counts.reinserted, 0);
@@ -128,7 +130,7 @@ TEST_F(Interlocking, LetsAHeavyCopyStayAndALighterOneGoInstead) {
     tray_ = Tray(TraySetup{{32, 26, 26}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     put(test::chest_mesh(26, 2, false), 0, {0, 0, 0});
     put(test::cube_mesh(8), 0, {10, 10, 10});
-    setup_.take_out = TakeOut::thinnest;  // the chest, which has more material than the cube
+    options_.take_out = TakeOut::thinnest;  // the chest, which has more material than the cube
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 1);
     ASSERT_EQ(result.interlocked.size(), 1u);
@@ -145,10 +147,10 @@ TEST_F(Interlocking, PutsACopyWhereItsWayOpensLater) {
     put(test::chest_mesh(10, 1, false), 0, {29, 0, 0});  // something to take out
     put(test::cube_mesh(3), 0, {32, 3, 3});
     put(test::box_mesh({0, 0, 0}, {10, 17, 38}), 0, {29, 11, 0});
-    setup_.model = {1e8, HeightAt::bottom};
+    model_ = {1e8, HeightAt::bottom};
     parts_.meshes.push_back(test::cube_mesh(8));
-    setup_.order = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
-    setup_.waiting = {{5, 0}};
+    options_.order = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
+    options_.waiting = {{5, 0}};
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.added, 1);
     expect_complete(result);
@@ -168,10 +170,10 @@ TEST_F(Interlocking, TriesTheNextBestPlaceWhereACopyDoesNotComeOutOfTheBest) {
     put(test::box_mesh({0, 0, 0}, {12, 16, 40}), 0, {29, 12, 0});
     put(test::chest_mesh(6, 1, false), 0, {29, 0, 12});  // something to take out
     put(test::cube_mesh(2), 0, {31, 2, 14});
-    setup_.model = {1e8, HeightAt::bottom};
+    model_ = {1e8, HeightAt::bottom};
     parts_.meshes.push_back(test::cube_mesh(8));
-    setup_.order = {{6, 0}, {6, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
-    setup_.waiting = {{6, 0}, {6, 1}};
+    options_.order = {{6, 0}, {6, 1}, {0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}};
+    options_.waiting = {{6, 0}, {6, 1}};
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.added, 2);
     expect_complete(result);
@@ -188,8 +190,8 @@ TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
     put(test::frame_mesh(26, 2, 2), 0, {0, 0, 7});
     put(test::lying(test::frame_mesh(16, 5, 6), 0), 0, {10, 17, 0});
     put(test::box_mesh({0, 0, 0}, {10, 34, 16}), 0, {26, 0, 0});
-    setup_.model = {1e8, HeightAt::top};
-    setup_.order = {{0, 0}, {2, 0}, {1, 0}};
+    model_ = {1e8, HeightAt::top};
+    options_.order = {{0, 0}, {2, 0}, {1, 0}};
     const Untangled result = untangle_all();
     EXPECT_EQ(result.report.counts.removed, 0);
     ASSERT_EQ(placed_.size(), 3u);
@@ -220,7 +222,7 @@ TEST_F(Interlocking, TheLastCopyToLeaveStillHasFixedOnesToPass) {
         TrayObject object{std::make_shared<const BitGrid>(voxelize(test::cube_mesh(10), 1, Workers(1))), {x, 0, 0}};
         object.fixed = true;
         tray_.add(object);
-        setup_.fixed.push_back({surface, {static_cast<double>(x), 0, 0}, object});
+        options_.fixed.push_back({surface, {static_cast<double>(x), 0, 0}, object});
     }
     put(test::cube_mesh(8), 0, {20, 0, 0});
     const Untangled result = untangle_all();
@@ -231,8 +233,8 @@ TEST_F(Interlocking, TheLastCopyToLeaveStillHasFixedOnesToPass) {
 
 TEST_F(Interlocking, WaysOutAreLookedForInTheTrayAsHighAsItHasGrown) {
     tray_ = Tray(TraySetup{{40, 40, 10}, 1, 1, {0}, Ceiling::open, 0, {}, false});
-    PlacedBodies standing(setup_, tray_, placed_, *search_, {});
-    RemovablePacking packing(standing, {});
+    PlacedBodies bodies(options_, tray_, placed_, context());
+    RemovablePacking packing(bodies, {});
     tray_ = grown(tray_, 50);
     // Above the grid as it was: a chest with a hole in a corner of its lid, and a cube in the opposite corner.
     const Mesh lid = test::merged(test::box_mesh({0, 0, 24}, {26, 14, 26}), test::box_mesh({0, 14, 24}, {14, 26, 26}));
@@ -260,7 +262,7 @@ TEST_F(Interlocking, AStopAfterTheLastRemovalLeavesAWholePlan) {
     put(ring(), 0, {10, 10, 20});
     put(test::cube_mesh(8), 0, {40, 40, 0});
     StopSource stop;
-    setup_.left = [&](int left, int) {
+    options_.left = [&](int left, int) {
         if (left == 0) stop.request(StopReason::time_limit);
     };
     expect_complete(untangle_all(stop.token()));

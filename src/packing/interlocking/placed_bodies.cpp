@@ -7,9 +7,9 @@
 
 namespace spectralpack {
 PlacedBodies::PlacedBodies(const BodyOptions& options, const Tray& tray, const std::vector<PlacedCopy>& placed,
-                           PlacementSearch& search, const StopToken& stop)
+                           const TrayContext& context)
     : options_(options), tray_(tray), placed_(placed) {
-    disassembly_.search = &search;
+    disassembly_.search = &context.search;
     disassembly_.corner =
         options.walls ? options.walls->corner : Vec3{options.wall_gap, options.wall_gap, options.wall_gap};
     disassembly_.grid = options.walls ? options.walls->grid : finest_setup(tray.setup());
@@ -18,10 +18,10 @@ PlacedBodies::PlacedBodies(const BodyOptions& options, const Tray& tray, const s
     disassembly_.on_grid = [this](int i) {
         const PlacedCopy& placed = placed_[static_cast<std::size_t>(i)];
         const Mesh mesh = options_.surfaces->turned_mesh(placed.copy.part, placed.orientation);
-        return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, options_.workers));
+        return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, disassembly_.workers));
     };
-    disassembly_.workers = options.workers;
-    disassembly_.stop = stop;
+    disassembly_.workers = context.workers;
+    disassembly_.stop = context.stop;
 }
 
 bool PlacedBodies::follow_tray() {
@@ -46,24 +46,24 @@ std::vector<Body> PlacedBodies::placed(std::size_t count) const {
         wanted.push_back({placed.copy.part, placed.orientation});
     }
     options_.surfaces->make(wanted);
-    std::vector<Body> parts;
+    std::vector<Body> bodies;
     for (const PlacedCopy& placed : copies) {
-        parts.push_back(of(placed, tray_.object(placed.object)));
+        bodies.push_back(of(placed, tray_.object(placed.object)));
     }
-    return parts;
+    return bodies;
 }
 
-void PlacedBodies::add_fixed(std::vector<Body>& parts) const {
-    for (Body part : options_.fixed) {
-        part.object = in_grid(part.object);
-        part.object.fixed = true;
-        parts.push_back(std::move(part));
+void PlacedBodies::add_fixed(std::vector<Body>& bodies) const {
+    for (Body body : options_.fixed) {
+        body.object = in_grid(body.object);
+        body.object.fixed = true;
+        bodies.push_back(std::move(body));
     }
 }
 
-void PlacedBodies::add_what_stays(std::vector<Body>& parts) const {
+void PlacedBodies::add_what_stays(std::vector<Body>& bodies) const {
     add_fixed(parts);
-    if (options_.walls) parts.push_back(options_.walls->part);
+    if (options_.walls) bodies.push_back(options_.walls->part);
 }
 
 }  // namespace spectralpack

@@ -1,15 +1,14 @@
 #pragma once
-/// What stands in a tray, as disassembly sees it (disassembly/standing_part.hpp).
+/// What stands in a tray, as disassembly sees it (disassembly/body.hpp).
 
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
 
-#include "core/parallel.hpp"
 #include "disassembly/subassembly.hpp"
 #include "packing/containers/physical_walls.hpp"
-#include "packing/tray/greedy.hpp"
+#include "packing/tray/context.hpp"
 #include "packing/tray/part_surfaces.hpp"
 
 namespace spectralpack {
@@ -21,14 +20,13 @@ struct BodyOptions {
     PartSurfaces* surfaces = nullptr;
     std::vector<Body> fixed;               ///< what stands in the tray besides the copies placed, and never moves
     const PhysicalWalls* walls = nullptr;  ///< of a physical container; null: copies alone are in the way
-    Workers workers;
 };
 
 class PlacedBodies {
   public:
-    /// All that is referred to outlives it; `tray` holds what is `placed`. `search`: answers what is free.
+    /// All that is referred to outlives it; `tray` holds what is `placed`.
     PlacedBodies(const BodyOptions& options, const Tray& tray, const std::vector<PlacedCopy>& placed,
-                 PlacementSearch& search, const StopToken& stop);
+                 const TrayContext& context);
     PlacedBodies(const PlacedBodies&) = delete;
     PlacedBodies& operator=(const PlacedBodies&) = delete;
 
@@ -43,9 +41,9 @@ class PlacedBodies {
     /// The first `count` of what is placed, or all.
     std::vector<Body> placed(std::size_t count = kAll) const;
     /// Fixed copies come after all others.
-    void add_fixed(std::vector<Body>& parts) const;
+    void add_fixed(std::vector<Body>& bodies) const;
     /// Fixed copies, and the walls of a physical container.
-    void add_what_stays(std::vector<Body>& parts) const;
+    void add_what_stays(std::vector<Body>& bodies) const;
 
   private:
     static constexpr auto kAll = std::numeric_limits<std::size_t>::max();

@@ -1,17 +1,12 @@
 #include "packing/interlocking/untangle.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
-#include <set>
-#include <unordered_set>
 #include <utility>
 
 #include "core/stopwatch.hpp"
 #include "disassembly/plan_repair.hpp"
 #include "disassembly/remaining_steps.hpp"
-#include "packing/interlocking/reachable_search.hpp"
-#include "packing/interlocking/removable_packing.hpp"
+#include "packing/interlocking/put_back.hpp"
 #include "refine/refiner.hpp"
 
 namespace spectralpack {
@@ -21,17 +16,17 @@ namespace {
 constexpr double kShareToRemove = 0.1;
 
 /// Those of `set`, which hold each other, that are taken out before trying again. Fixed copies stay.
-std::vector<int> select_remove(const std::vector<int>& set, const std::vector<Body>& parts, TakeOut rule) {
+std::vector<int> select_remove(const std::vector<int>& set, const std::vector<Body>& bodies, TakeOut rule) {
     struct Candidate {
-        int part;
+        int index;
         double box, solid;  // volumes
     };
     std::vector<Candidate> candidates;
     double boxes = 0;
     for (const int i : set) {
-        const Body& part = parts[static_cast<std::size_t>(i)];
-        if (part.object.fixed) continue;
-        candidates.push_back({i, part.box().volume(), static_cast<double>(part.object.solid->count())});
+        const Body& body = bodies[static_cast<std::size_t>(i)];
+        if (body.object.fixed) continue;
+        candidates.push_back({i, body.box().volume(), static_cast<double>(body.object.solid->count())});
         boxes += candidates.back().box;
     }
     if (candidates.empty()) return {};
@@ -40,50 +35,23 @@ std::vector<int> select_remove(const std::vector<int>& set, const std::vector<Bo
     };
     const auto before = [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); };
     if (rule != TakeOut::smallest) {
-        return {std::min_element(candidates.begin(), candidates.end(), before)->part};
+        return {std::min_element(candidates.begin(), candidates.end(), before)->index};
     }
     std::stable_sort(candidates.begin(), candidates.end(), before);
     std::vector<int> removed;
     double sum = 0;
     for (const Candidate& candidate : candidates) {
         if (sum > kShareToRemove * boxes) break;
-        removed.push_back(candidate.part);
+        removed.push_back(candidate.index);
         sum += candidate.box;
     }
     return removed;
 }
 
-/// A position of an orientation of a shape.
-struct Place {
-    int index;  ///< in Shape::orientations
-    VoxelIndex position;
-};
-using Places = std::vector<Place>;
-
-// Where a copy does not come out it is tried elsewhere, up to so many places in all. More find none that these do not.
-constexpr int kPlacesTried = 4;
-
-/// Whether a copy's boxes there have their centres less than half a box apart along every axis: in the same hole.
-bool near(const Shape& shape, const Place& a, const Place& b) {
-    const Extent& at_a = shape.orientations[static_cast<std::size_t>(a.index)].solid.extent();
-    const Extent& at_b = shape.orientations[static_cast<std::size_t>(b.index)].solid.extent();
-    for (int axis = 0; axis < 3; ++axis) {
-        const int twice = 2 * (a.position[axis] - b.position[axis]) + at_a[axis] - at_b[axis];
-        if (std::abs(twice) >= std::min(at_a[axis], at_b[axis])) return false;
-    }
-    return true;
-}
-
 class Untangling {
   public:
-    Untangling(Tray& tray, PlacementSearch& search, std::vector<PlacedCopy>& placed, const UntangleOptions& options,
-               const StopToken& stop)
-        : tray_(tray),
-          search_(search),
-          placed_(placed),
-          options_(options),
-          stop_(stop),
-          standing_(options, tray, placed, search, stop) {}
+    Untangling(Tray& tray, std::vector<PlacedCopy>& placed, const TrayContext& context, const UntangleOptions& options)
+        : tray_(tray), placed_(placed), context_(context), options_(options), bodies_(options, tray, placed, context) {}
 
     Untangled run() {
         const Stopwatch disassembling;
@@ -92,54 +60,54 @@ class Untangling {
         const std::vector<PlacedCopy> removed = disassemble();
         result_.report.disassemble_seconds = disassembling.seconds();
         const Stopwatch reinserting;
-        const double voxelizing = options_.shapes->seconds();
+        const double voxelizing = context_.shapes.seconds();
         if (!removed.empty()) {
-            put_back(removed);
+            put_back_what_was(removed);
             if (open && height() > before + options_.voxel_size) pack_anew_if_lower();
             result_.report.changed = true;
             if (options_.measure_gap) result_.report.least_gap = least_gap();
         }
-        result_.report.reinsert_seconds = reinserting.seconds() - (options_.shapes->seconds() - voxelizing);
+        result_.report.reinsert_seconds = reinserting.seconds() - (context_.shapes.seconds() - voxelizing);
         return std::move(result_);
     }
 
   private:
     std::optional<double> least_gap() {
         Refiner refiner(RefineOptions{tray_.setup().size});
-        std::vector<Body> parts = standing_.placed();
-        standing_.add_fixed(parts);
-        for (const Body& part : parts) {
-            refiner.add({part.surface, part.offset});
+        std::vector<Body> bodies = bodies_.placed();
+        bodies_.add_fixed(bodies);
+        for (const Body& body : bodies) {
+            refiner.add({body.surface, body.offset});
         }
-        return refiner.least_gap(options_.workers);
+        return refiner.least_gap(context_.workers);
     }
 
     /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.
     std::vector<PlacedCopy> disassemble() {
-        std::vector<Body> parts = standing_.placed();
-        const std::size_t movable = parts.size();
-        standing_.add_what_stays(parts);
-        std::vector<std::size_t> discarded_after(parts.size(), PlanRepair::kStayed);
-        Disassembler disassembler(standing_.disassembly(), parts, options_.left);
+        std::vector<Body> bodies = bodies_.placed();
+        const std::size_t movable = bodies.size();
+        bodies_.add_what_stays(bodies);
+        std::vector<std::size_t> discarded_after(bodies.size(), PlanRepair::kStayed);
+        Disassembler disassembler(bodies_.disassembly(), bodies, options_.left);
         for (;;) {
             disassembler.run();
-            if (stop_.stopped()) break;
+            if (context_.stop.stopped()) break;
             const std::vector<std::vector<int>> sets = disassembler.stuck();
             if (sets.empty()) break;
             for (const std::vector<int>& set : sets) {
-                for (const int i : select_remove(set, parts, options_.take_out)) {
+                for (const int i : select_remove(set, bodies, options_.take_out)) {
                     disassembler.discard(i);
                     discarded_after[static_cast<std::size_t>(i)] = disassembler.steps().size();
                 }
             }
         }
-        PlanRepair plan(standing_.disassembly(), parts, disassembler.steps(), std::move(discarded_after));
-        let_back(plan, parts);
+        PlanRepair plan(bodies_.disassembly(), bodies, disassembler.steps(), std::move(discarded_after));
+        let_back(plan, bodies);
         result_.report.counts = disassembler.counts();
         result_.report.counts.fills += plan.fills();
         result_.plan.complete = disassembler.standing() == 0;
         std::vector<PlacedCopy> kept, out;
-        std::vector<int> renumbered(parts.size(), -1);
+        std::vector<int> renumbered(bodies.size(), -1);
         for (std::size_t i = 0; i < movable; ++i) {
             if (plan.out(static_cast<int>(i))) {
                 ++result_.report.counts.removed;
@@ -151,24 +119,27 @@ class Untangling {
                 kept.push_back(placed_[i]);
             }
         }
-        result_.plan.steps = remaining_steps(plan.steps(), renumbered, parts.size() - movable);
+        result_.plan.steps = remaining_steps(plan.steps(), renumbered, bodies.size() - movable);
         placed_ = std::move(kept);
+        for (const PlacedCopy& placed : out) {
+            if (context_.observer) context_.observer->copy_taken_out(placed);
+        }
         return out;
     }
 
     /// Lets stand what may after all of what was taken out, the heaviest first.
-    void let_back(PlanRepair& plan, const std::vector<Body>& parts) {
+    void let_back(PlanRepair& plan, const std::vector<Body>& bodies) {
         struct Out {
-            int part;
+            int index;
             std::int64_t voxels;
         };
         std::vector<Out> all;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (plan.out(static_cast<int>(i))) all.push_back({static_cast<int>(i), parts[i].object.solid->count()});
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            if (plan.out(static_cast<int>(i))) all.push_back({static_cast<int>(i), bodies[i].object.solid->count()});
         }
         std::ranges::stable_sort(all, std::ranges::greater{}, &Out::voxels);
-        for (std::size_t k = 0; k < all.size() && !stop_.stopped(); ++k) {
-            plan.let_back(all[k].part);
+        for (std::size_t k = 0; k < all.size() && !context_.stop.stopped(); ++k) {
+            plan.let_back(all[k].index);
             options_.to_put_back(static_cast<int>(all.size() - k - 1), static_cast<int>(all.size()));
         }
     }
@@ -176,33 +147,42 @@ class Untangling {
     /// mm, of what was placed.
     double height() {
         double top = 0;
-        for (const Body& part : standing_.placed()) {
-            top = std::max(top, part.box().max.z);
+        for (const Body& body : bodies_.placed()) {
+            top = std::max(top, body.box().max.z);
         }
         return top;
     }
 
-    /// Tells where copies are tried first.
-    PlacementSearch& best_search() { return options_.best ? *options_.best : search_; }
-
-    void remove_from_tray(const PlacedCopy& copy) {
-        if (Caps* caps = options_.limits.caps) caps->remove(copy.number.part, copy.orientation, copy.offset);
-        tray_.remove(copy.object);
+    void remove_from_tray(const PlacedCopy& placed) {
+        if (Caps* caps = context_.limits.caps) caps->remove(placed.copy.part, placed.orientation, placed.offset);
+        tray_.remove(placed.object);
     }
 
-    void put_back(const std::vector<PlacedCopy>& removed) {
+    void put_back_what_was(const std::vector<PlacedCopy>& removed) {
         std::vector<Copy> copies;
-        for (const PlacedCopy& copy : removed) {
-            copies.push_back(copy.number);
+        for (const PlacedCopy& placed : removed) {
+            copies.push_back(placed.copy);
         }
         const std::set<Copy> taken_out(copies.begin(), copies.end());
         copies.insert(copies.end(), options_.waiting.begin(), options_.waiting.end());
-        put_in(std::move(copies), taken_out);
+        put_in({std::move(copies), taken_out, freed_, result_.plan.steps}, context_);
+    }
+
+    void put_in(PutBackWish wish, const TrayContext& context) {
+        PutBackResult result = put_back({tray_, placed_, context, options_, bodies_}, std::move(wish));
+        result_.plan.steps = std::move(result.steps);
+        for (const Copy& copy : result.interlocked) {
+            result_.interlocked.push_back(copy);
+        }
+        InterlockCounts& counts = result_.report.counts;
+        counts.reinserted += result.put_back;
+        counts.added += result.added;
+        counts.fills += result.fills;
     }
 
     /// Under an open ceiling what was taken out always finds a place, if only on top of all. Where that made the
     /// packing higher, all is packed once more, each copy where it comes out from among those before it; the lower one
-    /// stays.
+    /// stays. The observer is told of what stays in the end.
     void pack_anew_if_lower() {
         const double height_now = height();
         Untangled repaired = std::exchange(result_, {});
@@ -213,11 +193,19 @@ class Untangling {
             remove_from_tray(copy);
         }
         result_.plan.complete = true;
-        best_search().forget();
-        put_in(options_.order, {});
-        if (!stop_.stopped() && placed_.size() >= placed.size() && height() < height_now) {
+        (options_.best ? *options_.best : context_.search).forget();
+        TrayContext unobserved = context_;
+        unobserved.observer = nullptr;
+        try {
+            put_in({options_.order, {}, freed_, {}}, unobserved);
+        } catch (...) {
+            tell_anew();
+            throw;
+        }
+        if (!context_.stop.stopped() && placed_.size() >= placed.size() && height() < height_now) {
             result_.report.counts = {.fills = repaired.report.counts.fills + result_.report.counts.fills};
             result_.report.disassemble_seconds = repaired.report.disassemble_seconds;
+            tell_anew();
             return;
         }
         for (const PlacedCopy& copy : placed_) {
@@ -225,131 +213,31 @@ class Untangling {
         }
         placed_ = placed;
         for (std::size_t i = 0; i < placed_.size(); ++i) {
-            if (Caps* caps = options_.limits.caps)
-                caps->add(placed_[i].copy.part, placed_[i].orientation, placed_[i].offset);
-            placed_[i].object = tray_.add(std::move(objects[i]));
+            PlacedCopy& copy = placed_[i];
+            if (Caps* caps = context_.limits.caps) caps->add(copy.copy.part, copy.orientation, copy.offset);
+            copy.object = tray_.add(std::move(objects[i]));
         }
         result_ = std::move(repaired);
     }
 
-    /// What goes on while copies are put in.
-    struct Pass {
-        RemovablePacking packing;
-        ReachableSearch reachable;
-        std::map<int, Places> refused;  ///< by part: where one copy did not come out, another does not
-        int most_places;                ///< tried of each copy; where it is 1, none are called refused
-    };
-
-    /// In the order of the job.
-    void put_in(std::vector<Copy> copies, const std::set<Copy>& taken_out) {
-        std::map<Copy, std::size_t> rank;
-        for (const Copy& copy : options_.order) {
-            rank.emplace(copy, rank.size());
-        }
-        std::stable_sort(copies.begin(), copies.end(), [&](const Copy& a, const Copy& b) { return rank[a] < rank[b]; });
-        // Without a ceiling there is always one that can be reached, and others take long to find.
-        const int places = tray_.setup().ceiling == Ceiling::open ? 1 : kPlacesTried;
-        Pass pass{
-            RemovablePacking(standing_, result_.plan.steps), ReachableSearch(search_, options_.walls), {}, places};
-        ShapeStore& shapes = *options_.shapes;
-        shapes.start_tray(copies, ShapeStore::kAheadOfWays);
-        std::unordered_set<int> hopeless;
-        for (std::size_t i = 0; i < copies.size(); ++i) {
-            const bool was_taken_out = taken_out.contains(copies[i]);
-            const bool again = !stop_.stopped() && !hopeless.contains(copies[i].part) &&
-                               put_in(copies[i], asked(shapes.at(i), was_taken_out), pass);
-            if (!again) {
-                hopeless.insert(copies[i].part);
-                if (was_taken_out && !stop_.stopped()) result_.interlocked.push_back(copies[i]);
-            } else {
-                ++(was_taken_out ? result_.report.counts.reinserted : result_.report.counts.added);
-            }
-            shapes.release(i, again);
-            options_.to_put_back(static_cast<int>(copies.size() - i - 1), static_cast<int>(copies.size()));
-        }
-        result_.plan.steps = pass.packing.steps();
-        result_.report.counts.fills += pass.packing.fills();
-    }
-
-    /// A copy that had no room before has some only where something was taken out, unless caps or a ceiling that goes
-    /// up make room elsewhere.
-    Shape asked(const Shape& shape, bool was_taken_out) const {
-        Shape asked = shape;
-        const bool full =
-            options_.waiting_had_no_room && !options_.limits.caps && tray_.setup().ceiling == Ceiling::closed;
-        if (full && !was_taken_out) asked.only_near = freed_;
-        return asked;
-    }
-
-    /// At the best place from which it comes out once its turn comes, of the first few that are not near one another,
-    /// or else at the best that is reachable now.
-    bool put_in(const Copy& copy, const Shape& shape, Pass& pass) {
-        const Caps* caps = options_.limits.caps;
-        if (caps && !caps->why_not(copy.part).empty()) return false;
-        const auto place_of = [&](PlacementSearch& search, const Shape& asked) {
-            return find_place(tray_, search, options_.model, copy, asked, options_.limits, stop_).best;
-        };
-        Places& refused = pass.refused[copy.part];
-        Shape elsewhere = shape;
-        elsewhere.admits = [&](int index, const VoxelIndex& q) {
-            return std::ranges::none_of(refused, [&](const Place& place) { return near(shape, place, {index, q}); });
-        };
-        int tried = 0;
-        for (; tried < pass.most_places; ++tried) {
-            const std::optional<BestPlacement> best = place_of(best_search(), refused.empty() ? shape : elsewhere);
-            if (!best) break;
-            if (put_at(*best, copy, shape, pass.packing)) return true;
-            if (pass.most_places > 1) refused.push_back({best->index, best->position});
-        }
-        if (tried == 0 && refused.empty()) return false;  // there is no place at all
-        const std::optional<BestPlacement> best = place_of(pass.reachable, shape);
-        return best && put_at(*best, copy, shape, pass.packing);
-    }
-
-    bool put_at(const BestPlacement& place, const Copy& copy, const Shape& shape, RemovablePacking& packing) {
-        Settled standing = settle_on_grid(shape, place, options_.voxel_size, tray_.detail(), options_.wall_gap);
-        const int orientation = shape.orientations[static_cast<std::size_t>(place.index)].orientation;
-        PlacedCopy placed{copy, orientation, place.position, standing.offset, 0, place.cost};
-        placed_.push_back(placed);
-        if (!packing.admit(placed, standing.object)) {
-            placed_.pop_back();
-            return false;
-        }
-        // Not before: engines keep what they know while objects are only added.
-        placed_.back().object = tray_.add(std::move(standing.object));
-        if (Caps* caps = options_.limits.caps) caps->add(copy.part, orientation, placed.offset);
-        return true;
+    void tell_anew() const {
+        if (context_.observer) spectralpack::tell_anew(*context_.observer, context_.number, placed_);
     }
 
     Tray& tray_;
-    PlacementSearch& search_;
     std::vector<PlacedCopy>& placed_;
+    const TrayContext& context_;
     const UntangleOptions& options_;
-    StopToken stop_;
-    PlacedBodies standing_;
+    PlacedBodies bodies_;
     std::vector<VoxelBox> freed_;  // where copies were taken out
     Untangled result_;
 };
 
 }  // namespace
 
-Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedCopy>& placed, const UntangleOptions& options,
-                   const StopToken& stop) {
-    return Untangling(tray, search, placed, options, stop).run();
-}
-
-Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> parts, std::size_t copies,
-                             const Disassembler::Left& left, const std::vector<RemovalStep>* told) {
-    Disassembler disassembler(options, std::move(parts), left, told);
-    disassembler.run();
-    Disassembly plan;
-    plan.steps = disassembler.steps();
-    if (!options.stop.stopped()) plan.interlocked = disassembler.stuck();
-    for (std::vector<int>& set : plan.interlocked) {
-        std::erase_if(set, [&](int part) { return static_cast<std::size_t>(part) >= copies; });
-    }
-    plan.complete = disassembler.standing() == 0;
-    return plan;
+Untangled untangle(Tray& tray, std::vector<PlacedCopy>& placed, const TrayContext& context,
+                   const UntangleOptions& options) {
+    return Untangling(tray, placed, context, options).run();
 }
 
 }  // namespace spectralpack

@@ -2,23 +2,19 @@
 /// Makes a packed tray one that comes apart (section 4): plans its disassembly, takes out what is interlocked, and puts
 /// that back where it can be taken out again.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "disassembly/disassembler.hpp"
 #include "packing/interlocking/placed_bodies.hpp"
-#include "packing/tray/shape_store.hpp"
 #include "spectralpack/disassembly.hpp"
+#include "spectralpack/options.hpp"
 
 namespace spectralpack {
 
 struct UntangleOptions : BodyOptions {
-    double voxel_size = 2;  ///< mm
-    CostModel model;
+    double voxel_size = 2;            ///< mm
     PlacementSearch* best = nullptr;  ///< tells where copies are tried first; null: the one that all else is asked of
-    ShapeStore* shapes = nullptr;     ///< free to start a tray
-    PlaceLimits limits;
     TakeOut take_out = TakeOut::thinnest;
     bool measure_gap = false;          ///< between copies in the end, where something changed
     std::vector<Copy> order;           ///< in which copies are put back
@@ -52,14 +48,9 @@ struct Untangled {
 /// grid. Without a ceiling all is packed anew where that made the packing higher, and the lower one stays. `placed` and
 /// `tray` end as the packing that the plan is of. When stopped, the plan is complete only if all that stands had been
 /// planned by then, and what has been found interlocked until then is out; what had not been tried by then is not among
-/// `interlocked`. (docs/algorithm.md, section 11)
-Untangled untangle(Tray& tray, PlacementSearch& search, std::vector<PlacedCopy>& placed, const UntangleOptions& options,
-                   const StopToken& stop);
-
-/// Makes the plan for parts that stand, by the steps `told` where it finds none (may be null); takes nothing out.
-/// `interlocked` names the sets that hold each other, of the first `copies` parts: what comes after them is a
-/// container.
-Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> parts, std::size_t copies,
-                             const Disassembler::Left& left, const std::vector<RemovalStep>* told);
+/// `interlocked`. The context's observer is told of what changes in the end: what may stay after all, and a packing
+/// that is given up again, are no change. (docs/algorithm.md, section 11)
+Untangled untangle(Tray& tray, std::vector<PlacedCopy>& placed, const TrayContext& context,
+                   const UntangleOptions& options);
 
 }  // namespace spectralpack

@@ -95,13 +95,16 @@ void search_bases(int side, const BaseSize& least, const BaseSize& most, const P
 }
 
 void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToken& stop, const TellProgress& tell,
-                       PackedJob& packed) {
+                       TrayObserver* observer, PackedJob& packed) {
     const PackingJob& job = packer.job();
     // One base after the other wants the same voxels; the memory plan has room for so many parts'.
     if (static_cast<int>(job.parts.size()) <= job.held) packer.keep_shapes();
     std::optional<BoxScore> least;
     std::int64_t searches = 0;
-    const auto count = [&] { packed.trays.trays.front().searches = searches; };
+    const auto keep = [&] {
+        packed.trays.trays.front().searches = searches;
+        if (observer) tell_of(packed.trays, 0, *observer);
+    };
     const PackOnBase pack_on = [&](const BaseSize& base) -> std::optional<BoxScore> {
         TraysResult trays;
         try {
@@ -125,10 +128,10 @@ void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToke
     try {
         search_bases(first_side(job), {1, 1}, most, pack_on);
     } catch (...) {
-        if (least) count();
+        if (least) keep();
         throw;
     }
-    count();
+    keep();
 }
 
 }  // namespace spectralpack

@@ -29,8 +29,8 @@ void search_bases(int side, const BaseSize& least, const BaseSize& most, const P
 
 /// Packs the job on one base after the other, `most` the largest, and keeps the packing whose own box is least. What a
 /// stop cuts short counts only where there is nothing else. `packed` holds what there is when an exception leaves
-/// this function.
+/// this function. `observer` (may be null) is told of that, at the end.
 void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToken& stop, const TellProgress& tell,
-                       PackedJob& packed);
+                       TrayObserver* observer, PackedJob& packed);
 
 }  // namespace spectralpack

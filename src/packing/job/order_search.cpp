@@ -122,7 +122,7 @@ FoundOrder find_order(const std::vector<Copy>& copies, const OrderSearchOptions&
 }
 
 void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, const TellProgress& tell,
-                        PackedJob& packed) {
+                        TrayObserver* observer, PackedJob& packed) {
     const PackingJob& job = packer.job();
     if (job.keeps_all) packer.keep_shapes();
     FillOptions on_grid = job.fill;
@@ -137,6 +137,10 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     const int beam_work = by_beam ? kBeamBranch * wanted.beam : 0;
     OrdersProgress progress(wanted.restarts + (by_beam ? 1 : 0), wanted.restarts + beam_work + (done_on_grid ? 0 : 1),
                             tell);
+    const auto keep = [&](TraysResult trays, std::size_t told) {
+        packed.trays = std::move(trays);
+        if (observer) tell_of(packed.trays, static_cast<int>(told), *observer);
+    };
     const PackInOrder pack = [&](const std::vector<Copy>& copies, bool beam) -> std::optional<TraysResult> {
         FillOptions fill = on_grid;
         if (beam) {
@@ -148,7 +152,7 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
         try {
             packer.pack({copies, fill, enough, progress.of(work)}, trays);
         } catch (...) {
-            if (progress.first()) packed.trays = std::move(trays);
+            if (progress.first()) keep(std::move(trays), 0);
             if (progress.first() || !out_of_memory(std::current_exception())) throw;
             trays = {};
         }
@@ -159,14 +163,19 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     FoundOrder found = find_order(job.copies, wanted, pack, enough);
     packed.orders = found.packings;
     const std::int64_t searches = found.trays.searches();
-    packed.trays = std::move(found.trays);
-    if (done_on_grid || options.stop.stopped()) return;
+    if (done_on_grid || options.stop.stopped()) return keep(std::move(found.trays), 0);
     packed.copies = std::move(found.copies);
     TraysResult last;
     progress.last();
-    packer.pack({packed.copies, job.fill, options.stop, progress.of(1)}, last);
+    try {
+        packer.pack({packed.copies, job.fill, options.stop, progress.of(1), observer}, last);
+    } catch (...) {
+        keep(std::move(found.trays), last.trays.size());
+        throw;
+    }
+    if (!last.trays.back().untried.empty()) return keep(std::move(found.trays), last.trays.size());
     last.trays.front().searches += searches;
-    if (last.trays.back().untried.empty()) packed.trays = std::move(last);
+    packed.trays = std::move(last);
 }
 
 }  // namespace spectralpack

@@ -47,8 +47,9 @@ struct BestOrderOptions {
 
 /// Looks for the order that packs best on the grid, then packs in it as the job asks for. Cut off before all copies
 /// were tried, that is the packing on the grid. An order that memory is too short for is passed over, but for the
-/// first. `packed` holds what there is when an exception leaves this function.
+/// first. `packed` holds what there is when an exception leaves this function. `observer` (may be null) is told of
+/// that: of the last packing as it is made, of one on the grid at the end.
 void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, const TellProgress& tell,
-                        PackedJob& packed);
+                        TrayObserver* observer, PackedJob& packed);
 
 }  // namespace spectralpack

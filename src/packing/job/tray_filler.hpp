@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "packing/containers/fixed_copies.hpp"
 #include "packing/interlocking/unlinked_search.hpp"
 #include "packing/interlocking/untangle.hpp"
 #include "packing/order/beam.hpp"
@@ -15,14 +16,6 @@
 #include "spectralpack/packing.hpp"
 
 namespace spectralpack {
-
-/// A copy that stands in a tray from the start and never moves.
-struct FixedCopy {
-    int tray = 0;
-    std::shared_ptr<const Mesh> mesh;  ///< in the mesh file's own coordinates
-    Transform transform;               ///< to the container's
-    double gap = 0;                    ///< mm; one of the tray's gap classes
-};
 
 /// What all trays of a job have in common, and the fixed copies of each.
 struct FillOptions {
@@ -59,20 +52,19 @@ struct FilledTray : GreedyResult {
 
 class TrayFiller {
   public:
-    /// `search` outlives the filler and answers for every tray. `part_of`: the meshes that are moved.
-    TrayFiller(FillOptions options, PlacementSearch& search, PartSurfaces::PartOf part_of, const Workers& workers);
+    /// `part_of`: the meshes that are moved.
+    TrayFiller(FillOptions options, const PackContext& context, PartSurfaces::PartOf part_of);
 
-    /// Fills a new tray with what finds a place of `wanted`; `shapes` makes their voxels. `result` as in
-    /// pack_greedily(); in the end it is a packing that comes apart, unless interlocking is off. What finds no place is
-    /// tried again where interlocked copies made room, unless it is left to a next tray.
-    void fill(const TrayCopies& wanted, ShapeStore& shapes, const CopyDone& copy_done, const StopToken& stop,
-              FilledTray& result);
+    /// Fills a new tray with what finds a place of `wanted`. `result` as in pack_greedily(); in the end it is a packing
+    /// that comes apart, unless interlocking is off. What finds no place is tried again where interlocked copies made
+    /// room, unless it is left to a next tray.
+    void fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
-    /// does; copies then count from 0 again.
-    void fill_in_shares(const std::vector<PartShare>& shares, ShapeStore& shapes, const CopyDone& copy_done,
-                        const StopToken& stop, FilledTray& result);
+    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew.
+    void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
+    const PackContext& context() const { return context_; }
     int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }      ///< over all trays, for the record
     double untangle_seconds() const { return untangle_seconds_; }  ///< the same
@@ -81,21 +73,18 @@ class TrayFiller {
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
-    /// Calls `pack` with a tray in which only fixed copies stand, the search to place with, and the rules that copies
-    /// are placed by; then makes what it packed come apart.
+    /// Calls `pack` with a tray in which only fixed copies stand; then makes what it packed come apart.
     template <class Pack>
-    void fill_one(const TrayCopies& wanted, ShapeStore& shapes, const StopToken& stop, FilledTray& result,
-                  const Pack& pack);
+    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack);
 
-    std::vector<Body> stand_fixed(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
-    void make_removable(const TrayCopies& wanted, Tray& tray, std::vector<Body> fixed, PartSurfaces& surfaces,
-                        ShapeStore& shapes, const PlaceLimits& limits, const StopToken& stop, FilledTray& result);
+    std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
+    UntangleOptions untangle_options(const TrayCopies& wanted, const FilledTray& result);
+    void make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options, FilledTray& result);
 
     FillOptions options_;
-    PlacementSearch& search_;
+    PackContext context_;
     UnlinkedSearch unlinked_;
     PartSurfaces::PartOf part_of_;
-    Workers workers_;
     std::vector<PlacedSurface> walls_;       // for refinement
     std::optional<PhysicalWalls> physical_;  // where ways out have to pass them
     int trays_with_fixed_ = 0;

@@ -21,8 +21,9 @@ std::int64_t TraysResult::placed() const {
     return static_cast<std::int64_t>(sum);
 }
 
-void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
-                const TrayCopyDone& copy_done, const StopToken& stop, TraysResult& result) {
+void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
+                const TrayCopyDone& copy_done, TraysResult& result) {
+    const StopToken& stop = filler.context().stop;
     const bool several = limit.trays != 1;
     std::vector<Copy> remaining = copies;
     bool stopped = false;
@@ -33,7 +34,7 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
         FilledTray& tray = result.trays.emplace_back();
         try {
             filler.fill(
-                wanted, shapes, [&](std::size_t done) { copy_done(tray, done); }, stop, tray);
+                wanted, [&](std::size_t done) { copy_done(tray, done); }, tray);
         } catch (...) {
             result.left_over = tray.left_over;
             throw;
@@ -54,6 +55,15 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
     } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
              !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));
     if (!stopped && !result.stuck) result.left_over = remaining;  // with what is interlocked
+}
+
+void tell_of(const TraysResult& result, int told, TrayObserver& observer) {
+    const int trays = static_cast<int>(result.trays.size());
+    for (int number = 0; number < std::max(trays, told); ++number) {
+        tell_anew(observer, number,
+                  number < trays ? result.trays[static_cast<std::size_t>(number)].placed : std::vector<PlacedCopy>{});
+        observer.tray_finished();
+    }
 }
 
 }  // namespace spectralpack

@@ -34,7 +34,11 @@ using TrayCopyDone = std::function<void(const FilledTray& tray, std::size_t copi
 /// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray
 /// without fixed copies stays empty. `result` is filled as it goes, so that it holds what was done when an exception
 /// leaves this function.
-void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler, ShapeStore& shapes,
-                const TrayCopyDone& copy_done, const StopToken& stop, TraysResult& result);
+void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
+                const TrayCopyDone& copy_done, TraysResult& result);
+
+/// Tells of a packing that is done: tray by tray, each copy where it stands. `told`: so many trays have been told of
+/// before; those that are not among the result's are empty now.
+void tell_of(const TraysResult& result, int told, TrayObserver& observer);
 
 }  // namespace spectralpack

@@ -118,14 +118,14 @@ std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int count, const Tr
 }
 
 void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
-    TrayFiller filler(
-        pass.fill, engine_, [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); }, workers_);
     const std::vector<int> counts = copies_of_shapes(pass.copies, shape_ids_);
     ShapeStore shapes(
         [&](int part, const Workers& workers) {
             return shape_of(part, counts[static_cast<std::size_t>(part)], pass.fill.tray, workers);
         },
         workers_, job_.keep, job_.ahead);
+    TrayFiller filler(pass.fill, {engine_, shapes, workers_, pass.stop, pass.observer},
+                      [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); });
     TraysLimit limit = job_.limit;
     if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
     SearchProgress progress(job_, pass, limit.trays == 1);
@@ -142,9 +142,9 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
         if (job_.in_shares) {
             FilledTray& tray = result.trays.emplace_back();
             filler.fill_in_shares(
-                shares_of(job_), shapes, [&](std::size_t done) { copy_done(tray, done); }, pass.stop, tray);
+                shares_of(job_), [&](std::size_t done) { copy_done(tray, done); }, tray);
         } else {
-            fill_trays(pass.copies, limit, filler, shapes, copy_done, pass.stop, result);
+            fill_trays(pass.copies, limit, filler, copy_done, result);
         }
     } catch (...) {
         note();

@@ -18,7 +18,8 @@ struct PackingPass {
     const std::vector<Copy>& copies;  ///< the job's, in the order to try
     const FillOptions& fill;
     StopToken stop;
-    TellProgress tell;  ///< Phase::search
+    TellProgress tell;                 ///< Phase::search
+    TrayObserver* observer = nullptr;  ///< null: nobody is told
 };
 
 class TraysPacker {

@@ -57,17 +57,8 @@ struct Step {
 
 class Beam {
   public:
-    Beam(const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies, ShapeStore& shapes,
-         const Settle& settle, const StopToken& stop, GreedyResult& result, int most_layers)
-        : options_(options),
-          model_(model),
-          copies_(copies),
-          shapes_(shapes),
-          settle_(settle),
-          stop_(stop),
-          result_(result),
-          most_layers_(most_layers),
-          released_(copies.size(), false) {}
+    Beam(const BeamOptions& options, const TrayContext& context, const std::vector<Copy>& copies, GreedyResult& result)
+        : options_(options), context_(context), copies_(copies), result_(result), released_(copies.size(), false) {}
 
     void run(Tray& tray, const CopyDone& copy_done) {
         State first{tray, options_.make_engine(), std::vector<Fate>(copies_.size(), Fate::waiting), {}, {}, {}};
@@ -106,9 +97,8 @@ class Beam {
             if (!state.waits_for(k) || seen.contains(copy.part)) continue;
             const int of_item = options_.ranks[static_cast<std::size_t>(copy.part)];
             if (rank && of_item != *rank) break;
-            const Shape& shape = shapes_.at(k);
-            const SearchResult answer =
-                find_place(state.tray, *state.engine, model_, copy, shape, {nullptr, most_layers_}, stop_);
+            const Shape& shape = context_.shapes.at(k);
+            const SearchResult answer = find_place(state.tray, *state.engine, context_, copy, shape);
             stopped_ = answer.stopped;
             if (stopped_) return true;
             ++result_.searches;
@@ -121,7 +111,7 @@ class Beam {
             ++found;
             const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(answer.best->index)];
             const VoxelIndex& at = answer.best->position;
-            Step step{i, k, *answer.best, with(state.cost, model_, answer.best->cost, oriented.solid->count()),
+            Step step{i, k, *answer.best, with(state.cost, context_.model, answer.best->cost, oriented.solid->count()),
                       state.stands};
             const Stand stand{copy.part, oriented.orientation, at.x, at.y, at.z};
             step.stands.insert(std::upper_bound(step.stands.begin(), step.stands.end(), stand), stand);
@@ -179,8 +169,8 @@ class Beam {
 
     void place(State& state, Step step) {
         const Copy& copy = copies_[step.copy];
-        const Shape& shape = shapes_.at(step.copy);
-        Settled standing = settle_(copy, shape, step.best);
+        const Shape& shape = context_.shapes.at(step.copy);
+        Settled standing = context_.settle(copy, shape, step.best);
         const ObjectId object = state.tray.add(std::move(standing.object));
         const int orientation = shape.orientations[static_cast<std::size_t>(step.best.index)].orientation;
         state.placed.push_back({copy, orientation, step.best.position, standing.offset, object, step.best.cost});
@@ -204,7 +194,7 @@ class Beam {
             if (released_[k]) continue;
             released_[k] =
                 std::none_of(states_.begin(), states_.end(), [k](const State& state) { return state.waits_for(k); });
-            if (released_[k]) shapes_.release(k, false);
+            if (released_[k]) context_.shapes.release(k, false);
         }
     }
 
@@ -215,13 +205,9 @@ class Beam {
     }
 
     const BeamOptions& options_;
-    const CostModel& model_;
+    const TrayContext& context_;
     const std::vector<Copy>& copies_;
-    ShapeStore& shapes_;
-    const Settle& settle_;
-    const StopToken& stop_;
     GreedyResult& result_;
-    int most_layers_;
     std::vector<State> states_;
     std::optional<State> best_;  // of those that are done
     PackingScore score_;         // its
@@ -231,10 +217,13 @@ class Beam {
 
 }  // namespace
 
-void pack_in_beam(Tray& tray, const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies,
-                  ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                  GreedyResult& result, int most_layers) {
-    Beam(options, model, copies, shapes, settle, stop, result, most_layers).run(tray, copy_done);
+void pack_in_beam(Tray& tray, const BeamOptions& options, const TrayContext& context, const std::vector<Copy>& copies,
+                  const CopyDone& copy_done, GreedyResult& result) {
+    Beam(options, context, copies, result).run(tray, copy_done);
+    if (!context.observer) return;
+    for (const PlacedCopy& placed : result.placed) {
+        context.observer->copy_placed(placed);
+    }
 }
 
 }  // namespace spectralpack

@@ -31,8 +31,7 @@ inline constexpr int kBeamBranch = 2;
 /// were placed: pack_greedily() in that order gives the same packing. When stopped, the best of what there is.
 /// Deterministic; about width * kBeamBranch times the searches of pack_greedily(), and a tray and an engine a state.
 /// For trays without caps.
-void pack_in_beam(Tray& tray, const BeamOptions& options, const CostModel& model, const std::vector<Copy>& copies,
-                  ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                  GreedyResult& result, int most_layers);
+void pack_in_beam(Tray& tray, const BeamOptions& options, const TrayContext& context, const std::vector<Copy>& copies,
+                  const CopyDone& copy_done, GreedyResult& result);
 
 }  // namespace spectralpack

@@ -29,70 +29,68 @@ class Placer {
   public:
     enum class Outcome { placed, no_place, stopped };
 
-    Placer(Tray& tray, PlacementSearch& search, const CostModel& model, const Settle& settle, const StopToken& stop,
-           GreedyResult& result, const PlaceLimits& limits)
-        : tray_(tray), search_(search), model_(model), settle_(settle), stop_(stop), result_(result), limits_(limits) {}
+    Placer(Tray& tray, const TrayContext& context, GreedyResult& result)
+        : tray_(tray), context_(context), result_(result) {}
 
     template <class ShapeOf>
     Outcome place(const Copy& copy, const ShapeOf& shape_of) {
-        if (stop_.stopped()) return Outcome::stopped;
-        if (limits_.caps) {
-            const std::string why = limits_.caps->why_not(copy.part);
+        if (context_.stop.stopped()) return Outcome::stopped;
+        Caps* const caps = context_.limits.caps;
+        if (caps) {
+            const std::string why = caps->why_not(copy.part);
             if (!why.empty()) {
                 result_.why[copy.part] = why;
                 return Outcome::no_place;
             }
         }
         const Shape& shape = shape_of();
-        const SearchResult found = find_place(tray_, search_, model_, copy, shape, limits_, stop_);
+        const SearchResult found = find_place(tray_, context_.search, context_, copy, shape);
         if (found.stopped) return Outcome::stopped;
         ++result_.searches;
         if (!found.best) {
-            const std::string why = limits_.caps ? limits_.caps->no_layer_left() : "";
+            const std::string why = caps ? caps->no_layer_left() : "";
             if (!why.empty()) result_.why[copy.part] = why;
             return Outcome::no_place;
         }
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
-        Settled standing = settle_(copy, shape, *found.best);
-        const ObjectId object = tray_.add(std::move(standing.object));
-        if (limits_.caps) limits_.caps->add(copy.part, oriented.orientation, standing.offset);
+        Settled settled = context_.settle(copy, shape, *found.best);
+        const ObjectId object = tray_.add(std::move(settled.object));
+        if (caps) caps->add(copy.part, oriented.orientation, settled.offset);
         result_.placed.push_back(
-            {copy, oriented.orientation, found.best->position, standing.offset, object, found.best->cost});
+            {copy, oriented.orientation, found.best->position, settled.offset, object, found.best->cost});
+        if (context_.observer) context_.observer->copy_placed(result_.placed.back());
         return Outcome::placed;
     }
 
   private:
     Tray& tray_;
-    PlacementSearch& search_;
-    const CostModel& model_;
-    const Settle& settle_;
-    const StopToken& stop_;
+    const TrayContext& context_;
     GreedyResult& result_;
-    const PlaceLimits& limits_;
 };
 
 }  // namespace
 
-SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const Copy& copy,
-                        const Shape& shape, const PlaceLimits& limits, const StopToken& stop) {
+SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                        const Shape& shape) {
+    Caps* const caps = context.limits.caps;
     for (;;) {
-        CostModel allowed = model;
-        if (limits.caps) allowed.allowed = limits.caps->allowed(copy.part, shape, tray.extent().z);
-        SearchResult found = search.best_placement(tray, shape, allowed, stop);
+        CostModel allowed = context.model;
+        if (caps) allowed.allowed = caps->allowed(copy.part, shape, tray.extent().z);
+        SearchResult found = search.best_placement(tray, shape, allowed, context.stop);
         if (found.stopped || tray.setup().ceiling == Ceiling::closed) return found;
         if (found.best && holds_in_any_grid(tray, shape, allowed, *found.best)) return found;
         const int enough = layers_on_top(tray, shape);
         if (!found.best && tray.extent().z >= enough) return found;
-        grow(tray, enough, limits.most_layers);
+        grow(tray, enough, context.limits.most_layers);
     }
 }
 
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<Copy>& copies,
-                   ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                   GreedyResult& result, const PlaceLimits& limits) {
-    Placer placer(tray, search, model, settle, stop, result, limits);
+void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,
+                   GreedyResult& result) {
+    ShapeStore& shapes = context.shapes;
+    Placer placer(tray, context, result);
     std::unordered_set<int> hopeless;  // parts that found no place
-    const auto most_hopeless = static_cast<std::size_t>(limits.give_up_after);
+    const auto most_hopeless = static_cast<std::size_t>(context.limits.give_up_after);
     for (std::size_t i = 0; i < copies.size(); ++i) {
         if (most_hopeless > 0 && hopeless.size() >= most_hopeless) return;
         const Copy& copy = copies[i];
@@ -116,9 +114,9 @@ void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, 
     }
 }
 
-void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
-                    ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                    GreedyResult& result, const PlaceLimits& limits) {
+void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
+                    const CopyDone& copy_done, GreedyResult& result) {
+    ShapeStore& shapes = context.shapes;
     struct Candidate {
         std::size_t index;  // in `shares`
         int placed = 0;
@@ -127,7 +125,7 @@ void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model,
     for (std::size_t i = 0; i < shares.size(); ++i) {
         open.push_back({i});
     }
-    Placer placer(tray, search, model, settle, stop, result, limits);
+    Placer placer(tray, context, result);
     while (!open.empty()) {
         std::int64_t placed = 0, all = 0;
         for (const Candidate& part : open) {

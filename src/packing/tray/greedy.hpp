@@ -7,12 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "packing/order/order.hpp"
-#include "packing/tray/caps.hpp"
-#include "packing/tray/placed_copy.hpp"
-#include "packing/tray/shape_store.hpp"
-#include "search/placement_search.hpp"
-#include "spectralpack/stop.hpp"
+#include "packing/tray/context.hpp"
 
 namespace spectralpack {
 
@@ -27,29 +22,21 @@ struct GreedyResult {
     std::map<int, std::string> why;  ///< by part, of what a cap left over
 };
 
-/// What else decides whether a copy is placed.
-struct PlaceLimits {
-    Caps* caps = nullptr;   ///< of this tray; null: none
-    int most_layers = 0;    ///< without a ceiling: how high the grid may grow; 0: as it needs
-    int give_up_after = 0;  ///< parts that find no place; the rest is not tried then. 0: never
-};
+/// The best placement that `search` finds for `shape`, of `copy`, within the limits. Under an open ceiling `tray` is
+/// replaced by a higher one while a place above its grid could be the best (packing/tray/open_height.hpp); throws
+/// ResourceError where that takes more than most_layers.
+SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                        const Shape& shape);
 
-/// The best placement of `shape`, a copy of copy.part, within the limits. Under an open ceiling `tray` is replaced by a
-/// higher one while a place above its grid could be the best (packing/open_height.hpp); throws ResourceError where that
-/// takes more than most_layers.
-SearchResult find_place(Tray& tray, PlacementSearch& search, const CostModel& model, const Copy& copy,
-                        const Shape& shape, const PlaceLimits& limits, const StopToken& stop);
-
-/// Packs `copies` into `tray` on top of what stands there; `shapes` has been told of them (start_tray). A copy whose
-/// part has already found no place is left over without a search: the tray only fills up. `settle` decides where a
-/// copy stands once its place is found. `result` is filled as it goes, so that it holds what was done when an
-/// exception (out of memory, two engines that disagree) leaves this function.
+/// Packs `copies` into `tray` on top of what stands there; the shapes have been told of them (start_tray). A copy whose
+/// part has already found no place is left over without a search: the tray only fills up. `result` is filled as it
+/// goes, so that it holds what was done when an exception (out of memory, two engines that disagree) leaves this
+/// function.
 /// Under an open ceiling `tray` is replaced by a higher one whenever a place above its grid could be the best
-/// (packing/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is left
-/// over; throws ResourceError where that takes more than most_layers.
-void pack_greedily(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<Copy>& copies,
-                   ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                   GreedyResult& result, const PlaceLimits& limits = {});
+/// (packing/tray/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is
+/// left over; throws ResourceError where that takes more than most_layers.
+void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,
+                   GreedyResult& result);
 
 /// A part and how many of its copies there should be for so many of the others'.
 struct PartShare {
@@ -58,10 +45,9 @@ struct PartShare {
 };
 
 /// As many copies as find a place: each time one of the part that lacks most of its share among the parts that still
-/// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part.
-/// `shapes`: one copy a part, in the order of `shares`. Nothing is left over.
-void pack_in_shares(Tray& tray, PlacementSearch& search, const CostModel& model, const std::vector<PartShare>& shares,
-                    ShapeStore& shapes, const Settle& settle, const CopyDone& copy_done, const StopToken& stop,
-                    GreedyResult& result, const PlaceLimits& limits = {});
+/// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part. The
+/// shapes have been told of one copy a part, in the order of `shares`. Nothing is left over.
+void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
+                    const CopyDone& copy_done, GreedyResult& result);
 
 }  // namespace spectralpack
