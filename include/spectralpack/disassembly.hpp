@@ -1,9 +1,9 @@
 #pragma once
 /// A disassembly plan (section 4): how a tray's copies come apart by translations alone.
 ///
-/// Copies in one company stand together; at first that is the whole tray. A step of one placement takes it away
-/// from its company for good. A step of several takes them out as one rigid body, and from then on they are a
-/// company of their own, as if in a tray to themselves: they stand to each other as they did, later steps take them
+/// Copies in one subassembly stand together; at first that is the whole tray. A step of one placement takes it away
+/// from its subassembly for good. A step of several takes them out as one rigid body, and from then on they are a
+/// subassembly of their own, as if in a tray to themselves: they stand to each other as they did, later steps take them
 /// apart among themselves, and what they leave behind is judged without them. Nothing is taken back.
 
 #include <vector>
@@ -12,12 +12,12 @@
 
 namespace spectralpack {
 
-/// One copy, or several as one rigid group, leave their company.
+/// One copy, or several as one rigid group, leave their subassembly.
 struct RemovalStep {
     std::vector<int>
-        placements;  ///< indices into TrayPacking::placements, ascending; all of one company, not all of it
-    /// Translations made one after the other from where the placements stand in the packing (the way their company
-    /// has gone before does not matter: it moved as one), mm; each keeps clear of what is left of the company. The
+        placements;  ///< indices into TrayPacking::placements, ascending; all of one subassembly, not all of it
+    /// Translations made one after the other from where the placements stand in the packing (the way their subassembly
+    /// has gone before does not matter: it moved as one), mm; each keeps clear of what is left of the subassembly. The
     /// last one ends wholly outside the bounding box of that. Empty where nothing is left of it.
     std::vector<Vec3> path;
 
@@ -42,10 +42,10 @@ struct InterlockCounts {
 
 struct Disassembly {
     /// Every copy that is not fixed has one step of its own, also after it left in a group, and also where it is the
-    /// last of its company. Fixed ones never move and have none; of the container's walls only physical
+    /// last of its subassembly. Fixed ones never move and have none; of the container's walls only physical
     /// ones hold anything.
     bool complete = false;
-    std::vector<RemovalStep> steps;  ///< in order: each sees only what earlier ones left of its company
+    std::vector<RemovalStep> steps;  ///< in order: each sees only what earlier ones left of its subassembly
     /// What the plan does not take apart: sets of placements that hold each other, where known. With these empty and
     /// `complete` false, the search for a plan was ended early.
     std::vector<std::vector<int>> interlocked;

@@ -24,7 +24,7 @@ namespace spectralpack {
 namespace {
 
 /// One run of pack(): puts together what is loaded, planned, searched with, packed by a strategy and recorded.
-class Run {
+class JobRun {
   public:
     JobRun(const Job& job, Listener& listener, const StopToken& stop)
         : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}

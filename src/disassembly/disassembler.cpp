@@ -8,6 +8,7 @@
 
 #include "disassembly/graph/blocking_graph.hpp"
 #include "disassembly/graph/rays.hpp"
+#include "disassembly/ways_out.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
@@ -37,8 +38,7 @@ class Disassembler::Dismantler {
     }
 
     /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
-    Dismantler(const Dismantler& founder, const Members& members,
-               std::vector<std::optional<Subassembly::Flooded>> known)
+    Dismantler(const Dismantler& founder, const Members& members, std::vector<std::optional<Flooded>> known)
         : owner_(founder.owner_),
           subassembly_(founder.subassembly_, members),
           graph_(founder.graph_.among(members)),
@@ -75,7 +75,7 @@ class Disassembler::Dismantler {
         subassembly_.remove(i);
         graph_.remove(i);
         known_[i].reset();
-        for (std::optional<Subassembly::Flooded>& known : known_) {
+        for (std::optional<Flooded>& known : known_) {
             if (known && known->closed_region && known->closed_region->touches(gone)) known.reset();
         }
     }
@@ -186,12 +186,12 @@ class Disassembler::Dismantler {
     /// Finds a way out for each of these, or that there is none. False: stopped.
     bool flood(const Members& members) {
         const StopToken& stop = owner_.options_.stop;
-        std::vector<Subassembly::Flooded> flooded(members.size());
+        std::vector<Flooded> flooded(members.size());
         owner_.options_.workers.for_each_in_order(std::ssize(members), [&](std::int64_t k) {
             if (stop.stopped()) return;
             const auto at = static_cast<std::size_t>(k);
             Subassembly::Flood flood = subassembly_.flood(members[at]);
-            flooded[at] = subassembly_.way_out(flood);
+            flooded[at] = way_out(subassembly_, flood);
         });
         if (stop.stopped()) return false;
         for (std::size_t k = 0; k < members.size(); ++k) {
@@ -262,7 +262,7 @@ class Disassembler::Dismantler {
         std::vector<std::optional<Subassembly::Path>> ways(members.size());
         const std::int64_t first = owner_.options_.workers.first(std::ssize(members), [&](std::int64_t k) {
             const auto at = static_cast<std::size_t>(k);
-            if (!owner_.options_.stop.stopped()) ways[at] = subassembly_.way_beside_the_grid(members[at]);
+            if (!owner_.options_.stop.stopped()) ways[at] = way_beside_the_grid(subassembly_, members[at]);
             return ways[at].has_value();
         });
         if (first == std::ssize(members)) return false;
@@ -274,7 +274,7 @@ class Disassembler::Dismantler {
 
     void found_subassembly(const Members& group, Subassembly::Path path) {
         // A closed region that only they close stays closed.
-        std::vector<std::optional<Subassembly::Flooded>> known(group.size());
+        std::vector<std::optional<Flooded>> known(group.size());
         for (std::size_t k = 0; k < group.size(); ++k) {
             if (!stuck(group[k])) continue;
             known[k] = known_[group[k]];
@@ -293,9 +293,8 @@ class Disassembler::Dismantler {
     Disassembler& owner_;
     Subassembly subassembly_;
     BlockingGraph graph_;
-    std::vector<std::optional<Subassembly::Flooded>>
-        known_;                       // of those asked about: a way for good, or the closed region
-    std::vector<std::size_t> turns_;  // the order of flood fills, the highest first
+    std::vector<std::optional<Flooded>> known_;  // of those asked about: a way for good, or the closed region
+    std::vector<std::size_t> turns_;             // the order of flood fills, the highest first
     std::size_t turn_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
-/// Copies that stand together (model/disassembly.hpp), and the two questions asked of them: is a straight way free, by
-/// exact sweeps of the true meshes; and is there any way out, by flood fill through voxels, each move of it then
-/// confirmed by an exact sweep.
+/// Copies that stand together (spectralpack/disassembly.hpp), and what is asked of them: is a way free, by exact sweeps
+/// of the true meshes; and what are the voxels that ways with corners are looked for in (disassembly/ways_out.hpp).
 
 #include <functional>
 #include <map>
@@ -14,7 +13,6 @@
 #include "disassembly/body.hpp"
 #include "disassembly/graph/blocking_graph.hpp"
 #include "disassembly/standing_hull.hpp"
-#include "disassembly/ways/closed_region.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/slide.hpp"
 #include "search/placement_search.hpp"
@@ -51,6 +49,8 @@ class Subassembly {
     /// `members` of `whole`, which become 0, 1, ..., to themselves; closed.
     Subassembly(const Subassembly& whole, const Members& members);
 
+    double voxel_size() const { return tray_.voxel_size(); }
+    const StopToken& stop() const { return options_.stop; }
     std::size_t size() const { return parts_.size(); }
     const Body& part(std::size_t i) const { return parts_[i]; }
     int name(std::size_t i) const { return names_[i]; }
@@ -76,11 +76,17 @@ class Subassembly {
     /// Time grows with the triangles near to the way.
     Straight straight_way(const Members& members, AxisDirection direction, const BlockingGraph* known = nullptr) const;
 
-    struct Flooded {
-        std::optional<Path> path;
-        std::optional<ClosedRegion> closed_region{};  ///< where there is none
-        bool began = false;                           ///< some position near where it stands is free
+    /// What may shorten a question about a move: pairs known to pass (from where all stand), and whom to ask first.
+    struct Hints {
+        const BlockingGraph* known = nullptr;
+        std::optional<std::size_t> first;
     };
+    /// The same for members that have moved by `from` before.
+    Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction, const Hints& hints) const;
+    /// Whether members that have moved by `from` may go on by `move`, along an axis, or by all moves of a path.
+    bool free_move(const Members& members, const Vec3& from, const Vec3& move) const;
+    bool free_path(const Members& members, Vec3 from, const Path& path) const;
+
     /// What a flood fill for one copy starts from.
     struct Flood {
         std::size_t i = 0;
@@ -88,24 +94,17 @@ class Subassembly {
         Vec3 at;                                  ///< where it stands, from the grid's corner, mm
         VoxelIndex nearest;                       ///< the position nearest to that
         bool on_grid = true;                      ///< which is where it stands
-        VoxelBox others;                          ///< around all that stands besides, from the tray's origin
+        VoxelIndex origin;                        ///< of what `tiles` tell of, in the grid
+        VoxelBox others;                          ///< around all that stands besides, from there
         std::unique_ptr<FreeTileReader> tiles{};  ///< null: nothing stands besides
     };
     /// Several threads may ask for different copies.
     Flood flood(std::size_t i) const;
-    /// Any way out for one copy of which no straight one is free (sections 4.1 and 4.2), in few moves. Where the
-    /// options's token has stopped it, there is none and the closed region says nothing. Likewise.
-    Flooded way_out(Flood& flood) const;
-    /// A straight one, or else any.
-    std::optional<Path> any_way_out(std::size_t i) const;
-    /// A way of two moves that voxels need not see: one of a voxel's length, then straight on. For copies that stand
-    /// off the grid so near to others that a flood fill has nowhere to begin.
-    std::optional<Path> way_beside_the_grid(std::size_t i) const;
     /// Whether `members` (ascending) leave by that path as one. False where a move of it does not follow an axis.
     bool leads_out(const Members& members, const Path& path) const;
 
   private:
-    /// Part of the options's grid, and where it lies in that.
+    /// Part of the options' grid, and where it lies in that.
     struct Plot {
         TraySetup grid;
         VoxelIndex origin;
@@ -122,22 +121,9 @@ class Subassembly {
         AxisDirection direction;
         double way = 0;
     };
-    /// What may shorten a question about a move: pairs known to pass (from where all stand), and whom to ask first.
-    struct Hints {
-        const BlockingGraph* known = nullptr;
-        std::optional<std::size_t> first;
-    };
     /// Whom they would meet. Appends whom they pass.
     std::optional<Pair> meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const;
     Box box_of(const Members& members) const;
-    Straight straight_way(const Members& members, const Vec3& from, AxisDirection direction, const Hints& hints) const;
-    bool free_move(const Members& members, const Vec3& from, const Vec3& move) const;
-    bool free_path(const Members& members, Vec3 from, const Path& path) const;
-    /// Moves along the axes, in some order, that are free and come to `move`.
-    std::optional<Path> snap(std::size_t i, const Vec3& move) const;
-    /// Goes along `path`, which leads outside, to the first corner from which it is free to go straight out, and then
-    /// that way. None where a move is not free.
-    std::optional<Path> out_along(std::size_t i, const Path& path) const;
 
     const DisassemblyOptions& options_;
     std::vector<int> names_;
@@ -146,7 +132,7 @@ class Subassembly {
     std::vector<bool> present_;
     BoxIndex index_;
     StandingHull hull_, voxel_hull_;
-    VoxelIndex origin_;  // of the tray, in the options's grid
+    VoxelIndex origin_;  // of the tray, in the options' grid
     Tray tray_;
     std::vector<ObjectId> objects_;
     std::unique_ptr<std::mutex> asking_ = std::make_unique<std::mutex>();  // guards the search and what follows

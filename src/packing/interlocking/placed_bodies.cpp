@@ -16,8 +16,8 @@ PlacedBodies::PlacedBodies(const BodyOptions& options, const Tray& tray, const s
     disassembly_.ray_spacing =
         options.ray_spacing.value_or(DisassemblyOptions::spacing_for(disassembly_.grid.voxel_size));
     disassembly_.on_grid = [this](int i) {
-        const PlacedCopy& placed = placed_[static_cast<std::size_t>(i)];
-        const Mesh mesh = options_.surfaces->turned_mesh(placed.copy.part, placed.orientation);
+        const PlacedCopy& copy = placed_[static_cast<std::size_t>(i)];
+        const Mesh mesh = options_.surfaces->turned_mesh(copy.copy.part, copy.orientation);
         return std::make_shared<const BitGrid>(voxelize(mesh, disassembly_.grid.voxel_size, disassembly_.workers));
     };
     disassembly_.workers = context.workers;
@@ -62,7 +62,7 @@ void PlacedBodies::add_fixed(std::vector<Body>& bodies) const {
 }
 
 void PlacedBodies::add_what_stays(std::vector<Body>& bodies) const {
-    add_fixed(parts);
+    add_fixed(bodies);
     if (options_.walls) bodies.push_back(options_.walls->part);
 }
 

@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "disassembly/ways/reachable_region.hpp"
-#include "packing/interlocking/row_sample.hpp"
+#include "packing/interlocking/samples.hpp"
 
 namespace spectralpack {
 namespace {
 
-/// Room for what walks remember, shared by all of a search.
-class Room {
+/// How much walks may remember, shared by all of a search.
+class WalkMemory {
   public:
-    Room(std::int64_t bytes, std::size_t walkers)
+    WalkMemory(std::int64_t bytes, std::size_t walkers)
         : bytes_(bytes), share_(bytes / (2 * static_cast<std::int64_t>(std::max<std::size_t>(1, walkers)))) {}
 
     /// What one walker has grew from `before` to `now`. False where it should forget it: together they have too much,
@@ -39,7 +39,7 @@ struct Ways {
     std::optional<ReachableRegion> region;
 
     bool lead_out(const VoxelIndex& from, const Outlines& standing, const Extent& around, const StopToken& stop,
-                  Room& room) {
+                  WalkMemory& memory) {
         if (!outlines) outlines.emplace(*solid);
         const std::int64_t before = region ? region->bytes() : 0;
         if (!region) {
@@ -47,8 +47,8 @@ struct Ways {
                            [this, &standing](const VoxelIndex& q) { return outlines->leave(standing, q); });
         }
         const bool way = region->contains(from);
-        if (!room.grow(before, region->bytes())) {
-            room.forget(region->bytes());
+        if (!memory.grow(before, region->bytes())) {
+            memory.forget(region->bytes());
             region.reset();
         }
         return way;
@@ -75,7 +75,7 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
     const int s = tray.detail(), margin = walls_ ? walls_->margin : 0;
     const Outlines& standing = outlines(fine);
     std::vector<Known> known(shape.orientations.size());
-    Room room(kept_, 2 * known.size());
+    WalkMemory memory(kept_, 2 * known.size());
     const auto read = [&](std::shared_ptr<const BitGrid> voxels, Ways& ways) {
         ways.tiles = engine_.free_tiles(fine, voxels, {});
         ways.solid = std::move(voxels);
@@ -95,8 +95,8 @@ SearchResult ReachableSearch::best_placement(const Tray& tray, const Shape& shap
         Known& of = known[static_cast<std::size_t>(index)];
         const std::lock_guard lock(of.mutex);
         // Where some of it does not come out, neither does all of it, and that takes fewer look-ups.
-        if (of.of_sample.tiles && !of.of_sample.lead_out(start, standing, fine.extent(), stop, room)) return false;
-        return of.of_solid.lead_out(start, standing, fine.extent(), stop, room);
+        if (of.of_sample.tiles && !of.of_sample.lead_out(start, standing, fine.extent(), stop, memory)) return false;
+        return of.of_solid.lead_out(start, standing, fine.extent(), stop, memory);
     };
     return engine_.best_placement(tray, asked, model, stop);
 }

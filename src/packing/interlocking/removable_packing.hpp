@@ -12,12 +12,12 @@ namespace spectralpack {
 
 class RemovablePacking {
   public:
-    /// What stands comes apart by `steps`. `standing` and what it refers to outlive it.
-    RemovablePacking(PlacedBodies& standing, const std::vector<RemovalStep>& steps);
+    /// What stands comes apart by `steps`. `bodies` and what it refers to outlive it.
+    RemovablePacking(PlacedBodies& bodies, const std::vector<RemovalStep>& steps);
 
     /// Whether all still comes apart with the last of what is placed, which would be `object` in the tray and is not
     /// yet: at once, or in its turn, after others. If so it is in the plan, else the packing is without it. When the
-    /// setup's token stops it, there is no way.
+    /// context's token stops it, there is no way.
     bool admit(const PlacedCopy& last, const TrayObject& object);
 
     /// By index into what is placed.
@@ -27,7 +27,7 @@ class RemovablePacking {
   private:
     void make(const std::vector<Body>& placed, const std::vector<RemovalStep>& steps);
 
-    PlacedBodies& standing_;
+    PlacedBodies& bodies_;
     int copies_ = 0;
     int fills_ = 0;
     // Of all that stands; what the plan keeps for itself lacks those that have left before the step it looks at.

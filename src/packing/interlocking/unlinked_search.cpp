@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "disassembly/ways/reachable_region.hpp"
-#include "packing/interlocking/link_cells.hpp"
-#include "packing/interlocking/row_sample.hpp"
+#include "packing/interlocking/samples.hpp"
 
 namespace spectralpack {
 namespace {

@@ -170,10 +170,10 @@ class Beam {
     void place(State& state, Step step) {
         const Copy& copy = copies_[step.copy];
         const Shape& shape = context_.shapes.at(step.copy);
-        Settled standing = context_.settle(copy, shape, step.best);
-        const ObjectId object = state.tray.add(std::move(standing.object));
+        Settled settled = context_.settle(copy, shape, step.best);
+        const ObjectId object = state.tray.add(std::move(settled.object));
         const int orientation = shape.orientations[static_cast<std::size_t>(step.best.index)].orientation;
-        state.placed.push_back({copy, orientation, step.best.position, standing.offset, object, step.best.cost});
+        state.placed.push_back({copy, orientation, step.best.position, settled.offset, object, step.best.cost});
         state.fates[step.copy] = Fate::placed;
         state.stands = std::move(step.stands);
         state.cost = step.cost;

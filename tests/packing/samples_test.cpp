@@ -1,4 +1,4 @@
-#include "packing/interlocking/link_cells.hpp"
+#include "packing/interlocking/samples.hpp"
 
 #include <gtest/gtest.h>
 
