@@ -12,7 +12,7 @@ using Words = std::vector<std::string>;
 std::string hash_with(const Words& options) {
     const TemporaryFolder folder;
     const std::string file = (folder / "p.json").string();
-    const Words job{"pack", (samples() / "box.stl").string() + ":2", "--threads", "1", "-o", file};
+    const Words job{"pack", (samples() / "box.stl").string() + ":2", "-o", file};
     const Ran ran = spectralpack(job + options);
     EXPECT_EQ(ran.status, 0) << ran.err;
     return ran.status == 0 ? read_json(file)["input_hash"].get<std::string>() : "";
