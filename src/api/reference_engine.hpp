@@ -1,7 +1,7 @@
 #pragma once
 /// The reference engine, which a program has or has not: it needs FFTW, whose licence (GPL) then holds for the program.
-/// The definition of reference_engine() that is linked decides (with_reference.cpp, without_reference.cpp), so that both
-/// kinds of program share all other code.
+/// The definition of reference_engine() that is linked decides (with_reference.cpp, without_reference.cpp), so that
+/// both kinds of program share all other code.
 
 #include <cstdint>
 #include <memory>
