@@ -14,7 +14,7 @@ if ldd "$work/prefix/bin/spectralpack" | grep -i fftw; then
     exit 1
 fi
 if [ -e "$work/prefix/bin/spectralpack-reference" ]; then
-    "$work/prefix/bin/spectralpack-reference" pack data/samples/box.stl:2 --tray 60x60x60 --voxel 4 --engine reference \
+    "$work/prefix/bin/spectralpack-reference" pack data/samples/box.stl:2 --tray 80x80x80 --voxel 4 --engine reference \
         --progress none -o "$work/two.json" >/dev/null
 fi
 

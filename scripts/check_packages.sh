@@ -27,7 +27,7 @@ for package in spectralpack libspectralpack-dev spectralpack-reference; do
     dpkg -x "$file" "$work/root"
 done
 for program in spectralpack spectralpack-reference; do
-    "$work/root/usr/bin/$program" pack data/samples/box.stl:2 --tray 60x60x60 --voxel 4 --progress none \
+    "$work/root/usr/bin/$program" pack data/samples/box.stl:2 --tray 80x80x80 --voxel 4 --progress none \
         -o "$work/$program.json" >/dev/null
     "$work/root/usr/bin/$program" check "$work/$program.json"
 done
