@@ -82,12 +82,13 @@ void BitTables::dilate(const Tables& to, const Tables& from, int part, int other
             const Word* a = from.at(part, w, lo.y, z);
             if (axis == 0 && by > 0) {
                 const Word* after = w + 1 < columns_ ? from.at(other, w + 1, lo.y, z) : none_.data() + lo.y;
-                or_moved_down(out, a, from.at(other, w, lo.y, z), after, by, count);
+                kernels().or_moved_down(out, a, from.at(other, w, lo.y, z), after, by, count);
                 continue;
             }
             const std::size_t reached = axis == 2 && z + by >= layers ? 0 : both;
             if (reached > 0) {
-                or_rows(out, a, from.at(other, w, axis == 1 ? lo.y + by : lo.y, axis == 2 ? z + by : z), reached);
+                kernels().or_rows(out, a, from.at(other, w, axis == 1 ? lo.y + by : lo.y, axis == 2 ? z + by : z),
+                                  reached);
             }
             std::copy(a + reached, a + count, out + reached);
         }

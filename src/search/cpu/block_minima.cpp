@@ -30,7 +30,7 @@ void BlockMinima::update(const DistanceGrid& phi, const VoxelBox& changed, const
                 std::ranges::fill(least, std::numeric_limits<std::uint16_t>::max());
                 for (int z = bz * block_; z < std::min(phi.extent().z, (bz + 1) * block_); ++z) {
                     for (int y = by * block_; y < std::min(phi.extent().y, (by + 1) * block_); ++y) {
-                        min_rows(least.data(), least.data(), phi.row(y, z) + lo, least.size());
+                        kernels().min_rows(least.data(), least.data(), phi.row(y, z) + lo, least.size());
                     }
                 }
                 std::uint16_t* out = values_.data() + offset({0, by, bz});

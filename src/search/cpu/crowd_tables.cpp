@@ -61,8 +61,8 @@ void CrowdTables::refresh_table(const BitTables& bits, int table, const VoxelBox
             std::ranges::fill(row, ~Word{0});
             std::ranges::fill(row_after, ~Word{0});
             for (int k = kBlock * z; k < std::min(kBlock * z + kReach, voxels_.z); ++k) {
-                and_rows(row.data(), bits.column(table, w, k) + first_row, row.size());
-                and_rows(row_after.data(), bits.column(table, w + 1, k) + first_row, row.size());
+                kernels().and_rows(row.data(), bits.column(table, w, k) + first_row, row.size());
+                kernels().and_rows(row_after.data(), bits.column(table, w + 1, k) + first_row, row.size());
             }
             Word* to = words_.data() + (table - first_table_) * table_ +
                        (static_cast<std::int64_t>(z) * columns_ + w / kBlock) * column_;

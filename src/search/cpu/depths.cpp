@@ -45,8 +45,8 @@ class DepthGrid {
         }
         // What lies as far as the greatest value lowers nothing.
         for (int by = 1; by < most; by *= 2) {
-            lower_bytes(layer, layer - by, static_cast<std::uint8_t>(by), count);
-            lower_bytes(layer, layer + by, static_cast<std::uint8_t>(by), count);
+            kernels().lower_bytes(layer, layer - by, static_cast<std::uint8_t>(by), count);
+            kernels().lower_bytes(layer, layer + by, static_cast<std::uint8_t>(by), count);
         }
     }
 
@@ -56,8 +56,8 @@ class DepthGrid {
         const auto lower = [&](int i, int from) {
             const bool inside = from >= 0 && from < count;
             std::uint8_t* all = depth_.data() + first;
-            lower_bytes(all + i * step, inside ? all + from * step : outside.data(), 1,
-                        static_cast<std::size_t>(length));
+            kernels().lower_bytes(all + i * step, inside ? all + from * step : outside.data(), 1,
+                                  static_cast<std::size_t>(length));
         };
         for (int i = 0; i < count; ++i)
             lower(i, i - 1);

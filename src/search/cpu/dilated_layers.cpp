@@ -33,7 +33,7 @@ void DilatedRows::make(const VoxelBox& changed, const BitGrid& voxels, const Vox
         for (int w = first; w <= last; ++w) {
             const Word* half = words + (level - 1) * table + w * stride + changed.lo.y;
             Word* whole = words + level * table + w * stride + changed.lo.y;
-            or_moved_down(whole, half, half, half + stride, by, rows);
+            kernels().or_moved_down(whole, half, half, half + stride, by, rows);
         }
     }
 }

@@ -75,10 +75,10 @@ void DistanceGrid::fill_row(int y, int z) {
 }
 
 void DistanceGrid::note_most_of_row(int y, int z) {
-    most_of_row_[row_number(y, z)] = max_of_row(row(y, z), static_cast<std::size_t>(extent_.x));
+    most_of_row_[row_number(y, z)] = kernels().max_of_row(row(y, z), static_cast<std::size_t>(extent_.x));
 }
 
-void DistanceGrid::note_most() { most_ = max_of_row(most_of_row_.data(), most_of_row_.size()); }
+void DistanceGrid::note_most() { most_ = kernels().max_of_row(most_of_row_.data(), most_of_row_.size()); }
 
 ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers) {
     const Extent& s = solid.extent();
@@ -99,7 +99,7 @@ ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, cons
     const int lo = changed.hull().lo.x / kLanes * kLanes;
     const auto width = static_cast<std::size_t>(ceil_div(changed.hull().hi.x - lo, kLanes) * kLanes);
     const auto lower = [&](int y, int z, int from_y, int from_z, ChangedLayers& lowered) {
-        const RowChange change = lower_row(row(y, z) + lo, row(from_y, from_z) + lo, width);
+        const RowChange change = kernels().lower_row(row(y, z) + lo, row(from_y, from_z) + lo, width);
         if (change.end == 0) return false;
         lowered.add({{lo + static_cast<int>(change.begin), y, z}, {lo + static_cast<int>(change.end), y + 1, z + 1}});
         return true;
@@ -146,7 +146,7 @@ void DistanceGrid::raise(int top, const Workers& workers) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int z = top_; z < top; ++z) {
                 fill_row(y, z);
-                if (z > 0) lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(stride_));
+                if (z > 0) kernels().lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(stride_));
                 note_most_of_row(y, z);
             }
         }

@@ -29,13 +29,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Bit i: values[i] <= limit. i in [0, kStretch).
 HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit) {
-#if HWY_TARGET == HWY_SCALAR
-    std::uint32_t bits = 0;
-    for (int i = 0; i < kStretch; ++i) {
-        bits |= static_cast<std::uint32_t>(values[i] <= limit) << i;
-    }
-    return bits;
-#else
     const hn::CappedTag<std::uint32_t, kStretch> d;
     const auto bound = hn::Set(d, limit);
     std::uint32_t above = 0;
@@ -45,7 +38,6 @@ HWY_INLINE std::uint32_t AtMost(const std::uint32_t* values, std::uint32_t limit
         above |= (static_cast<std::uint32_t>(part[0]) | static_cast<std::uint32_t>(part[1]) << 8) << i;
     }
     return ~above & 0xFFFFu;
-#endif
 }
 
 /// Bit i: i is one of `lanes`, and cells do not show that rho is above `limit` in block i of those from `minima` on. i
@@ -68,30 +60,6 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
     for (int i = 0; i < kLanes; ++i) {
         start[i] = lanes >> i & 1 ? 0 : kNotWanted;
     }
-#if HWY_TARGET == HWY_SCALAR
-    std::uint32_t* sums = start;
-    for (std::size_t begin = 0; begin < plan.cells.size();) {
-        const std::size_t end = std::min(plan.cells.size(), begin + kCellsPerLook);
-        for (; begin < end; ++begin) {
-            const SolidCell& cell = plan.cells[begin];
-            for (int i = 0; i < kLanes; ++i) {
-                const std::uint16_t value = minima[cell.offset + i];
-                sums[i] += cell.weight * static_cast<std::uint32_t>(std::max(value, cell.drop) - cell.drop);
-            }
-        }
-        bool alive = false;
-        for (int i = 0; i < kLanes; ++i) {
-            alive |= sums[i] <= enough;
-        }
-        if (!alive) break;
-    }
-    std::uint32_t bits = 0;
-    for (int i = 0; i < kLanes; ++i) {
-        bits |= static_cast<std::uint32_t>(sums[i] <= room) << i;
-    }
-    if (bits == 0) bound = std::min(bound, least + *std::min_element(sums, sums + kLanes));
-    return bits;
-#else
     const hn::CappedTag<std::uint32_t, kLanes> d32;
     const hn::Rebind<std::uint16_t, decltype(d32)> d16;
     constexpr std::size_t kStep = hn::MaxLanes(d32);
@@ -132,78 +100,7 @@ HWY_INLINE std::uint32_t WithinLimit(const std::uint16_t* minima, const CellPlan
         bound = std::min(bound, least + hn::GetLane(hn::MinOfLanes(d32, nearest)));
     }
     return ~above;
-#endif
 }
-
-#if HWY_TARGET == HWY_SCALAR
-
-/// Clears in the tile `live` what the look-ups of batches [begin, end) find to collide, until nothing is left: of each
-/// look-up at offset o, bits (tile + o)[j] and up, shifted right by its group's shift, the bits that move in coming
-/// from (tile + o + next)[j]. j in [0, kTileRows). So for kLayers tiles one above the other, `up` words apart, whose
-/// live words lie kTileRows apart.
-template <int kLayers>
-HWY_INLINE void BlockTiles(const std::uint64_t* tile, std::ptrdiff_t next, std::ptrdiff_t up, const LookupPlan& plan,
-                           std::size_t begin, std::size_t end, std::uint64_t* live) {
-    for (std::size_t b = begin; b < end; ++b) {
-        std::uint64_t left = 0;
-        for (int j = 0; j < kLayers * kTileRows; ++j) {
-            left |= live[j];
-        }
-        if (left == 0) return;
-        for (int z = 0; z < kLayers; ++z) {
-            std::uint64_t* words = live + z * kTileRows;
-            for (std::int32_t g = plan.batches[b].begin; g < plan.batches[b].end; ++g) {
-                const LookupGroup& group = plan.groups[static_cast<std::size_t>(g)];
-                std::uint64_t low[kTileRows] = {}, high[kTileRows] = {};
-                for (std::int32_t i = group.begin; i < group.end; ++i) {
-                    const std::uint64_t* at = tile + z * up + plan.offsets[static_cast<std::size_t>(i)];
-                    for (int j = 0; j < kTileRows; ++j) {
-                        low[j] |= at[j];
-                        high[j] |= at[next + j];
-                    }
-                }
-                for (int j = 0; j < kTileRows; ++j) {
-                    words[j] &= ~(low[j] >> group.shift | (group.shift == 0 ? 0 : high[j] << (64 - group.shift)));
-                }
-            }
-        }
-    }
-}
-
-/// Of `lanes`, a set in [0, kLanes), i stands for `low` + i, from kStretch on for `high` + i - kStretch, and sums[i]
-/// becomes `least`, what all loads come to at least, and what each load's difference of two elements, at `plus` and
-/// `minus` from there, modulo what a T holds, is above the load's least, up to kSumLimit; for other i kSumLimit. Stops
-/// after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to less than
-/// its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a step less
-/// for each.
-template <bool kOfEach, class T>
-HWY_INLINE void SumLanes(const T* low, const T* high, const SumLoad* loads, const SumBatch* batches,
-                         std::size_t batch_count, std::uint32_t limit, std::uint32_t lanes, std::uint32_t least,
-                         std::uint32_t* sums) {
-    for (int i = 0; i < kLanes; ++i) {
-        sums[i] = lanes >> i & 1 ? least : kSumLimit;
-    }
-    for (std::size_t b = 0; b < batch_count; ++b) {
-        std::uint16_t sum[kLanes];
-        std::fill_n(sum, kLanes, static_cast<std::uint16_t>(kOfEach ? 0 : -batches[b].least));
-        for (std::int32_t i = batches[b].begin; i < batches[b].end; ++i) {
-            for (int j = 0; j < kLanes; ++j) {
-                const T* at = j < kStretch ? low + j : high + (j - kStretch);
-                const int run = static_cast<T>(at[loads[i].plus] - at[loads[i].minus]);
-                const int above = kOfEach ? std::max<int>(run, loads[i].least) - loads[i].least : run;
-                sum[j] = static_cast<std::uint16_t>(sum[j] + above);
-            }
-        }
-        bool alive = false;
-        for (int j = 0; j < kLanes; ++j) {
-            sums[j] = std::min(kSumLimit, sums[j] + sum[j]);
-            alive |= sums[j] <= limit;
-        }
-        if (!alive) return;
-    }
-}
-
-#else
 
 /// All lanes together.
 template <class D>
@@ -216,6 +113,10 @@ HWY_INLINE std::uint64_t OrOfLanes(D d, hn::Vec<D> v) {
     }
 }
 
+/// Clears in the tile `live` what the look-ups of batches [begin, end) find to collide, until nothing is left: of each
+/// look-up at offset o, bits (tile + o)[j] and up, shifted right by its group's shift, the bits that move in coming
+/// from (tile + o + next)[j]. j in [0, kTileRows). So for kLayers tiles one above the other, `up` words apart, whose
+/// live words lie kTileRows apart.
 template <int kLayers>
 HWY_INLINE void BlockTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_t next, std::ptrdiff_t up,
                            const LookupPlan& plan, std::size_t begin, std::size_t end,
@@ -335,6 +236,12 @@ HWY_INLINE hn::Vec<D> LoadStretches(D d, const T* low, const T* high, std::size_
     }
 }
 
+/// Of `lanes`, a set in [0, kLanes), i stands for `low` + i, from kStretch on for `high` + i - kStretch, and sums[i]
+/// becomes `least`, what all loads come to at least, and what each load's difference of two elements, at `plus` and
+/// `minus` from there, modulo what a T holds, is above the load's least, up to kSumLimit; for other i kSumLimit. Stops
+/// after a batch once all lanes are above `limit`; sums are then lower bounds. kOfEach: a load may come to less than
+/// its least and then counts as that; otherwise none does where the sum is to mean anything, which takes a step less
+/// for each.
 template <bool kOfEach, class T>
 HWY_INLINE void SumLanes(const T* HWY_RESTRICT low, const T* HWY_RESTRICT high, const SumLoad* HWY_RESTRICT loads,
                          const SumBatch* HWY_RESTRICT batches, std::size_t batch_count, std::uint32_t limit,
@@ -406,8 +313,6 @@ HWY_INLINE void SumLanes(const T* HWY_RESTRICT low, const T* HWY_RESTRICT high, 
         }
     }
 }
-
-#endif
 
 }  // namespace HWY_NAMESPACE
 }  // namespace spectralpack

@@ -114,8 +114,8 @@ void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, st
 }
 
 template <bool kAdd, class T>
-HWY_INLINE void CombineRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step,
-                            std::ptrdiff_t b_step, std::size_t count) {
+void CombineRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
+                 std::size_t count) {
     const hn::ScalableTag<T> wide;
     const hn::CappedTag<T, 16 / sizeof(T)> narrow;
     const auto combine = [&](auto d, std::size_t i) {
@@ -140,26 +140,6 @@ HWY_INLINE void CombineRows(T* out, const T* a, const T* b, std::size_t rows, st
     }
 }
 
-void AddRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::ptrdiff_t step,
-             std::ptrdiff_t b_step, std::size_t count) {
-    CombineRows<true>(out, a, b, rows, step, b_step, count);
-}
-
-void AddByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::ptrdiff_t step,
-                 std::ptrdiff_t b_step, std::size_t count) {
-    CombineRows<true>(out, a, b, rows, step, b_step, count);
-}
-
-void SubtractRows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows,
-                  std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
-    CombineRows<false>(out, a, b, rows, step, b_step, count);
-}
-
-void SubtractByteRows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
-                      std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
-    CombineRows<false>(out, a, b, rows, step, b_step, count);
-}
-
 /// Lanes of 16 bits from and to elements of 16 bits or of the lower eight of them.
 template <class D>
 HWY_INLINE hn::Vec<D> LoadLanes(D d, const std::uint16_t* from) {
@@ -181,27 +161,17 @@ HWY_INLINE void StoreLanes(D d, hn::Vec<D> v, std::uint8_t* to) {
 }
 
 template <class T>
-HWY_INLINE void RaiseRowOf(T* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::uint16_t floor,
-                           std::uint16_t most, std::size_t count) {
+void RaiseRow(T* HWY_RESTRICT out, const std::uint16_t* HWY_RESTRICT from, std::uint16_t floor, std::uint16_t most,
+              std::size_t count) {
     const auto room = static_cast<std::uint16_t>(most - floor);
     for (std::size_t i = 0; i < count; ++i) {
         out[i] = static_cast<T>(std::min(from[i], room) + floor);
     }
 }
 
-void RaiseRow(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
-              std::size_t count) {
-    RaiseRowOf(out, from, floor, most, count);
-}
-
-void RaiseRowOfBytes(std::uint8_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
-                     std::size_t count) {
-    RaiseRowOf(out, from, floor, most, count);
-}
-
 template <class T>
-HWY_INLINE void DealLeastOf(T* HWY_RESTRICT out, std::size_t stride, const std::uint16_t* HWY_RESTRICT from,
-                            std::uint16_t floor, std::uint16_t most, std::size_t count) {
+void DealLeastOfFour(T* HWY_RESTRICT out, std::size_t stride, const std::uint16_t* HWY_RESTRICT from,
+                     std::uint16_t floor, std::uint16_t most, std::size_t count) {
     const hn::CappedTag<std::uint16_t, 8> d;
     const auto deal = [&](auto lanes, std::size_t i) {
         const auto put = [&](std::size_t k, auto value) {
@@ -227,17 +197,6 @@ HWY_INLINE void DealLeastOf(T* HWY_RESTRICT out, std::size_t stride, const std::
     }
 }
 
-void DealLeastOfFour(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
-                     std::uint16_t most, std::size_t count) {
-    DealLeastOf(out, stride, from, floor, most, count);
-}
-
-void DealLeastOfFourBytes(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
-                          std::uint16_t most, std::size_t count) {
-    DealLeastOf(out, stride, from, floor, most, count);
-}
-
-#if HWY_TARGET != HWY_SCALAR
 /// Lane i: the sum of lanes 0 to i, by doubling.
 template <class D>
 HWY_INLINE hn::Vec<D> SumsOfEight(D d, hn::Vec<D> v) {
@@ -245,12 +204,10 @@ HWY_INLINE hn::Vec<D> SumsOfEight(D d, hn::Vec<D> v) {
     v = hn::Add(v, hn::ShiftLeftLanes<2>(d, v));
     return hn::Add(v, hn::ShiftLeftLanes<4>(d, v));
 }
-#endif
 
 template <class T>
-HWY_INLINE void PrefixSumsOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t count) {
+void PrefixSums(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t count) {
     std::size_t i = 0;
-#if HWY_TARGET != HWY_SCALAR
     const hn::FixedTag<std::uint16_t, 8> d;
     auto before = hn::Set(d, std::uint16_t{out[0]});
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
@@ -258,17 +215,15 @@ HWY_INLINE void PrefixSumsOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, st
         StoreLanes(d, hn::Add(sums, before), out + i + 1);
         before = hn::Add(before, hn::Broadcast<7>(sums));
     }
-#endif
     for (; i < count; ++i) {
         out[i + 1] = static_cast<T>(out[i] + from[i]);
     }
 }
 
 template <class T>
-HWY_INLINE T PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride, std::size_t count) {
+T PrefixSumsDealt(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride, std::size_t count) {
     std::size_t i = 0;
     T sum = out[0];
-#if HWY_TARGET != HWY_SCALAR
     const hn::FixedTag<std::uint16_t, 8> d;
     auto before = hn::Set(d, std::uint16_t{sum});
     for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
@@ -286,7 +241,6 @@ HWY_INLINE T PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, 
         before = hn::Add(before, hn::Broadcast<7>(sums));
     }
     sum = static_cast<T>(hn::GetLane(before));
-#endif
     for (; i < count; ++i) {
         for (std::size_t at = i; at < i + 4 * stride; at += stride) {
             out[at] = sum;
@@ -296,16 +250,24 @@ HWY_INLINE T PrefixSumsDealtOf(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, 
     return sum;
 }
 
-void PrefixSums(std::uint16_t* out, const std::uint16_t* from, std::size_t count) { PrefixSumsOf(out, from, count); }
-void PrefixSumsOfBytes(std::uint8_t* out, const std::uint8_t* from, std::size_t count) {
-    PrefixSumsOf(out, from, count);
+template <class T>
+constexpr SumKernels<T> SumKernelsOf() {
+    return {CombineRows<true, T>, CombineRows<false, T>, RaiseRow<T>,
+            DealLeastOfFour<T>,   PrefixSums<T>,         PrefixSumsDealt<T>};
 }
-std::uint16_t PrefixSumsDealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
-    return PrefixSumsDealtOf(out, from, stride, count);
-}
-std::uint8_t PrefixSumsOfBytesDealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride,
-                                    std::size_t count) {
-    return PrefixSumsDealtOf(out, from, stride, count);
+
+const Kernels& AllKernels() {
+    static constexpr Kernels all{LowerRow,
+                                 LowerBytes,
+                                 MinRows,
+                                 MinOfFour,
+                                 MaxOfRow,
+                                 AndRows,
+                                 OrRows,
+                                 OrMovedDown,
+                                 SumKernelsOf<std::uint16_t>(),
+                                 SumKernelsOf<std::uint8_t>()};
+    return all;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -315,115 +277,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace spectralpack {
 
-HWY_EXPORT(LowerRow);
-HWY_EXPORT(LowerBytes);
-HWY_EXPORT(AddRows);
-HWY_EXPORT(AddByteRows);
-HWY_EXPORT(SubtractRows);
-HWY_EXPORT(SubtractByteRows);
-HWY_EXPORT(RaiseRow);
-HWY_EXPORT(RaiseRowOfBytes);
-HWY_EXPORT(DealLeastOfFourBytes);
-HWY_EXPORT(PrefixSumsOfBytes);
-HWY_EXPORT(PrefixSumsOfBytesDealt);
-HWY_EXPORT(MinRows);
-HWY_EXPORT(MinOfFour);
-HWY_EXPORT(DealLeastOfFour);
-HWY_EXPORT(PrefixSums);
-HWY_EXPORT(PrefixSumsDealt);
-HWY_EXPORT(AndRows);
-HWY_EXPORT(OrRows);
-HWY_EXPORT(OrMovedDown);
-HWY_EXPORT(MaxOfRow);
+HWY_EXPORT(AllKernels);
 
-RowChange lower_row(std::uint16_t* row, const std::uint16_t* from, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(LowerRow)(row, from, count);
-}
-
-void lower_bytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(LowerBytes)(row, from, by, count);
-}
-
-void add_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows, std::ptrdiff_t step,
-              std::ptrdiff_t b_step, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(AddRows)(out, a, b, rows, step, b_step, count);
-}
-
-void add_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows, std::ptrdiff_t step,
-              std::ptrdiff_t b_step, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(AddByteRows)(out, a, b, rows, step, b_step, count);
-}
-
-void subtract_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t rows,
-                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(SubtractRows)(out, a, b, rows, step, b_step, count);
-}
-
-void subtract_rows(std::uint8_t* out, const std::uint8_t* a, const std::uint8_t* b, std::size_t rows,
-                   std::ptrdiff_t step, std::ptrdiff_t b_step, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(SubtractByteRows)(out, a, b, rows, step, b_step, count);
-}
-
-void raise_row(std::uint16_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
-               std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(RaiseRow)(out, from, floor, most, count);
-}
-
-void raise_row(std::uint8_t* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most,
-               std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(RaiseRowOfBytes)(out, from, floor, most, count);
-}
-
-void deal_least_of_four(std::uint8_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
-                        std::uint16_t most, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(DealLeastOfFourBytes)(out, stride, from, floor, most, count);
-}
-
-void prefix_sums(std::uint8_t* out, const std::uint8_t* from, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytes)(out, from, count);
-}
-
-std::uint8_t prefix_sums_dealt(std::uint8_t* out, const std::uint8_t* from, std::size_t stride, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(PrefixSumsOfBytesDealt)(out, from, stride, count);
-}
-
-void min_rows(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(MinRows)(out, a, b, count);
-}
-
-void min_of_four(std::uint16_t* out, const std::uint16_t* const (&rows)[4], std::uint16_t floor, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(MinOfFour)(out, rows, floor, count);
-}
-
-void deal_least_of_four(std::uint16_t* out, std::size_t stride, const std::uint16_t* from, std::uint16_t floor,
-                        std::uint16_t most, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(DealLeastOfFour)(out, stride, from, floor, most, count);
-}
-
-void prefix_sums(std::uint16_t* out, const std::uint16_t* from, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(PrefixSums)(out, from, count);
-}
-
-std::uint16_t prefix_sums_dealt(std::uint16_t* out, const std::uint16_t* from, std::size_t stride, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(PrefixSumsDealt)(out, from, stride, count);
-}
-
-void and_rows(std::uint64_t* out, const std::uint64_t* from, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(AndRows)(out, from, count);
-}
-
-void or_rows(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* b, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(OrRows)(out, a, b, count);
-}
-
-void or_moved_down(std::uint64_t* out, const std::uint64_t* a, const std::uint64_t* low, const std::uint64_t* high,
-                   int by, std::size_t count) {
-    HWY_DYNAMIC_DISPATCH(OrMovedDown)(out, a, low, high, by, count);
-}
-
-std::uint16_t max_of_row(const std::uint16_t* row, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(MaxOfRow)(row, count);
-}
+const Kernels& kernels() { return HWY_DYNAMIC_DISPATCH(AllKernels)(); }
 
 std::vector<std::string> instruction_sets() {
     std::vector<std::string> names;

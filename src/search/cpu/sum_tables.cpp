@@ -61,8 +61,8 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     if constexpr (kBytes) {
         const int z = layer.lo.z;
         for (int y = layer.lo.y; y < layer.hi.y; ++y) {
-            raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0, most(),
-                      static_cast<std::size_t>(layer.hi.x - layer.lo.x));
+            kernels().sums<T>().raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0,
+                                          most(), static_cast<std::size_t>(layer.hi.x - layer.lo.x));
         }
     }
 }
@@ -79,7 +79,7 @@ void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
     const bool before = hi < grid_.x - hi;
     if (block_ == 1) {
         const T end = out[hi];
-        prefix_sums(out + lo, from + lo, static_cast<std::size_t>(hi - lo));
+        kernels().sums<T>().prefix_sums(out + lo, from + lo, static_cast<std::size_t>(hi - lo));
         const auto grown = static_cast<T>(out[hi] - end);
         if (before) {
             move(out, out + hi + 1, static_cast<T>(-grown));
@@ -89,8 +89,8 @@ void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
         return;
     }
     const int first = lo / block_, last = std::min((hi + block_ - 1) / block_, phase_);
-    const T end = prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
-                                    static_cast<std::size_t>(last - first));
+    const T end = kernels().sums<T>().prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
+                                                        static_cast<std::size_t>(last - first));
     if (last == phase_) return;
     const auto grown = static_cast<T>(end - out[last]);
     for (int p = 0; p < block_; ++p) {
@@ -113,8 +113,9 @@ void SumTables<T>::pool_quads(const DistanceGrid& phi, const VoxelBox& layer) {
         const auto beside = [&](int dy, int dz) {
             return phi.row(std::min(y + dy, grid_.y - 1), std::min(z + dz, grid_.z - 1)) + layer.lo.x;
         };
-        min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
-        raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, least.data(), floor(), most(), width);
+        kernels().min_of_four(least.data(), {beside(0, 0), beside(1, 0), beside(0, 1), beside(1, 1)}, floor(), width);
+        kernels().sums<T>().raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, least.data(), floor(), most(),
+                                      width);
     }
 }
 
@@ -129,16 +130,16 @@ void SumTables<T>::pool_blocks(const DistanceGrid& phi, const VoxelBox& layer) {
     const auto row_of_layer = [&](int y) { return above_each_other.data() + width * static_cast<std::size_t>(y); };
     for (int y = 0; y < rows; ++y) {
         const auto above = [&](int dz) { return phi.row(layer.lo.y + y, std::min(z + dz, n.z - 1)) + layer.lo.x; };
-        min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor(), width);
+        kernels().min_of_four(row_of_layer(y), {above(0), above(1), above(2), above(3)}, floor(), width);
     }
     // Beyond the grid nothing counts.
     std::vector<std::uint16_t> least(width + static_cast<std::size_t>(2 * block_), kNone);
     for (int y = 0; y < layer.hi.y - layer.lo.y; ++y) {
         const auto behind = [&](int dy) { return row_of_layer(std::min(y + dy, rows - 1)); };
-        min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
-        deal_least_of_four(pooled_.data() + in_pooled(layer.lo.y + y, z) + layer.lo.x / block_,
-                           static_cast<std::size_t>(phase_), least.data(), floor(), most(),
-                           static_cast<std::size_t>((layer.hi.x - layer.lo.x) / block_));
+        kernels().min_of_four(least.data(), {behind(0), behind(1), behind(2), behind(3)}, 0, width);
+        kernels().sums<T>().deal_least_of_four(pooled_.data() + in_pooled(layer.lo.y + y, z) + layer.lo.x / block_,
+                                               static_cast<std::size_t>(phase_), least.data(), floor(), most(),
+                                               static_cast<std::size_t>((layer.hi.x - layer.lo.x) / block_));
     }
 }
 
@@ -217,10 +218,11 @@ void SumTables<T>::sum_layer(const DistanceGrid& phi, const VoxelBox& layer) {
     const T* from = pooled_row(phi, y, z);
     for_each_stretch(layer.lo.x, layer.hi.x, [&](int i, std::size_t length) {
         if (behind) {
-            add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step, from_step, length);
+            kernels().sums<T>().add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step,
+                                         from_step, length);
         } else {
-            subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step, -from_step,
-                          length);
+            kernels().sums<T>().subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step,
+                                              -from_step, length);
         }
     });
 }
@@ -240,9 +242,9 @@ void SumTables<T>::sum_columns(const DistanceGrid& phi, const VoxelBox& box, int
             const T* from = pooled_row(phi, y, z);
             for_each_stretch(box.lo.x, box.hi.x, [&](int i, std::size_t length) {
                 if (above) {
-                    add_rows(out + up + i, out + i, from + i, rows, step, from_step, length);
+                    kernels().sums<T>().add_rows(out + up + i, out + i, from + i, rows, step, from_step, length);
                 } else {
-                    subtract_rows(out + i, out + up + i, from + i, rows, step, from_step, length);
+                    kernels().sums<T>().subtract_rows(out + i, out + up + i, from + i, rows, step, from_step, length);
                 }
             });
         };
