@@ -60,7 +60,7 @@ class CpuSearch final : public PlacementSearch {
         std::vector<OrientationRuns> runs = follow(tray, shape);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_, model, workers_);
         if (!runs.empty()) entry.runs = std::move(runs);
-        SearchContext context{tables_, rooms_, model, tray.reference_layers(), nullptr, {}};
+        SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
         const bool by_quads = tables_.narrow() && tables_.all_near() && have_few(entry.runs);
@@ -108,14 +108,13 @@ class CpuSearch final : public PlacementSearch {
 
     const char* name() const override { return "cpu"; }
     std::int64_t memory() const override {
-        std::int64_t bytes = tables_.bytes() + positions_.bytes() + rooms_.bytes();
+        std::int64_t bytes = tables_.bytes() + positions_.bytes();
         if (dilated_) bytes += dilated_->bytes();
         return bytes;
     }
     void forget() override {
         tables_ = TrayTables(options_.large_from, options_.bytes);
         positions_ = PositionCache(options_.cache_memory);
-        rooms_.clear();
         dilated_ = nullptr;
         give_back_freed();
     }
@@ -391,7 +390,6 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
-    PassRooms rooms_;
     std::unordered_map<std::uint64_t, bool> covered_;  // by the shape's id
     std::shared_ptr<DilatedLayers> dilated_;
     std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance

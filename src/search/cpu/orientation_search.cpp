@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory_resource>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,21 +30,14 @@ static_assert(kPair * kBlocksX == kLanes && kBlocksX == kStretch);
 /// One thread's work on some brick layers of one orientation.
 class Pass {
   public:
-    /// What it lists lies in `memory`.
-    Pass(OrientationTask& task, std::pmr::memory_resource* memory)
+    explicit Pass(OrientationTask& task)
         : t_(task),
           context_(task.context),
           state_(task.state),
-          sifted_(memory),
-          unknown_(memory),
-          survivors_(memory),
           limits_(task),
-          sifter_(task, memory),
-          settler_(task, limits_, memory) {
-        if (state_.keeps()) return;
-        for_now_ =
-            static_cast<OpenPair*>(memory->allocate(state_.pairs_in_layer() * sizeof(OpenPair), alignof(OpenPair)));
-    }
+          sifter_(task),
+          settler_(task, limits_),
+          for_now_(state_.keeps() ? nullptr : std::make_unique_for_overwrite<OpenPair[]>(state_.pairs_in_layer())) {}
 
     void Run(int begin, int end) {
         for (int bz = begin; bz < end; ++bz) {
@@ -246,25 +239,21 @@ class Pass {
     OrientationTask& t_;
     SearchContext& context_;
     PositionState& state_;
-    std::pmr::vector<SiftedPair> sifted_;
-    OpenPair* for_now_ = nullptr;  // those of sifted_, where the state does not keep them
-    std::pmr::vector<UnknownBlocks> unknown_;
-    std::pmr::vector<Survivor> survivors_;
+    std::vector<SiftedPair> sifted_;
+    std::vector<UnknownBlocks> unknown_;
+    std::vector<Survivor> survivors_;
     LayerLimits limits_;
     Sifter sifter_;
     Settler settler_;
+    std::unique_ptr<OpenPair[]> for_now_;  // those of sifted_, where the state does not keep them
     Patience near_, close_;
 };
 
-void SearchLayers(OrientationTask& task, int begin, int end) {
-    PassRooms::Room room(task.context.rooms);
-    Pass(task, room.memory()).Run(begin, end);
-}
+void SearchLayers(OrientationTask& task, int begin, int end) { Pass(task).Run(begin, end); }
 
 void SearchPosition(OrientationTask& task, const VoxelIndex& position) {
-    PassRooms::Room room(task.context.rooms);
     LayerLimits limits(task);
-    Settler(task, limits, room.memory()).SettleOne(position);
+    Settler(task, limits).SettleOne(position);
 }
 
 }  // namespace HWY_NAMESPACE

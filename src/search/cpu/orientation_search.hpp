@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "search/cpu/incumbent.hpp"
-#include "search/cpu/pass_rooms.hpp"
 #include "search/cpu/plan.hpp"
 #include "search/cpu/position_cache.hpp"
 
@@ -17,7 +16,6 @@ namespace spectralpack {
 /// One search's question and its answer so far; shared by all orientations and threads.
 struct SearchContext {
     const TrayTables& tables;
-    PassRooms& rooms;
     CostModel model;
     int reference_layers = 0;
     const SumTables<std::uint8_t>* quads = nullptr;  ///< to be asked before single positions; null: none

@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
 #include <span>
 #include <vector>
 
@@ -45,18 +44,11 @@ struct Survivor {
 /// One thread's decisions on what is left of one orientation.
 class Settler {
   public:
-    /// What it lists lies in `memory`.
-    Settler(const OrientationTask& task, LayerLimits& limits, std::pmr::memory_resource* memory)
-        : t_(task),
-          context_(task.context),
-          state_(task.state),
-          limits_(limits),
-          chosen_(memory),
-          quads_(memory),
-          found_(memory) {}
+    Settler(const OrientationTask& task, LayerLimits& limits)
+        : t_(task), context_(task.context), state_(task.state), limits_(limits) {}
 
     /// Offers the best free positions of brick layer bz's survivors to the incumbent.
-    void SettleAll(int bz, std::pmr::vector<Survivor>& survivors) {
+    void SettleAll(int bz, std::vector<Survivor>& survivors) {
         // Without anything to beat, the most promising come first; later, neighbours do.
         if (context_.incumbent.generation() == 0) {
             std::sort(survivors.begin(), survivors.end(),
@@ -175,7 +167,7 @@ class Settler {
     /// Chooses what is to be settled of all survivors of brick layer bz: the positions that are in a block and in a
     /// quad within the limit. One sum for the four positions of a quad rules out nineteen in twenty of those that
     /// blocks left.
-    void ChooseByQuads(int bz, const std::pmr::vector<Survivor>& survivors) {
+    void ChooseByQuads(int bz, const std::vector<Survivor>& survivors) {
         quads_.clear();
         for (std::size_t i = 0; i < survivors.size(); ++i) {
             ChooseByBlocks(survivors[i], bz, chosen_[i]);
@@ -343,9 +335,9 @@ class Settler {
     SearchContext& context_;
     const PositionState& state_;
     LayerLimits& limits_;
-    std::pmr::vector<Chosen> chosen_;  // of each survivor
-    std::pmr::vector<StretchOfQuads> quads_;
-    std::pmr::vector<Found> found_;
+    std::vector<Chosen> chosen_;  // of each survivor
+    std::vector<StretchOfQuads> quads_;
+    std::vector<Found> found_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
 #include <vector>
 
 #include "search/cpu/kernels-inl.h"
@@ -38,9 +37,7 @@ static HWY_NOINLINE void BlockTile(const std::uint64_t* tile, std::ptrdiff_t nex
 /// One thread's look-ups of whole pairs of bricks of one orientation.
 class Sifter {
   public:
-    /// What it lists lies in `memory`.
-    Sifter(const OrientationTask& task, std::pmr::memory_resource* memory)
-        : t_(task), tables_(task.context.tables), state_(task.state), room_(memory) {}
+    explicit Sifter(const OrientationTask& task) : t_(task), tables_(task.context.tables), state_(task.state) {}
 
     /// Which blocks of the crowd tables' tiles in row j have room for anything at all, as far as pairs there are fresh.
     void LookAtCrowd(int j, int bz) {
@@ -163,7 +160,7 @@ class Sifter {
     const OrientationTask& t_;
     const TrayTables& tables_;
     const PositionState& state_;
-    std::pmr::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row
+    std::vector<std::uint64_t> room_;  // by tile of the crowd tables in a row
     Patience stacks_{kPatienceWithStacks};
 };
 
