@@ -145,7 +145,7 @@ class CacheInTheOpen : public testing::Test {
         shape = {1, 0, {test::plain_shape(std::make_shared<const BitGrid>(std::move(solid)))}};
     }
     PositionCache::Entry& follow(bool near, double penalty) {
-        tables.follow(tray, 0, true, near, Workers(2));
+        tables.follow(tray, 0, near, Workers(2));
         tables.raise(70, Workers(2));
         PositionCache::Entry& entry = cache.at(shape, tray, tables, {.height_penalty = penalty}, Workers(2));
         entry.planned_narrow = tables.narrow();
@@ -227,7 +227,7 @@ TEST_F(CacheInTheOpen, KeepsBoundsFromBytesForWordsWhereNothingChanged) {
 }
 
 TEST_F(CacheInTheOpen, KeepsWithinItsBudgetWhatItUsesAgainToo) {
-    tables.follow(tray, 0, true, false, Workers(1));
+    tables.follow(tray, 0, false, Workers(1));
     const std::int64_t room = PositionState::room_bytes(tray.extent());
     for (const double entries : {0.5, 1.5, 2.9}) {
         const auto budget = static_cast<std::int64_t>(entries * 1.1 * static_cast<double>(room));

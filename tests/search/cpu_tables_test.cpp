@@ -296,16 +296,14 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto solid_then = std::make_shared<const BitGrid>(turned(*solid, turn));
         const WidenedVoxels wide = random_widened(random, *solid, 3);
         const WidenedVoxels wide_then = turned(wide, extent, turn);
-        std::optional<Depths> depths;
-        const OrientationRuns before =
-            make_runs({0, {}, {}, solid, {wide}}, 1, true, tables.frame(), Workers(1), &depths);
-        const OrientationRuns runs = turned(before, turn, extent, 1, depths, tables.frame());
+        const MadeRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, tables.frame(), Workers(1));
+        const OrientationRuns runs = turned(before.runs, turn, extent, 1, before.depths, tables.frame());
         EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent(), wide_then.offset), *wide_then.voxels);
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
         EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
-        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, true, tables.frame(), Workers(1));
+        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, tables.frame(), Workers(1)).runs;
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
         EXPECT_EQ(placed_cells(runs.fine_cells), placed_cells(made.fine_cells));
@@ -428,7 +426,7 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     TrayTables tables(std::numeric_limits<std::int64_t>::max()), words(0, false);
     const auto follow = [&](bool narrow, bool quads = true) {
         for (TrayTables* each : {&tables, &words}) {
-            each->follow(tray, 0, true, false, Workers(2));
+            each->follow(tray, 0, false, Workers(2));
             if (quads && each->narrow()) each->follow_quads(Workers(2));
             EXPECT_NO_THROW(each->check(tray));
         }
@@ -483,8 +481,8 @@ TEST(TrayTables, KeepBytesOfWhatIsNearWhereThatWillDo) {
         }
         const std::uint64_t since = tables.version();
         const bool near = step < 4 || !one_in(random, 3);
-        tables.follow(tray, 0, true, near, workers);
-        words.follow(tray, 0, true, near, workers);
+        tables.follow(tray, 0, near, workers);
+        words.follow(tray, 0, near, workers);
         if (one_in(random, 2)) tables.raise(step + 10, workers);
         ASSERT_NO_THROW(tables.check(tray)) << step;
         EXPECT_FALSE(words.narrow());
@@ -537,7 +535,6 @@ TEST(TrayTables, AreRightBelowATopThatRises) {
         setup.ceiling = one_in(random, 2) ? Ceiling::open : Ceiling::closed;
         Tray tray(setup);
         const Extent& n = tray.extent();
-        const bool apart = one_in(random, 2);
         TrayTables tables(one_in(random, 2) ? 0 : n.count() + 1, one_in(random, 2));
         std::vector<ObjectId> objects;
         for (int step = 0; step < 16; ++step) {
@@ -554,7 +551,7 @@ TEST(TrayTables, AreRightBelowATopThatRises) {
                 objects.push_back(tray.add({solid, at}));
             }
             if (one_in(random, 4)) continue;
-            tables.follow(tray, 0, apart, one_in(random, 3), workers);
+            tables.follow(tray, 0, one_in(random, 3), workers);
             if (what >= 5) tables.raise(tables.top() + between(random, 1, 5), workers);
             if (tables.narrow() && one_in(random, 2)) tables.follow_quads(workers);
             ASSERT_NO_THROW(tables.check(tray)) << "round " << round << ", step " << step;
@@ -575,10 +572,10 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     const auto fine = std::make_shared<const BitGrid>(ball);
     tray.add(fine_object(fine, {8, 6, 4}, 2, 0));
     TrayTables tables;
-    tables.follow(tray, 0, false, false, Workers(1));
+    tables.follow(tray, 0, false, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const WidenedVoxels wide{fine, {}};
-    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, true, tables.frame(), Workers(2));
+    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, tables.frame(), Workers(2)).runs;
     const std::size_t pieces = runs.widened.front().pieces.corners.size(),
                       core = runs.widened.front().core.corners.size();
     ASSERT_GT(core, 0u);
@@ -624,9 +621,10 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, s).voxels);
         const WidenedVoxels wide{fine, {}};
         TrayTables tables;
-        tables.follow(tray, 0, false, false, Workers(1));
-        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, true,
-                                               tables.frame(), Workers(2));
+        tables.follow(tray, 0, false, Workers(1));
+        const OrientationRuns runs =
+            make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, tables.frame(), Workers(2))
+                .runs;
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
@@ -683,7 +681,7 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
     const OrientationRuns runs =
-        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, true, TrayTables().frame(), Workers(1));
+        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, TrayTables().frame(), Workers(1)).runs;
     const SumLayout tables({210, 9, 8}, 1);
     for (const int range : {255, 65535}) {
         for (const int most : {1, 21, 150, 5000, 65535}) {
@@ -756,14 +754,12 @@ TEST(CellPlan, NeverClaimsMoreThanTheProximityOfAFreePosition) {
         const Runs runs = fewest_runs(solid);
         const Depths depths(solid, runs);
         const TurnedDepths as_it_is(depths, {}, a);
-        for (const int kind : {0, 1, 2, 3}) {
-            const bool apart = kind % 2 == 1;
-            const CellPlan plan = plan_cells(runs, a, minima, phi.most(), kind < 2 ? kBlock : 2 * kBlock, 1000,
-                                             apart ? &as_it_is : nullptr);
+        for (const int edge : {kBlock, 2 * kBlock}) {
+            const CellPlan plan = plan_cells(runs, a, minima, phi.most(), edge, 1000, as_it_is);
             for (int question = 0; question < 200; ++question) {
                 const VoxelIndex q{between(random, 0, n.x - a.x), between(random, 0, n.y - a.y),
                                    between(random, 0, n.z - a.z)};
-                if (apart && intersects(occupied, solid, q)) continue;
+                if (intersects(occupied, solid, q)) continue;
                 std::int64_t rho = 0;
                 for_each_voxel(a, [&](int x, int y, int z) {
                     if (solid.get(x, y, z)) rho += phi.at(q.x + x, q.y + y, q.z + z);

@@ -61,14 +61,14 @@ void for_each_stretch(const Runs& solid, const CellGrid& grid, const Visit& visi
 }
 
 /// The solid's cells of edge^3 voxels, c in a block's corner.
-std::vector<Cell> cells_of(const Runs& solid, const Extent& extent, int edge, int block, const TurnedDepths* depths) {
+std::vector<Cell> cells_of(const Runs& solid, const Extent& extent, int edge, int block, const TurnedDepths& depths) {
     const CellGrid grid(extent, edge, block);
     std::vector<Cell> cells(static_cast<std::size_t>(grid.count.count()));
     const int along = solid.axis;
     for_each_stretch(solid, grid, [&](std::size_t i, const Run& run) {
         Cell& cell = cells[i];
         cell.voxels += run.length;
-        if (depths) cell.depth += depths->sum(run, along);
+        cell.depth += depths.sum(run, along);
         for (int axis = 0; axis < 3; ++axis) {
             cell.sum[axis] += static_cast<std::int64_t>(run.start[axis]) * run.length;
         }
@@ -104,7 +104,7 @@ std::vector<Cell> cells_of(const Runs& solid, const Extent& extent, int edge, in
 }  // namespace
 
 CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockLayout& blocks, int most, int edge,
-                    std::size_t most_cells, const TurnedDepths* depths) {
+                    std::size_t most_cells, const TurnedDepths& depths) {
     CellPlan plan;
     // Sums are kept in 32 bits.
     if (solid.voxels * most > std::numeric_limits<std::int32_t>::max()) return plan;

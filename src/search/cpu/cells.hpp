@@ -30,9 +30,9 @@ struct CellPlan {
 
 /// Cells of edge^3 voxels or, where that would be more than `most_cells`, twice that edge and so on, for
 /// rho(q) >= least + sum of weight * max(0, v - drop), v being the minimum of the block of c + q. `edge` is a power of
-/// two and no less than a block's. `depths`: the solid's, null where they say nothing. `most`: no phi is above it.
+/// two and no less than a block's. `depths`: the solid's. `most`: no phi is above it.
 /// O(voxels).
 CellPlan plan_cells(const Runs& solid, const Extent& extent, const BlockLayout& blocks, int most, int edge,
-                    std::size_t most_cells, const TurnedDepths* depths);
+                    std::size_t most_cells, const TurnedDepths& depths);
 
 }  // namespace spectralpack

@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "core/heap.hpp"
@@ -120,24 +119,16 @@ class CpuSearch final : public PlacementSearch {
     }
 
   private:
-    /// covers_solid() of the shape, which takes a walk over all its voxels; told once for all its copies.
-    bool covered(const Shape& shape) {
-        const auto [known, unknown] = covered_.try_emplace(shape.id, false);
-        if (unknown) known->second = covers_solid(shape);
-        return known->second;
-    }
-
     /// Brings the tables to the tray's version. As that alone leaves threads idle, the runs of a new part are made
     /// meanwhile and returned: none where there may be some already, or where the tables start afresh.
     std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
         const int margin = overhang(shape, tray.detail());
-        const bool apart = covered(shape) && tray.detail() == 1;
         // Sums of what is near rule out the open later than others do, but copy after copy they have less to follow,
         // and fewer bounds change.
         const bool near = shape.copies >= kManyCopies && is_thin(shape);
         std::vector<OrientationRuns> runs;
-        if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin, apart)) {
-            tables_.follow(tray, margin, apart, near, workers_);
+        if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin)) {
+            tables_.follow(tray, margin, near, workers_);
             return runs;
         }
         runs.resize(shape.orientations.size());
@@ -146,7 +137,7 @@ class CpuSearch final : public PlacementSearch {
             open.push_back(!tray.candidates(oriented.reach).empty());
         }
         workers_.for_each(2, [&, frame = tables_.frame()](std::int64_t i) {
-            if (i == 0) tables_.follow(tray, margin, apart, near, workers_);
+            if (i == 0) tables_.follow(tray, margin, near, workers_);
             if (i == 1) make_runs_of(shape, tray.detail(), open, frame, runs);
         });
         return runs;
@@ -166,7 +157,6 @@ class CpuSearch final : public PlacementSearch {
     /// and of the others from it; those that are reversed first, each with what follows by exchanging its axes.
     void make_runs_of(const Shape& shape, int detail, const std::vector<bool>& open, const TrayTables::Frame& frame,
                       std::vector<OrientationRuns>& runs) {
-        const bool deep = detail == 1 ? frame.apart : covered(shape);
         const std::size_t count = shape.orientations.size();
         const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
         const std::vector<OrientedShape>& all = shape.orientations;
@@ -183,9 +173,11 @@ class CpuSearch final : public PlacementSearch {
         for (std::size_t i = 0; i < count; ++i) {
             if (!wanted[i] || all[i].is_exchanged()) continue;
             if (!all[i].is_turned()) {
-                runs[i] = make_runs(all[i], detail, deep, frame, workers_, &depths[i]);
+                MadeRuns made = make_runs(all[i], detail, frame, workers_);
+                runs[i] = std::move(made.runs);
+                depths[i] = std::move(made.depths);
             } else if (!depths[from(i)]) {
-                depths[from(i)] = depths_of(all[from(i)], runs[from(i)].solid, detail, deep);
+                depths[from(i)] = depths_of(all[from(i)], runs[from(i)].solid, detail);
             }
         }
         const auto turn = [&](std::size_t i) {
@@ -390,7 +382,6 @@ class CpuSearch final : public PlacementSearch {
     Workers workers_;
     TrayTables tables_;
     PositionCache positions_;
-    std::unordered_map<std::uint64_t, bool> covered_;  // by the shape's id
     std::shared_ptr<DilatedLayers> dilated_;
     std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance
 };

@@ -105,13 +105,12 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail, const 
 }
 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
-void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const std::optional<Depths>& depths,
+void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const Depths& depths,
                const TrayTables::Frame& frame) {
     if (!frame.large && frame.most <= kCrowd) return;
-    std::optional<TurnedDepths> here;
-    if (depths) here.emplace(*depths, turn, solid);
+    const TurnedDepths here(depths, turn, solid);
     const auto cells = [&](int edge, std::size_t most) {
-        return plan_cells(runs.solid, solid, frame.blocks, frame.most, edge, most, here ? &*here : nullptr);
+        return plan_cells(runs.solid, solid, frame.blocks, frame.most, edge, most, here);
     };
     runs.cells = cells(2 * TrayTables::kBlock, kMostCells);
     if (frame.large && runs.solid.runs.size() >= kRunsWorthCells) {
@@ -121,16 +120,15 @@ void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid,
 
 }  // namespace
 
-std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers) {
-    if (!covers) return std::nullopt;
+Depths depths_of(const OrientedShape& shape, const Runs& solid, int detail) {
     if (detail == 1) return Depths(*shape.solid, solid);
     const BitGrid core = filled_voxels(*shape.fine, {}, detail).voxels;
     return Depths(core, runs_along(core, solid.axis));
 }
 
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables::Frame& frame,
-                          const Workers& workers, std::optional<Depths>* keep) {
+MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Frame& frame, const Workers& workers) {
     OrientationRuns result;
+    std::optional<Depths> depths;
     std::vector<std::size_t> distinct;  // classes
     for (std::size_t c = 0; c < shape.widened.size(); ++c) {
         std::size_t same = 0;
@@ -142,14 +140,9 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
     result.widened.resize(distinct.size());
     const auto add_solid = [&] {
         result.solid = fewest_runs(*shape.solid);
-        std::optional<Depths> depths = depths_of(shape, result.solid, detail, covers);
-        if (depths) {
-            result.least = depths->sums(result.solid);
-        } else {
-            result.least.assign(result.solid.runs.size(), 0);
-        }
-        add_cells(result, {}, shape.solid.extent(), depths, frame);
-        if (keep) *keep = std::move(depths);
+        depths = depths_of(shape, result.solid, detail);
+        result.least = depths->sums(result.solid);
+        add_cells(result, {}, shape.solid.extent(), *depths, frame);
     };
     // What rho asks for takes about as long as one of the covers that a collision does.
     workers.for_each(std::ssize(distinct) + 2, [&](std::int64_t i) {
@@ -162,7 +155,7 @@ OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, c
             result.widened[k] = pieces_of(shape.widened[distinct[k]], detail, workers);
         }
     });
-    return result;
+    return {std::move(result), std::move(*depths)};
 }
 
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
@@ -176,7 +169,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
     result.of_class = runs.of_class;
     result.walled = turned(runs.walled, turn, solid);
     if (turn.reverses()) {
-        add_cells(result, turn, turned(solid, turn), depths, frame);
+        add_cells(result, turn, turned(solid, turn), *depths, frame);
         return result;
     }
     result.cells = runs.cells;
@@ -188,22 +181,6 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
         }
     }
     return result;
-}
-
-bool covers_solid(const Shape& shape) {
-    for (const OrientedShape& oriented : shape.orientations) {
-        if (oriented.is_turned()) continue;  // it does if what it follows from does
-        for (std::size_t c = 0; c < oriented.widened.size(); ++c) {
-            if (c > 0 && oriented.widened[c] == oriented.widened[c - 1]) continue;
-            const WidenedVoxels& widened = oriented.widened[c];
-            const BitGrid& fine = oriented.fine ? *oriented.fine : *oriented.solid;
-            if (widened.offset == VoxelIndex{} && *widened.voxels == fine) continue;
-            BitGrid bare = fine;
-            subtract(bare, *widened.voxels, widened.offset);
-            if (!bare.none()) return false;
-        }
-    }
-    return true;
 }
 
 int overhang(const Shape& shape, int detail) {

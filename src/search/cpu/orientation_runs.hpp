@@ -18,7 +18,7 @@ namespace spectralpack {
 /// An orientation's voxels as runs.
 struct OrientationRuns {
     Runs solid;
-    /// For each of them, what phi sums up to at least where the solid is free; all 0 where that says nothing.
+    /// For each of them, what phi sums up to at least where the solid is free.
     std::vector<std::uint32_t> least;
     /// A+g in pieces. With s > 1 its voxels of dx / s are not all covered: what lies in voxels of dx that are filled
     /// altogether, the core, meets a fine voxel of an object exactly if the core meets the object's voxels of dx.
@@ -33,23 +33,24 @@ struct OrientationRuns {
     CellPlan fine_cells;           ///< none where sums cost little more
 };
 
-/// Depths in the solid, `solid` being its runs, of the voxels that the tray's other objects keep off; none where
-/// `covers`, covers_solid() of the whole shape, is false.
-std::optional<Depths> depths_of(const OrientedShape& shape, const Runs& solid, int detail, bool covers);
+/// Depths in the solid, `solid` being its runs, of the voxels that the tray's other objects keep off: with s > 1 those
+/// that it fills altogether.
+Depths depths_of(const OrientedShape& shape, const Runs& solid, int detail);
 
-/// For searches in a tray of that frame. `keep`, if given, becomes depths_of() the shape.
-OrientationRuns make_runs(const OrientedShape& shape, int detail, bool covers, const TrayTables::Frame& frame,
-                          const Workers& workers, std::optional<Depths>* keep = nullptr);
+/// An orientation's runs, and depths_of() it.
+struct MadeRuns {
+    OrientationRuns runs;
+    Depths depths;
+};
+
+/// For searches in a tray of that frame.
+MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Frame& frame, const Workers& workers);
 
 /// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
 /// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
-/// whose `depths`, if any, are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
+/// whose `depths` are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
                        const std::optional<Depths>& depths, const TrayTables::Frame& frame);
-
-/// True when every A+g holds A itself. Then, at free positions, no object is in a voxel that the solid fills; and with
-/// s = 1 phi >= 1 on every voxel of the solid.
-bool covers_solid(const Shape& shape);
 
 /// Voxels of dx by which the widened shapes reach beyond the solid on any side.
 int overhang(const Shape& shape, int detail);

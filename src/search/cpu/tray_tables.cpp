@@ -105,7 +105,7 @@ void TrayTables::rebuild_phi(const Tray& tray, bool near, const Workers& workers
     changes_.clear();
 }
 
-void TrayTables::rebuild(const Tray& tray, int margin, bool apart, bool near, const Workers& workers) {
+void TrayTables::rebuild(const Tray& tray, int margin, bool near, const Workers& workers) {
     const Extent& n = tray.extent();
     // What there was makes room first.
     bits_ = {};
@@ -117,7 +117,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool apart, bool near, co
     minima_ = {};
     phi_ = {};
     large_ = n.count() >= large_from_;
-    apart_ = apart;
+    apart_ = tray.detail() == 1;
     // Bits and distances have nothing to do with each other.
     workers.for_each(2, [&](std::int64_t i) {
         if (i == 0) {
@@ -206,20 +206,19 @@ void TrayTables::raise(int top, const Workers& workers) {
     if (quads_follow_) follow_quads(workers);
 }
 
-bool TrayTables::starts_afresh(const Tray& tray, int margin, bool apart) const {
-    return tray.instance() != instance_ || margin > bits_.margin() || (apart_ && !apart) || tray.version() < version_ ||
+bool TrayTables::starts_afresh(const Tray& tray, int margin) const {
+    return tray.instance() != instance_ || margin > bits_.margin() || tray.version() < version_ ||
            tray.version() - version_ > kRebuildAfter;
 }
 
-bool TrayTables::only_adds(const Tray& tray, int margin, bool apart) const {
-    return !starts_afresh(tray, margin, apart) && !any_removed(tray, version_);
+bool TrayTables::only_adds(const Tray& tray, int margin) const {
+    return !starts_afresh(tray, margin) && !any_removed(tray, version_);
 }
 
-void TrayTables::follow(const Tray& tray, int margin, bool apart, bool near, const Workers& workers) {
-    const bool afresh = starts_afresh(tray, margin, apart);
+void TrayTables::follow(const Tray& tray, int margin, bool near, const Workers& workers) {
+    const bool afresh = starts_afresh(tray, margin);
     if (afresh) {
-        const bool same_tray = tray.instance() == instance_;
-        rebuild(tray, std::max(margin, bits_.margin()), apart && (apart_ || !same_tray), near, workers);
+        rebuild(tray, std::max(margin, bits_.margin()), near, workers);
     } else if (tray.version() > version_) {
         workers.for_each(
             2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, near, workers); });

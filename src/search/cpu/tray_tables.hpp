@@ -50,11 +50,11 @@ class TrayTables {
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
     /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may
-    /// reach beyond A. `apart`: every A+g holds its A (plan.hpp), which makes for better bounds. `near`: sums of what
+    /// reach beyond A. `near`: sums of what
     /// is near will do, which take less following.
-    void follow(const Tray& tray, int margin, bool apart, bool near, const Workers& workers);
+    void follow(const Tray& tray, int margin, bool near, const Workers& workers);
     /// True when that would only add what came in, so that frame() stays right.
-    bool only_adds(const Tray& tray, int margin, bool apart) const;
+    bool only_adds(const Tray& tray, int margin) const;
 
     const BitTables& bits() const { return bits_; }
     /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids. And threads keep
@@ -94,11 +94,11 @@ class TrayTables {
     struct Frame {
         BlockLayout blocks;  ///< of minima()
         int most = 0;        ///< no phi is above it
-        bool large = false, walls = false, apart = false;
+        bool large = false, walls = false;
     };
-    Frame frame() const { return {minima_, phi_.most(), large_, walls_, apart_}; }
+    Frame frame() const { return {minima_, phi_.most(), large_, walls_}; }
 
-    /// True when the bounds here take for granted that A+g holds A, and copies share no voxel (s = 1).
+    /// True when copies share no voxel of dx (s = 1): as every A+g holds its A, the bounds here take that for granted.
     bool apart() const { return apart_; }
 
     /// True when objects of the class stand in the tray.
@@ -128,8 +128,8 @@ class TrayTables {
     void check(const Tray& tray) const;
 
   private:
-    bool starts_afresh(const Tray& tray, int margin, bool apart) const;
-    void rebuild(const Tray& tray, int margin, bool apart, bool near, const Workers& workers);
+    bool starts_afresh(const Tray& tray, int margin) const;
+    void rebuild(const Tray& tray, int margin, bool near, const Workers& workers);
     void rebuild_phi(const Tray& tray, bool near, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
     void follow_phi(const Tray& tray, bool near, const Workers& workers);
