@@ -58,7 +58,7 @@ struct Question {
         solid = std::make_shared<const BitGrid>(random_solid(random, random_extent(random, {20, 1, 1}, {62, 4, 3})));
         tables.follow(tray, 0, false, Workers(1));
         const WidenedVoxels wide{solid, {}};
-        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}}, 1, tables.frame(), Workers(1)).runs;
+        const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}}, 1, tables, Workers(1)).runs;
         plan = plan_collision(runs, tables, 0).of_positions;
     }
     static TraySetup setup() {

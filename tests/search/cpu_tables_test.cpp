@@ -296,14 +296,14 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const auto solid_then = std::make_shared<const BitGrid>(turned(*solid, turn));
         const WidenedVoxels wide = random_widened(random, *solid, 3);
         const WidenedVoxels wide_then = turned(wide, extent, turn);
-        const MadeRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, tables.frame(), Workers(1));
-        const OrientationRuns runs = turned(before.runs, turn, extent, 1, before.depths, tables.frame());
+        const MadeRuns before = make_runs({0, {}, {}, solid, {wide}}, 1, tables, Workers(1));
+        const OrientationRuns runs = turned(before.runs, turn, extent, 1, before.depths, tables);
         EXPECT_EQ(drawn(runs.widened.front().pieces, wide_then.voxels.extent(), wide_then.offset), *wide_then.voxels);
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
         EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
-        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, tables.frame(), Workers(1)).runs;
+        const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, tables, Workers(1)).runs;
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
         EXPECT_EQ(placed_cells(runs.fine_cells), placed_cells(made.fine_cells));
@@ -575,7 +575,7 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     tables.follow(tray, 0, false, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const WidenedVoxels wide{fine, {}};
-    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, tables.frame(), Workers(2)).runs;
+    const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, tables, Workers(2)).runs;
     const std::size_t pieces = runs.widened.front().pieces.corners.size(),
                       core = runs.widened.front().core.corners.size();
     ASSERT_GT(core, 0u);
@@ -623,8 +623,7 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         TrayTables tables;
         tables.follow(tray, 0, false, Workers(1));
         const OrientationRuns runs =
-            make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, tables.frame(), Workers(2))
-                .runs;
+            make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, tables, Workers(2)).runs;
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;
         const BitTables& bits = tables.bits();
         const Extent last{140 - solid->extent().x, 36 - solid->extent().y, 30 - solid->extent().z};
@@ -681,7 +680,7 @@ TEST(SumPlan, SplitsWhatSixteenBitsCannotHold) {
     BitGrid solid({200, 2, 3});
     solid.fill(true);
     const OrientationRuns runs =
-        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, TrayTables().frame(), Workers(1)).runs;
+        make_runs({0, {}, {}, std::make_shared<const BitGrid>(solid), {}}, 1, TrayTables(), Workers(1)).runs;
     const SumLayout tables({210, 9, 8}, 1);
     for (const int range : {255, 65535}) {
         for (const int most : {1, 21, 150, 5000, 65535}) {

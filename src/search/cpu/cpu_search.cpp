@@ -56,12 +56,11 @@ class CpuSearch final : public PlacementSearch {
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
         if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
-        std::vector<OrientationRuns> runs = follow(tray, shape);
+        follow(tray, shape);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_, model, workers_);
-        if (!runs.empty()) entry.runs = std::move(runs);
         SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
-        make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
+        make_runs_of(shape, tray.detail(), open, entry.runs);
         const bool by_quads = tables_.narrow() && tables_.all_near() && have_few(entry.runs);
         std::vector<OrientationTask> searches;
         workers_.for_each(2, [&](std::int64_t i) {
@@ -119,28 +118,12 @@ class CpuSearch final : public PlacementSearch {
     }
 
   private:
-    /// Brings the tables to the tray's version. As that alone leaves threads idle, the runs of a new part are made
-    /// meanwhile and returned: none where there may be some already, or where the tables start afresh.
-    std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
-        const int margin = overhang(shape, tray.detail());
+    /// Brings the tables to the tray's version.
+    void follow(const Tray& tray, const Shape& shape) {
         // Sums of what is near rule out the open later than others do, but copy after copy they have less to follow,
         // and fewer bounds change.
         const bool near = shape.copies >= kManyCopies && is_thin(shape);
-        std::vector<OrientationRuns> runs;
-        if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin)) {
-            tables_.follow(tray, margin, near, workers_);
-            return runs;
-        }
-        runs.resize(shape.orientations.size());
-        std::vector<bool> open;
-        for (const OrientedShape& oriented : shape.orientations) {
-            open.push_back(!tray.candidates(oriented.reach).empty());
-        }
-        workers_.for_each(2, [&, frame = tables_.frame()](std::int64_t i) {
-            if (i == 0) tables_.follow(tray, margin, near, workers_);
-            if (i == 1) make_runs_of(shape, tray.detail(), open, frame, runs);
-        });
-        return runs;
+        tables_.follow(tray, overhang(shape, tray.detail()), near, workers_);
     }
 
     /// Which orientations have candidates left.
@@ -155,7 +138,7 @@ class CpuSearch final : public PlacementSearch {
 
     /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
     /// and of the others from it; those that are reversed first, each with what follows by exchanging its axes.
-    void make_runs_of(const Shape& shape, int detail, const std::vector<bool>& open, const TrayTables::Frame& frame,
+    void make_runs_of(const Shape& shape, int detail, const std::vector<bool>& open,
                       std::vector<OrientationRuns>& runs) {
         const std::size_t count = shape.orientations.size();
         const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
@@ -173,7 +156,7 @@ class CpuSearch final : public PlacementSearch {
         for (std::size_t i = 0; i < count; ++i) {
             if (!wanted[i] || all[i].is_exchanged()) continue;
             if (!all[i].is_turned()) {
-                MadeRuns made = make_runs(all[i], detail, frame, workers_);
+                MadeRuns made = make_runs(all[i], detail, tables_, workers_);
                 runs[i] = std::move(made.runs);
                 depths[i] = std::move(made.depths);
             } else if (!depths[from(i)]) {
@@ -181,7 +164,7 @@ class CpuSearch final : public PlacementSearch {
             }
         }
         const auto turn = [&](std::size_t i) {
-            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid.extent(), detail, depths[from(i)], frame);
+            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid.extent(), detail, depths[from(i)], tables_);
         };
         workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
             const auto first = static_cast<std::size_t>(i);

@@ -106,14 +106,15 @@ OrientationRuns::Widened pieces_of(const WidenedVoxels& wide, int detail, const 
 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
 void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const Depths& depths,
-               const TrayTables::Frame& frame) {
-    if (!frame.large && frame.most <= kCrowd) return;
+               const TrayTables& tables) {
+    const int most_phi = tables.phi().most();
+    if (!tables.large() && most_phi <= kCrowd) return;
     const TurnedDepths here(depths, turn, solid);
     const auto cells = [&](int edge, std::size_t most) {
-        return plan_cells(runs.solid, solid, frame.blocks, frame.most, edge, most, here);
+        return plan_cells(runs.solid, solid, tables.minima(), most_phi, edge, most, here);
     };
     runs.cells = cells(2 * TrayTables::kBlock, kMostCells);
-    if (frame.large && runs.solid.runs.size() >= kRunsWorthCells) {
+    if (tables.large() && runs.solid.runs.size() >= kRunsWorthCells) {
         runs.fine_cells = cells(TrayTables::kBlock, kMostFineCells);
     }
 }
@@ -126,7 +127,7 @@ Depths depths_of(const OrientedShape& shape, const Runs& solid, int detail) {
     return Depths(core, runs_along(core, solid.axis));
 }
 
-MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Frame& frame, const Workers& workers) {
+MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables& tables, const Workers& workers) {
     OrientationRuns result;
     std::optional<Depths> depths;
     std::vector<std::size_t> distinct;  // classes
@@ -142,14 +143,14 @@ MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Fra
         result.solid = fewest_runs(*shape.solid);
         depths = depths_of(shape, result.solid, detail);
         result.least = depths->sums(result.solid);
-        add_cells(result, {}, shape.solid.extent(), *depths, frame);
+        add_cells(result, {}, shape.solid.extent(), *depths, tables);
     };
     // What rho asks for takes about as long as one of the covers that a collision does.
     workers.for_each(std::ssize(distinct) + 2, [&](std::int64_t i) {
         if (i == 0) {
             add_solid();
         } else if (i == 1) {
-            if (frame.walls) result.walled = cover_at({}, *shape.solid, *shape.solid);
+            if (tables.walls()) result.walled = cover_at({}, *shape.solid, *shape.solid);
         } else {
             const auto k = static_cast<std::size_t>(i - 2);
             result.widened[k] = pieces_of(shape.widened[distinct[k]], detail, workers);
@@ -159,7 +160,7 @@ MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Fra
 }
 
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
-                       const std::optional<Depths>& depths, const TrayTables::Frame& frame) {
+                       const std::optional<Depths>& depths, const TrayTables& tables) {
     OrientationRuns result;
     turn_runs(runs, turn, solid, result);
     const Extent fine{detail * solid.x, detail * solid.y, detail * solid.z};  // exact where it is asked for
@@ -169,7 +170,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
     result.of_class = runs.of_class;
     result.walled = turned(runs.walled, turn, solid);
     if (turn.reverses()) {
-        add_cells(result, turn, turned(solid, turn), *depths, frame);
+        add_cells(result, turn, turned(solid, turn), *depths, tables);
         return result;
     }
     result.cells = runs.cells;
@@ -177,7 +178,7 @@ OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const 
     for (CellPlan* plan : {&result.cells, &result.fine_cells}) {
         for (SolidCell& cell : plan->cells) {
             cell.block = {cell.block[turn.order[0]], cell.block[turn.order[1]], cell.block[turn.order[2]]};
-            cell.offset = frame.blocks.offset(cell.block);
+            cell.offset = tables.minima().offset(cell.block);
         }
     }
     return result;

@@ -43,14 +43,14 @@ struct MadeRuns {
     Depths depths;
 };
 
-/// For searches in a tray of that frame.
-MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables::Frame& frame, const Workers& workers);
+/// For searches in the tray of these tables.
+MadeRuns make_runs(const OrientedShape& shape, int detail, const TrayTables& tables, const Workers& workers);
 
 /// What make_runs() would give, but for the order of pieces and cells and for which of several pieces cover a voxel,
 /// for the orientation that follows by `turn` from the one with these runs, whose solid has the extents `solid` and
 /// whose `depths` are asked for where the turn reverses an axis. O(runs); reversing, O(cells) more.
 OrientationRuns turned(const OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, int detail,
-                       const std::optional<Depths>& depths, const TrayTables::Frame& frame);
+                       const std::optional<Depths>& depths, const TrayTables& tables);
 
 /// Voxels of dx by which the widened shapes reach beyond the solid on any side.
 int overhang(const Shape& shape, int detail);

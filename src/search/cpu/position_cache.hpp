@@ -156,9 +156,6 @@ class PositionCache {
     Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables, const CostModel& model,
               const Workers& workers);
 
-    /// True when at() would find an entry, unless what tables hold is void since.
-    bool knows(const Shape& shape) const { return entries_.contains(shape.id); }
-
     /// Counts the runs and plans that were made for an entry. It may be over the budget until the next call of at().
     void count(Entry& entry);
 

@@ -211,10 +211,6 @@ bool TrayTables::starts_afresh(const Tray& tray, int margin) const {
            tray.version() - version_ > kRebuildAfter;
 }
 
-bool TrayTables::only_adds(const Tray& tray, int margin) const {
-    return !starts_afresh(tray, margin) && !any_removed(tray, version_);
-}
-
 void TrayTables::follow(const Tray& tray, int margin, bool near, const Workers& workers) {
     const bool afresh = starts_afresh(tray, margin);
     if (afresh) {

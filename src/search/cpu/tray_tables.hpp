@@ -53,8 +53,6 @@ class TrayTables {
     /// reach beyond A. `near`: sums of what
     /// is near will do, which take less following.
     void follow(const Tray& tray, int margin, bool near, const Workers& workers);
-    /// True when that would only add what came in, so that frame() stays right.
-    bool only_adds(const Tray& tray, int margin) const;
 
     const BitTables& bits() const { return bits_; }
     /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids. And threads keep
@@ -89,14 +87,6 @@ class TrayTables {
     void raise(int top, const Workers& workers);
     /// Of phi where it is right; 0 above that.
     const BlockMinima& minima() const { return minima_; }
-
-    /// What runs are made for; right as long as objects only come in.
-    struct Frame {
-        BlockLayout blocks;  ///< of minima()
-        int most = 0;        ///< no phi is above it
-        bool large = false, walls = false;
-    };
-    Frame frame() const { return {minima_, phi_.most(), large_, walls_}; }
 
     /// True when copies share no voxel of dx (s = 1): as every A+g holds its A, the bounds here take that for granted.
     bool apart() const { return apart_; }
