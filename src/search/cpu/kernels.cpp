@@ -113,29 +113,28 @@ void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, st
     }
 }
 
-template <bool kAdd, class T>
-void CombineRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
-                 std::size_t count) {
+template <class T>
+void AddRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
+             std::size_t count) {
     const hn::ScalableTag<T> wide;
     const hn::CappedTag<T, 16 / sizeof(T)> narrow;
-    const auto combine = [&](auto d, std::size_t i) {
-        const auto left = hn::LoadU(d, a + i), right = hn::LoadU(d, b + i);
-        hn::StoreU(kAdd ? hn::Add(left, right) : hn::Sub(left, right), d, out + i);
+    const auto add = [&](auto d, std::size_t i) {
+        hn::StoreU(hn::Add(hn::LoadU(d, a + i), hn::LoadU(d, b + i)), d, out + i);
     };
     for (; rows > 0; --rows, out += step, a += step, b += b_step) {
         std::size_t i = 0;
         for (; i + hn::Lanes(wide) <= count; i += hn::Lanes(wide)) {
-            combine(wide, i);
+            add(wide, i);
         }
         for (; i + hn::Lanes(narrow) <= count; i += hn::Lanes(narrow)) {
-            combine(narrow, i);
+            add(narrow, i);
         }
         if (i < count && count >= hn::Lanes(narrow)) {
-            combine(narrow, count - hn::Lanes(narrow));  // some of them once more
+            add(narrow, count - hn::Lanes(narrow));  // some of them once more
             continue;
         }
         for (; i < count; ++i) {
-            combine(hn::CappedTag<T, 1>(), i);
+            add(hn::CappedTag<T, 1>(), i);
         }
     }
 }
@@ -221,7 +220,7 @@ void PrefixSums(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t cou
 }
 
 template <class T>
-T PrefixSumsDealt(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride, std::size_t count) {
+void PrefixSumsDealt(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t stride, std::size_t count) {
     std::size_t i = 0;
     T sum = out[0];
     const hn::FixedTag<std::uint16_t, 8> d;
@@ -247,13 +246,11 @@ T PrefixSumsDealt(T* HWY_RESTRICT out, const T* HWY_RESTRICT from, std::size_t s
             sum = static_cast<T>(sum + from[at]);
         }
     }
-    return sum;
 }
 
 template <class T>
 constexpr SumKernels<T> SumKernelsOf() {
-    return {CombineRows<true, T>, CombineRows<false, T>, RaiseRow<T>,
-            DealLeastOfFour<T>,   PrefixSums<T>,         PrefixSumsDealt<T>};
+    return {AddRows<T>, RaiseRow<T>, DealLeastOfFour<T>, PrefixSums<T>, PrefixSumsDealt<T>};
 }
 
 const Kernels& AllKernels() {

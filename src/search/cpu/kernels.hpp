@@ -18,13 +18,9 @@ struct RowChange {
 template <class T>
 struct SumKernels {
     /// out[i] = a[i] + b[i], i in [0, count), for `rows` rows one after the other, `step` from one of out and of a to
-    /// the next, `b_step` of b: what is written to a row of out may be what the next row reads of a. Steps may be
-    /// negative.
+    /// the next, `b_step` of b: what is written to a row of out may be what the next row reads of a.
     void (*add_rows)(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
                      std::size_t count);
-    /// Likewise out[i] = a[i] - b[i].
-    void (*subtract_rows)(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
-                          std::size_t count);
     /// out[i] = min(from[i] + floor, most), where that is no overflow.
     void (*raise_row)(T* out, const std::uint16_t* from, std::uint16_t floor, std::uint16_t most, std::size_t count);
     /// The least of every four neighbours, dealt out to four rows: out[k stride + i] = min(from[4 i + k + {0, 1, 2,
@@ -34,8 +30,7 @@ struct SumKernels {
     /// out[i + 1] = out[i] + from[i], i from 0 up.
     void (*prefix_sums)(T* out, const T* from, std::size_t count);
     /// The same of a row dealt out to four (element 4 i + k at k stride + i), for i in [0, count), from out[0] on.
-    /// Returns the sum of all: what comes next.
-    T (*prefix_sums_dealt)(T* out, const T* from, std::size_t stride, std::size_t count);
+    void (*prefix_sums_dealt)(T* out, const T* from, std::size_t stride, std::size_t count);
 };
 
 struct Kernels {

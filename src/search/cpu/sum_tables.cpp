@@ -67,40 +67,17 @@ void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unus
     }
 }
 
-/// Prefix sums of one row of which [lo, hi) changed: anew there, and the shorter side of the row brought in line with
-/// the other.
+/// Prefix sums of one row that changed from `lo` on.
 template <class T>
-void SumTables<T>::sum_along(T* out, const T* from, int lo, int hi) const {
-    const auto move = [](T* begin, T* end, T by) {
-        for (; begin != end; ++begin) {
-            *begin = static_cast<T>(*begin + by);
-        }
-    };
-    const bool before = hi < grid_.x - hi;
+void SumTables<T>::sum_along(T* out, const T* from, int lo) const {
+    const SumKernels<T>& run = kernels().sums<T>();
     if (block_ == 1) {
-        const T end = out[hi];
-        kernels().sums<T>().prefix_sums(out + lo, from + lo, static_cast<std::size_t>(hi - lo));
-        const auto grown = static_cast<T>(out[hi] - end);
-        if (before) {
-            move(out, out + hi + 1, static_cast<T>(-grown));
-        } else {
-            move(out + hi + 1, out + grid_.x + 1, grown);
-        }
+        run.prefix_sums(out + lo, from + lo, static_cast<std::size_t>(grid_.x - lo));
         return;
     }
-    const int first = lo / block_, last = std::min((hi + block_ - 1) / block_, phase_);
-    const T end = kernels().sums<T>().prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
-                                                        static_cast<std::size_t>(last - first));
-    if (last == phase_) return;
-    const auto grown = static_cast<T>(end - out[last]);
-    for (int p = 0; p < block_; ++p) {
-        T* phase = out + p * phase_;
-        if (before) {
-            move(phase, phase + last, static_cast<T>(-grown));
-        } else {
-            move(phase + last, phase + phase_, grown);
-        }
-    }
+    const int first = lo / block_;
+    run.prefix_sums_dealt(out + first, from + first, static_cast<std::size_t>(phase_),
+                          static_cast<std::size_t>(phase_ - first));
 }
 
 /// Pools what lies in `layer`.
@@ -205,25 +182,15 @@ template <class T>
 void SumTables<T>::sum_layer(const DistanceGrid& phi, const VoxelBox& layer) {
     T* along_x = values_.data();
     T* along_y = values_.data() + table_;
-    const int z = layer.lo.z;
-    for (int y = layer.lo.y; y < layer.hi.y; ++y) {
-        sum_along(along_x + row(y, z), pooled_row(phi, y, z), layer.lo.x, layer.hi.x);
+    const int z = layer.lo.z, y0 = layer.lo.y;
+    for (int y = y0; y < layer.hi.y; ++y) {
+        sum_along(along_x + row(y, z), pooled_row(phi, y, z), layer.lo.x);
     }
-    const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
-    // Only differences along an axis count: what lies on one side of the change may stay as it is, and the other side,
-    // the shorter one, is brought in line with it.
-    const bool behind = grid_.y - layer.lo.y <= layer.hi.y;
-    const int y = behind ? layer.lo.y : layer.hi.y - 1;
-    T* out = along_y + row(y, z);
-    const T* from = pooled_row(phi, y, z);
+    const std::ptrdiff_t from_step = pooled_.empty() ? phi.stride() : stride_;
     for_each_stretch(layer.lo.x, layer.hi.x, [&](int i, std::size_t length) {
-        if (behind) {
-            kernels().sums<T>().add_rows(out + step + i, out + i, from + i, static_cast<std::size_t>(grid_.y - y), step,
-                                         from_step, length);
-        } else {
-            kernels().sums<T>().subtract_rows(out + i, out + step + i, from + i, static_cast<std::size_t>(y + 1), -step,
-                                              -from_step, length);
-        }
+        T* out = along_y + row(y0, z) + i;
+        kernels().sums<T>().add_rows(out + stride_, out, pooled_row(phi, y0, z) + i,
+                                     static_cast<std::size_t>(grid_.y - y0), stride_, from_step, length);
     });
 }
 
@@ -231,31 +198,16 @@ void SumTables<T>::sum_layer(const DistanceGrid& phi, const VoxelBox& layer) {
 template <class T>
 void SumTables<T>::sum_columns(const DistanceGrid& phi, const VoxelBox& box, int top, const Workers& workers) {
     T* along_z = values_.data() + 2 * table_;
-    const std::ptrdiff_t step = stride_, from_step = pooled_.empty() ? phi.stride() : stride_;
-    const bool above = top - box.lo.z <= box.hi.z;
+    const std::ptrdiff_t from_step = pooled_.empty() ? phi.stride() : stride_;
     workers.for_ranges(box.hi.y - box.lo.y, 4, [&](std::int64_t begin, std::int64_t end) {
-        const std::int64_t up = row(0, 1);
         const int y = box.lo.y + static_cast<int>(begin);
-        const auto rows = static_cast<std::size_t>(end - begin);
-        const auto for_layer = [&](int z) {
+        for (int z = box.lo.z; z < top; ++z) {
             T* out = along_z + row(y, z);
             const T* from = pooled_row(phi, y, z);
             for_each_stretch(box.lo.x, box.hi.x, [&](int i, std::size_t length) {
-                if (above) {
-                    kernels().sums<T>().add_rows(out + up + i, out + i, from + i, rows, step, from_step, length);
-                } else {
-                    kernels().sums<T>().subtract_rows(out + i, out + up + i, from + i, rows, step, from_step, length);
-                }
+                kernels().sums<T>().add_rows(out + row(0, 1) + i, out + i, from + i,
+                                             static_cast<std::size_t>(end - begin), stride_, from_step, length);
             });
-        };
-        if (above) {
-            for (int z = box.lo.z; z < top; ++z) {
-                for_layer(z);
-            }
-        } else {
-            for (int z = box.hi.z - 1; z >= 0; --z) {
-                for_layer(z);
-            }
         }
     });
 }

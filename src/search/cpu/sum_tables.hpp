@@ -106,7 +106,7 @@ class SumTables : public SumLayout {
   private:
     void refresh(const DistanceGrid& phi, const ChangedLayers& changed, int top, const Workers& workers);
     const T* pooled_row(const DistanceGrid& phi, int y, int z) const;
-    void sum_along(T* out, const T* from, int lo, int hi) const;
+    void sum_along(T* out, const T* from, int lo) const;
     void pool(const DistanceGrid& phi, const VoxelBox& layer);
     void pool_quads(const DistanceGrid& phi, const VoxelBox& layer);
     void pool_blocks(const DistanceGrid& phi, const VoxelBox& layer);
