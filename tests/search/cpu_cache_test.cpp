@@ -69,7 +69,6 @@ class OpenState : public testing::Test {
     static constexpr Extent kCount{200, 20, 10};
 
     void SetUp() override {
-        state.reset(kCount, kCount, true);
         for_each_pair(state, [&](int bx, int by, int bz) {
             OpenPair& pair = state.open(bx, by, bz);
             for (auto& words : pair.live) {
@@ -83,7 +82,7 @@ class OpenState : public testing::Test {
         });
     }
 
-    PositionState state;
+    PositionState state{kCount, true};
 };
 
 TEST_F(OpenState, FindsLayersInWhichNothingIsLive) {
@@ -94,17 +93,14 @@ TEST_F(OpenState, FindsLayersInWhichNothingIsLive) {
     EXPECT_EQ(state.dead_layers(1), 0b1011);
     EXPECT_EQ(state.dead_layers(0), 0);
     EXPECT_EQ(state.dead_layers(2), 0);
-    PositionState fresh;
-    fresh.reset(kCount, kCount, true);
+    PositionState fresh(kCount, true);
     fresh.look_for_dead_layers(0);  // where nobody has looked anything may be live
     EXPECT_EQ(fresh.dead_layers(0), 0);
 }
 
 TEST_F(OpenState, ForgetsWhatAChangeOfPhiMayHaveMadeWrong) {
     // A row of pairs that are fresh, open and dead by turns, with bounds on each.
-    PositionState row;
-    const Extent count{6 * 128, 8, 4};
-    row.reset(count, count, true);
+    PositionState row({6 * 128, 8, 4}, true);
     for (int i = 0; i < 6; ++i) {
         const int bx = kPair * i;
         if (i % 3 == 1) {
@@ -228,7 +224,7 @@ TEST_F(CacheInTheOpen, KeepsBoundsFromBytesForWordsWhereNothingChanged) {
 
 TEST_F(CacheInTheOpen, KeepsWithinItsBudgetWhatItUsesAgainToo) {
     tables.follow(tray, 0, false, Workers(1));
-    const std::int64_t room = PositionState::room_bytes(tray.extent());
+    const std::int64_t room = PositionState::bytes_for(tray.candidates(shape.orientations.front().reach), true);
     for (const double entries : {0.5, 1.5, 2.9}) {
         const auto budget = static_cast<std::int64_t>(entries * 1.1 * static_cast<double>(room));
         PositionCache small(budget);

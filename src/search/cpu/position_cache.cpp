@@ -22,22 +22,15 @@ bool same_heights(const CostModel& a, const CostModel& b) {
 
 }  // namespace
 
-void PositionState::reset(const Extent& count, const Extent& most, bool keeps) {
-    keeps_ = keeps;
-    count_ = count;
-    bricks_ = brick_count(count);
-    pairs_ = pairs_along_x(bricks_);
-    place_.assign(static_cast<std::size_t>(pair_count(bricks_)), kFresh);
-    least_.assign(place_.size(), 0);
-    opened_.assign(static_cast<std::size_t>(bricks_.z), 0);
-    dead_layers_.assign(static_cast<std::size_t>(bricks_.z), 0);
-    looks_.assign(static_cast<std::size_t>(bricks_.z), Patience());
-    if (count.empty() || !keeps) return;
-    const auto room = static_cast<std::size_t>(pair_count(brick_count(most)));
-    if (room_ < room) {
-        open_ = std::make_unique_for_overwrite<OpenPair[]>(room);
-        room_ = room;
-    }
+PositionState::PositionState(const Extent& count, bool keeps)
+    : count_(count), bricks_(brick_count(count)), pairs_(pairs_along_x(bricks_)), keeps_(keeps) {
+    const auto pairs = static_cast<std::size_t>(pair_count(bricks_)), layers = static_cast<std::size_t>(bricks_.z);
+    place_.assign(pairs, kFresh);
+    least_.assign(pairs, 0);
+    opened_.assign(layers, 0);
+    dead_layers_.assign(layers, 0);
+    looks_.assign(layers, Patience());
+    if (keeps) open_ = std::make_unique_for_overwrite<OpenPair[]>(pairs);
 }
 
 void PositionState::candidates(int bx, int by, const std::uint32_t (&alive)[kBlocksY], std::uint64_t* tile) const {
@@ -134,29 +127,9 @@ void PositionState::forget(const VoxelBox& changed, const VoxelBox& of_sums, con
     }
 }
 
-std::int64_t PositionState::room_bytes(const Extent& most) {
-    return pair_count(brick_count(most)) * static_cast<std::int64_t>(sizeof(OpenPair));
-}
-
-std::int64_t PositionState::bytes_for(const Extent& count, const Extent& most, bool keeps) {
-    constexpr auto kOfPair = static_cast<std::int64_t>(sizeof(std::int32_t) + sizeof(std::uint32_t));
-    return pair_count(brick_count(count)) * kOfPair + (keeps ? room_bytes(most) : 0);
-}
-
-void PositionCache::spare_states_of(Entry& entry) {
-    for (PositionState& state : entry.states) {
-        if (state.room_bytes() == 0) continue;
-        spare_bytes_ += state.room_bytes();
-        spare_.push_back(std::move(state));
-    }
-}
-
-/// Those that would not stay within the budget.
-void PositionCache::drop_spares() {
-    while (!spare_.empty() && bytes_ + spare_bytes_ > budget_) {
-        spare_bytes_ -= spare_.back().room_bytes();
-        spare_.pop_back();
-    }
+std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
+    const std::size_t of_pair = sizeof(std::int32_t) + sizeof(std::uint32_t) + (keeps ? sizeof(OpenPair) : 0);
+    return pair_count(brick_count(count)) * static_cast<std::int64_t>(of_pair);
 }
 
 void PositionCache::make_room(std::int64_t bytes) {
@@ -168,18 +141,8 @@ void PositionCache::make_room(std::int64_t bytes) {
         };
         const auto gone = std::min_element(entries_.begin(), entries_.end(), less_useful);
         bytes_ -= gone->second.bytes;
-        spare_states_of(gone->second);
         entries_.erase(gone);
     }
-}
-
-/// Also what takes no room: that nothing fitted the last tray says nothing of the next.
-void PositionCache::forget_all() {
-    for (auto& [id, entry] : entries_) {
-        spare_states_of(entry);
-    }
-    entries_.clear();
-    bytes_ = 0;
 }
 
 void PositionCache::count(Entry& entry) {
@@ -195,7 +158,8 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
                                         const CostModel& model, const Workers& workers) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
-        forget_all();
+        entries_.clear();  // also what takes no memory: that nothing fitted the last tray says nothing of the next
+        bytes_ = 0;
     }
     ++uses_;
     auto found = entries_.find(shape.id);
@@ -218,23 +182,13 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         return entry;
     }
     Entry fresh;
-    std::vector<Extent> counts;
     for (const OrientedShape& oriented : shape.orientations) {
-        counts.push_back(tray.candidates(oriented.reach));
-        if (counts.back().empty()) continue;
-        fresh.state_bytes += PositionState::bytes_for(counts.back(), tray.extent(), !shape.is_once());
+        fresh.state_bytes += PositionState::bytes_for(tray.candidates(oriented.reach), !shape.is_once());
     }
     fresh.bytes = fresh.state_bytes;
     make_room(fresh.bytes);
-    for (const Extent& count : counts) {
-        PositionState state;
-        if (!shape.is_once() && !count.empty() && !spare_.empty()) {
-            state = std::move(spare_.back());
-            spare_.pop_back();
-            spare_bytes_ -= state.room_bytes();
-        }
-        state.reset(count, tray.extent(), !shape.is_once());
-        fresh.states.push_back(std::move(state));
+    for (const OrientedShape& oriented : shape.orientations) {
+        fresh.states.emplace_back(tray.candidates(oriented.reach), !shape.is_once());
     }
     fresh.runs.resize(fresh.states.size());
     fresh.plans.resize(fresh.states.size());
@@ -242,7 +196,6 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
     fresh.model = model;
     fresh.last_use = uses_;
     bytes_ += fresh.bytes;
-    drop_spares();
     return entries_[shape.id] = std::move(fresh);
 }
 

@@ -42,12 +42,12 @@ struct alignas(64) OpenPair {
 
 class PositionState {
   public:
-    /// `count` candidate positions per axis, of at most `most`, for which room is made so that it serves any shape in
-    /// the same tray. Nothing is known. Not `keeps`: of pairs that are opened nothing will be kept, and there is no
-    /// room.
-    void reset(const Extent& count, const Extent& most, bool keeps);
+    /// Of no positions.
+    PositionState() = default;
+    /// `count` candidate positions per axis, of which nothing is known. Not `keeps`: of pairs that are opened nothing
+    /// will be kept, and they have no place here.
+    PositionState(const Extent& count, bool keeps);
     bool keeps() const { return keeps_; }
-    std::int64_t room_bytes() const { return static_cast<std::int64_t>(room_ * sizeof(OpenPair)); }
     std::size_t pairs_in_layer() const { return place_in(1); }
 
     const Extent& count() const { return count_; }
@@ -94,10 +94,8 @@ class PositionState {
     /// by becomes 0; and what blocks are bounded by that reach into `of_sums`, where the sums they come from changed.
     void forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent);
 
-    /// Bytes it takes once it is reset(), at most: pages that nothing is written to are counted too.
-    static std::int64_t bytes_for(const Extent& count, const Extent& most, bool keeps);
-    /// Of them, those of the room for open pairs.
-    static std::int64_t room_bytes(const Extent& most);
+    /// Bytes that one takes at most: pages that nothing is written to are counted too.
+    static std::int64_t bytes_for(const Extent& count, bool keeps);
 
   private:
     /// Where brick layer bz's open pairs begin.
@@ -122,9 +120,8 @@ class PositionState {
     int pairs_ = 0;  // along x
     bool keeps_ = true;
     // Pairs lie in the order in which they were opened, one brick layer's after the other's: what never is takes no
-    // memory from the system and no room in caches.
+    // memory from the system and no place in caches.
     std::unique_ptr<OpenPair[]> open_;
-    std::size_t room_ = 0;                   // pairs
     std::vector<std::int32_t> place_;        // of each pair, which one of its layer's open ones it is; kFresh, kNothing
     std::vector<std::uint32_t> least_;       // likewise, least_bound()
     std::vector<std::int32_t> opened_;       // by brick layer
@@ -159,19 +156,15 @@ class PositionCache {
     /// Counts the runs and plans that were made for an entry. It may be over the budget until the next call of at().
     void count(Entry& entry);
 
-    std::int64_t bytes() const { return bytes_ + spare_bytes_; }
+    std::int64_t bytes() const { return bytes_; }
 
   private:
-    void spare_states_of(Entry& entry);
-    void drop_spares();
     void make_room(std::int64_t bytes);
-    void forget_all();
 
     std::int64_t budget_;
-    std::int64_t bytes_ = 0, spare_bytes_ = 0;
+    std::int64_t bytes_ = 0;
     std::uint64_t epoch_ = 0, uses_ = 0;
     std::unordered_map<std::uint64_t, Entry> entries_;
-    std::vector<PositionState> spare_;  // of entries that went: their room is used again
 };
 
 }  // namespace spectralpack
