@@ -56,7 +56,7 @@ struct Question {
     explicit Question(RandomStream& random) : tray(setup()) {
         tray.add({std::make_shared<const BitGrid>(random_bits(random, tray.extent(), 90)), {}});
         solid = std::make_shared<const BitGrid>(random_solid(random, random_extent(random, {20, 1, 1}, {62, 4, 3})));
-        tables.follow(tray, 0, false, Workers(1));
+        tables.follow(tray, 0, Workers(1));
         const WidenedVoxels wide{solid, {}};
         const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}}, 1, tables, Workers(1)).runs;
         plan = plan_collision(runs, tables, 0).of_positions;

@@ -426,7 +426,7 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     TrayTables tables(std::numeric_limits<std::int64_t>::max()), words(0, false);
     const auto follow = [&](bool narrow, bool quads = true) {
         for (TrayTables* each : {&tables, &words}) {
-            each->follow(tray, 0, false, Workers(2));
+            each->follow(tray, 0, Workers(2));
             if (quads && each->narrow()) each->follow_quads(Workers(2));
             EXPECT_NO_THROW(each->check(tray));
         }
@@ -459,72 +459,6 @@ TEST(TrayTables, KeepBytesWhilePhiIsSmall) {
     EXPECT_LT(tables.bytes(), bytes + 14 * voxels);
 }
 
-TEST(TrayTables, KeepBytesOfWhatIsNearWhereThatWillDo) {
-    RandomStream random(5);
-    const Workers workers(2);
-    TraySetup setup;
-    setup.size = {90, 80, 70};
-    setup.voxel_size = 1;
-    Tray tray(setup);
-    TrayTables tables(std::numeric_limits<std::int64_t>::max()), words(0, false);
-    const Extent& n = tray.extent();
-    std::vector<ObjectId> objects;
-    for (int step = 0; step < 40; ++step) {
-        const auto solid = std::make_shared<BitGrid>(random_solid(random, random_extent(random, {2, 2, 2}, {7, 7, 7})));
-        const Extent& e = solid->extent();
-        objects.push_back(tray.add({solid,
-                                    {between(random, 0, n.x - e.x), between(random, 0, n.y - e.y),
-                                     between(random, 0, std::min(n.z, step + 9) - e.z)}}));
-        if (step % 13 == 12) {
-            tray.remove(objects.back());
-            objects.pop_back();
-        }
-        const std::uint64_t since = tables.version();
-        const bool near = step < 4 || !one_in(random, 3);
-        tables.follow(tray, 0, near, workers);
-        words.follow(tray, 0, near, workers);
-        if (one_in(random, 2)) tables.raise(step + 10, workers);
-        ASSERT_NO_THROW(tables.check(tray)) << step;
-        EXPECT_FALSE(words.narrow());
-        EXPECT_EQ(tables.narrow(), near || tables.all_near());
-        EXPECT_EQ(tables.exact(), !near || tables.all_near());
-        const TrayTables::Change change = tables.changed_since(since);
-        EXPECT_EQ(hull(change.all, change.near), change.all);
-        if (step < 4) {
-            EXPECT_LT(tables.bytes(), words.bytes());
-        }
-    }
-    EXPECT_GT(tables.phi().most(), 21);
-}
-
-TEST(TrayTables, TellWhereWhatIsNearChanged) {
-    RandomStream random(6);
-    for (int round = 0; round < 20; ++round) {
-        const Extent n{between(random, 50, 70), between(random, 46, 60), between(random, 4, 60)};
-        DistanceGrid phi(n, Ceiling::open);
-        phi.raise(n.z, Workers(1));
-        for (int step = 0; step < 4; ++step) {
-            const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {9, 7, std::min(n.z, 5)}));
-            const Extent& e = solid.extent();
-            const VoxelIndex at{between(random, 0, n.x - e.x), between(random, 0, n.y - e.y),
-                                between(random, 0, n.z - e.z)};
-            const DistanceGrid before = phi;
-            const ChangedLayers changed = phi.add(solid, at, Workers(2));
-            const int distance = between(random, 1, 30);
-            const ChangedLayers near = changed.within(distance, {at, at + VoxelIndex{e.x, e.y, e.z}});
-            bool inside = true, all = true;
-            for_each_voxel(n, [&](int x, int y, int z) {
-                const VoxelBox voxel{{x, y, z}, {x + 1, y + 1, z + 1}};
-                const bool told = !near.at(z).empty() && hull(near.at(z), voxel) == near.at(z);
-                inside &= !told || hull(changed.at(z), voxel) == changed.at(z);
-                all &= told || std::min(before.at(x, y, z), static_cast<std::uint16_t>(distance)) ==
-                                   std::min(phi.at(x, y, z), static_cast<std::uint16_t>(distance));
-            });
-            EXPECT_TRUE(inside && all) << round << ", " << step;
-        }
-    }
-}
-
 TEST(TrayTables, AreRightBelowATopThatRises) {
     RandomStream random(9);
     const Workers workers(2);
@@ -551,7 +485,7 @@ TEST(TrayTables, AreRightBelowATopThatRises) {
                 objects.push_back(tray.add({solid, at}));
             }
             if (one_in(random, 4)) continue;
-            tables.follow(tray, 0, one_in(random, 3), workers);
+            tables.follow(tray, 0, workers);
             if (what >= 5) tables.raise(tables.top() + between(random, 1, 5), workers);
             if (tables.narrow() && one_in(random, 2)) tables.follow_quads(workers);
             ASSERT_NO_THROW(tables.check(tray)) << "round " << round << ", step " << step;
@@ -572,7 +506,7 @@ TEST(CollisionPlan, SiftsTheLongerTheMoreLoadsFollowAndAlwaysLooksUpAll) {
     const auto fine = std::make_shared<const BitGrid>(ball);
     tray.add(fine_object(fine, {8, 6, 4}, 2, 0));
     TrayTables tables;
-    tables.follow(tray, 0, false, Workers(1));
+    tables.follow(tray, 0, Workers(1));
     const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, 2).voxels);
     const WidenedVoxels wide{fine, {}};
     const OrientationRuns runs = make_runs({0, {}, {}, solid, {wide}, fine}, 2, tables, Workers(2)).runs;
@@ -621,7 +555,7 @@ TEST(CollisionPlan, WhatRulesOutAStackCollidesInAllOfIt) {
         const auto solid = std::make_shared<const BitGrid>(reached_voxels(*fine, {}, s).voxels);
         const WidenedVoxels wide{fine, {}};
         TrayTables tables;
-        tables.follow(tray, 0, false, Workers(1));
+        tables.follow(tray, 0, Workers(1));
         const OrientationRuns runs =
             make_runs({0, {}, {}, solid, {wide}, s > 1 ? LazyGrid(fine) : LazyGrid()}, s, tables, Workers(2)).runs;
         const LookupPlan plan = plan_collision(runs, tables, 0).of_stacks;

@@ -35,19 +35,6 @@ class ChangedLayers {
             add(other.at(z));
         }
     }
-    /// What of it is less than `distance` away from something that changed it and lies in `source`, the Manhattan
-    /// distance counting.
-    ChangedLayers within(int distance, const VoxelBox& source) const {
-        ChangedLayers near(static_cast<int>(layers_.size()));
-        for (int z = hull_.lo.z; z < hull_.hi.z; ++z) {
-            const int rest = distance - 1 - std::max({0, source.lo.z - z, z - (source.hi.z - 1)});
-            if (rest < 0) continue;
-            const VoxelBox around{{source.lo.x - rest, source.lo.y - rest, z},
-                                  {source.hi.x + rest, source.hi.y + rest, z + 1}};
-            near.add(intersection(at(z), around));
-        }
-        return near;
-    }
     void clear() {
         for (int z = hull_.lo.z; z < hull_.hi.z; ++z) {
             layers_[static_cast<std::size_t>(z)] = {};

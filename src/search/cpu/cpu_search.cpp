@@ -18,19 +18,9 @@ namespace {
 /// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
 /// takes more loads than rho itself does to pass the limit.
 constexpr std::size_t kFewRuns = 128;
-constexpr int kThin = 28;  // voxels, along some axis
-constexpr int kManyCopies = 100;
 // Brick layers: what tables hold of few stays in the caches for all orientations. Fewer where tasks begun later may be
 // spared.
 constexpr int kLayersPerTask = 4, kLayersPerTaskInOrder = 2;
-
-/// True of a solid that, where it fits in closely, is near to something all over.
-bool is_thin(const Shape& shape) {
-    return std::ranges::all_of(shape.orientations, [](const OrientedShape& oriented) {
-        const Extent& a = oriented.solid.extent();
-        return std::min({a.x, a.y, a.z}) <= kThin;
-    });
-}
 
 /// Around the candidates of orientation `index` that shape.only_near speaks of.
 std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
@@ -56,12 +46,12 @@ class CpuSearch final : public PlacementSearch {
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
         if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
-        follow(tray, shape);
+        tables_.follow(tray, overhang(shape, tray.detail()), workers_);
         PositionCache::Entry& entry = positions_.at(shape, tray, tables_, model, workers_);
         SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
         const std::vector<bool> open = open_orientations(shape, tray, entry);
         make_runs_of(shape, tray.detail(), open, entry.runs);
-        const bool by_quads = tables_.narrow() && tables_.all_near() && have_few(entry.runs);
+        const bool by_quads = tables_.narrow() && have_few(entry.runs);
         std::vector<OrientationTask> searches;
         workers_.for_each(2, [&](std::int64_t i) {
             if (i == 0) searches = plan_searches(shape, open, entry, context);
@@ -118,14 +108,6 @@ class CpuSearch final : public PlacementSearch {
     }
 
   private:
-    /// Brings the tables to the tray's version.
-    void follow(const Tray& tray, const Shape& shape) {
-        // Sums of what is near rule out the open later than others do, but copy after copy they have less to follow,
-        // and fewer bounds change.
-        const bool near = shape.copies >= kManyCopies && is_thin(shape);
-        tables_.follow(tray, overhang(shape, tray.detail()), near, workers_);
-    }
-
     /// Which orientations have candidates left.
     static std::vector<bool> open_orientations(const Shape& shape, const Tray& tray, PositionCache::Entry& entry) {
         std::vector<bool> open(shape.orientations.size());

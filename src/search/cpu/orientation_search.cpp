@@ -287,44 +287,21 @@ void search_position(OrientationTask& task, const VoxelIndex& position) {
     HWY_DYNAMIC_DISPATCH(SearchPosition)(task, position);
 }
 
-namespace {
-
-/// Calls visit(phi, count, step) for the voxels of a run of the solid at q that lie in the grid: phi[0], phi[step], ...
-template <class Visit>
-void visit_run(const DistanceGrid& phi, const Run& run, int along, const VoxelIndex& q, const Visit& visit) {
+std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
+    const DistanceGrid& phi = tables.phi();
     const Extent& n = phi.extent();
     const std::ptrdiff_t steps[3] = {1, phi.stride(), static_cast<std::ptrdiff_t>(phi.stride()) * n.y};
-    VoxelIndex v = q + run.start;
-    const int end = std::min(v[along] + run.length, n[along]);
-    v[along] = std::max(v[along], 0);
-    if (v[along] < end && n.contains(v)) visit(phi.row(v.y, v.z) + v.x, end - v[along], steps[along]);
-}
-
-}  // namespace
-
-std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q) {
+    const int along = solid.axis;
     std::int64_t sum = 0;
     for (const Run& run : solid.runs) {
-        visit_run(tables.phi(), run, solid.axis, q, [&](const std::uint16_t* phi, int count, std::ptrdiff_t step) {
-            for (; count > 0; --count, phi += step) {
-                sum += *phi;
-            }
-        });
-    }
-    return sum;
-}
-
-std::int64_t proximity_from(std::int64_t of_near, std::int64_t limit, const TrayTables& tables, const Runs& solid,
-                            const VoxelIndex& q) {
-    constexpr int kNear = SumTables<std::uint8_t>::kMostPooled;
-    std::int64_t sum = of_near;
-    // What lies far off is at the top, mostly.
-    for (auto run = solid.runs.rbegin(); run != solid.runs.rend() && sum <= limit; ++run) {
-        visit_run(tables.phi(), *run, solid.axis, q, [&](const std::uint16_t* phi, int count, std::ptrdiff_t step) {
-            for (; count > 0; --count, phi += step) {
-                sum += std::max(0, *phi - kNear);
-            }
-        });
+        VoxelIndex v = q + run.start;
+        const int end = std::min(v[along] + run.length, n[along]);
+        v[along] = std::max(v[along], 0);
+        if (v[along] >= end || !n.contains(v)) continue;
+        const std::uint16_t* at = phi.row(v.y, v.z) + v.x;
+        for (int i = v[along]; i < end; ++i, at += steps[along]) {
+            sum += *at;
+        }
     }
     return sum;
 }

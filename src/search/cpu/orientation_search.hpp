@@ -49,9 +49,4 @@ void search_position(OrientationTask& task, const VoxelIndex& position);
 /// rho(q), whatever its size; voxels outside the grid count nothing. O(voxels).
 std::int64_t proximity_at(const TrayTables& tables, const Runs& solid, const VoxelIndex& q);
 
-/// rho(q), or something above `limit` that is no more than it; `of_near` is what it comes to where phi counts as far as
-/// sums in bytes go. O(voxels).
-std::int64_t proximity_from(std::int64_t of_near, std::int64_t limit, const TrayTables& tables, const Runs& solid,
-                            const VoxelIndex& q);
-
 }  // namespace spectralpack

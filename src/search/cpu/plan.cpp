@@ -9,9 +9,8 @@ OrientationPlan make_plan(const OrientationRuns& runs, const TrayTables& tables)
     const std::vector<std::uint32_t> order = order_of_loads(runs.solid);
     tables.visit_sums([&]<class T>(const Sums<T>& sums) {
         constexpr int kRange = SumTables<T>::kRange, kMostPooled = SumTables<T>::kMostPooled;
-        constexpr bool kBytes = SumTables<T>::kBytes;
-        const int most = kBytes ? std::min(tables.phi().most(), kMostPooled) : tables.phi().most();
-        const int most_pooled = kBytes || tables.apart() ? kMostPooled : most;
+        const int most = tables.phi().most();
+        const int most_pooled = SumTables<T>::kBytes || tables.apart() ? kMostPooled : most;
         plan.fine = plan_sum(runs, order, sums.exact, kRange, std::max(most, most_pooled));
         plan.coarse = plan_sum(runs, order, sums.coarse, kRange, most_pooled);
     });

@@ -106,15 +106,14 @@ VoxelBox PositionState::blocks_reaching(const VoxelBox& changed, const Extent& e
     return box;
 }
 
-void PositionState::forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent) {
-    const VoxelBox pairs = blocks_reaching(changed, extent), blocks = blocks_reaching(of_sums, extent);
-    for (int z = pairs.lo.z; z < pairs.hi.z; ++z) {
-        for (int y = pairs.lo.y; y < pairs.hi.y; ++y) {
-            const bool any = z >= blocks.lo.z && z < blocks.hi.z && y >= blocks.lo.y && y < blocks.hi.y;
+void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
+    const VoxelBox blocks = blocks_reaching(changed, extent);
+    for (int z = blocks.lo.z; z < blocks.hi.z; ++z) {
+        for (int y = blocks.lo.y; y < blocks.hi.y; ++y) {
             const int by = y / kBlocksY;
-            for (int bx = pairs.lo.x / kBlocksX / kPair * kPair; bx * kBlocksX < pairs.hi.x; bx += kPair) {
+            for (int bx = blocks.lo.x / kBlocksX / kPair * kPair; bx * kBlocksX < blocks.hi.x; bx += kPair) {
                 if (!is_dead(bx, by, z)) set_least_bound(bx, by, z, 0);
-                if (!any || !is_open(bx, by, z)) continue;
+                if (!is_open(bx, by, z)) continue;
                 const int first = bx * kBlocksX;
                 std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
                 const int end = std::min(blocks.hi.x, first + kPair * kBlocksX);
@@ -167,14 +166,12 @@ PositionCache::Entry& PositionCache::at(const Shape& shape, const Tray& tray, co
         Entry& entry = found->second;
         ++entry.hits;
         entry.last_use = uses_;
-        TrayTables::Change changed = tables.changed_since(entry.version);
-        const bool other_sums = tables.narrow() && !entry.planned_narrow && !tables.all_near();  // that tell of less
-        if (other_sums || !same_heights(entry.model, model)) changed = {whole(tray.extent()), whole(tray.extent())};
-        if (!changed.all.empty()) {
+        VoxelBox changed = tables.changed_since(entry.version);
+        if (!same_heights(entry.model, model)) changed = whole(tray.extent());
+        if (!changed.empty()) {
             workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
-                entry.states[k].forget(changed.all, entry.planned_narrow ? changed.near : changed.all,
-                                       shape.orientations[k].solid.extent());
+                entry.states[k].forget(changed, shape.orientations[k].solid.extent());
             });
         }
         entry.version = tables.version();

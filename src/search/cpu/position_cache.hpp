@@ -90,9 +90,9 @@ class PositionState {
     /// Looks, less often where it was in vain.
     void look_for_dead_layers(int bz);
 
-    /// phi fell within `changed`: what pairs of which some block reaches into it with a shape of `extent` are bounded
-    /// by becomes 0; and what blocks are bounded by that reach into `of_sums`, where the sums they come from changed.
-    void forget(const VoxelBox& changed, const VoxelBox& of_sums, const Extent& extent);
+    /// phi fell within `changed`: what blocks that reach into it with a shape of `extent`, and their pairs, are bounded
+    /// by becomes 0.
+    void forget(const VoxelBox& changed, const Extent& extent);
 
     /// Bytes that one takes at most: pages that nothing is written to are counted too.
     static std::int64_t bytes_for(const Extent& count, bool keeps);

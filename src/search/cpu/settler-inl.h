@@ -269,18 +269,8 @@ class Settler {
         std::ranges::stable_sort(found_, {}, &Found::sum);
         for (const Found& found : found_) {
             const VoxelIndex q{kBrickX * bx + found.x, kBrickY * by + found.y, z};
-            const bool beyond = found.sum == kSumLimit;  // what lanes hold
-            const bool exact = !beyond && context_.tables.exact();
-            std::int64_t rho = found.sum;
-            if (!exact) {  // each for itself
-                limits_.look(z / kBrickZ);
-                const std::int64_t limit = limits_.of(z % kBrickZ);
-                if (found.sum > lane_limit(limit)) break;
-                rho = beyond ? proximity_at(context_.tables, t_.solid, q)
-                             : proximity_from(found.sum, limit, context_.tables, t_.solid, q);
-                if (rho > limit) continue;
-            }
-            if (!Offer(q, rho)) {
+            const bool exact = found.sum != kSumLimit;  // else each for itself: it is more than lanes hold
+            if (!Offer(q, exact ? found.sum : proximity_at(context_.tables, t_.solid, q))) {
                 free[found.y] &= ~(std::uint64_t{1} << found.x);
             } else if (exact) {
                 break;

@@ -55,15 +55,13 @@ std::uint16_t SumTables<T>::most() const {
     return kBytes || apart_ ? kMostPooled : kNone;
 }
 
-/// Copies what lies in `layer`, as far as it is near.
+/// Copies what lies in `layer`.
 template <class T>
-void SumTables<T>::narrow([[maybe_unused]] const DistanceGrid& phi, [[maybe_unused]] const VoxelBox& layer) {
-    if constexpr (kBytes) {
-        const int z = layer.lo.z;
-        for (int y = layer.lo.y; y < layer.hi.y; ++y) {
-            kernels().sums<T>().raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0,
-                                          most(), static_cast<std::size_t>(layer.hi.x - layer.lo.x));
-        }
+void SumTables<T>::copy(const DistanceGrid& phi, const VoxelBox& layer) {
+    const int z = layer.lo.z;
+    for (int y = layer.lo.y; y < layer.hi.y; ++y) {
+        kernels().sums<T>().raise_row(pooled_.data() + in_pooled(y, z) + layer.lo.x, phi.row(y, z) + layer.lo.x, 0,
+                                      most(), static_cast<std::size_t>(layer.hi.x - layer.lo.x));
     }
 }
 
@@ -126,8 +124,8 @@ void SumTables<T>::pool(const DistanceGrid& phi, const VoxelBox& layer) {
         pool_blocks(phi, layer);
     } else if (window_ == kQuad) {
         pool_quads(phi, layer);
-    } else {
-        narrow(phi, layer);
+    } else if (kBytes) {
+        copy(phi, layer);
     }
 }
 

@@ -2,8 +2,7 @@
 /// Prefix sums of phi, or of phi pooled over several positions, along each axis, so that the sum over a run of
 /// voxels is the difference of two loads whatever its length.
 ///
-/// Elements are T, 16 bits or bytes; b is their bits. Bytes are of what is near only: phi stands for min(phi,
-/// kMostPooled) there, so that sums are less than those of phi, or the same.
+/// Elements are T, 16 bits or bytes; b is their bits. Bytes serve where no phi is above kMostPooled.
 /// With the window W, one voxel, a quad of 1 x 2 x 2 or a block of P^3 (P = 4), phi_W(X) = min of phi(X + d) over d in
 /// W with X + d in the grid; where free positions keep off occupied voxels ("apart"), over those with phi(X + d) > 0
 /// only, and kMostPooled where there are none or all are farther.
@@ -73,7 +72,7 @@ class SumLayout {
     std::int64_t layer_ = 0;     // of all three tables'
 };
 
-/// T: std::uint16_t, or std::uint8_t for what is near.
+/// T: std::uint16_t, or std::uint8_t where phi is small.
 template <class T>
 class SumTables : public SumLayout {
   public:
@@ -110,7 +109,7 @@ class SumTables : public SumLayout {
     void pool(const DistanceGrid& phi, const VoxelBox& layer);
     void pool_quads(const DistanceGrid& phi, const VoxelBox& layer);
     void pool_blocks(const DistanceGrid& phi, const VoxelBox& layer);
-    void narrow(const DistanceGrid& phi, const VoxelBox& layer);
+    void copy(const DistanceGrid& phi, const VoxelBox& layer);
     void sum_layer(const DistanceGrid& phi, const VoxelBox& layer);
     void sum_columns(const DistanceGrid& phi, const VoxelBox& box, int top, const Workers& workers);
     template <class Visit>

@@ -90,7 +90,7 @@ void TrayTables::raise_phi(int top, const Workers& workers) {
     minima_.update(phi_, {{0, 0, before}, {n.x, n.y, phi_.top()}}, workers);
 }
 
-void TrayTables::rebuild_phi(const Tray& tray, bool near, const Workers& workers) {
+void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     const Extent& n = tray.extent();
     phi_ = DistanceGrid(n, tray.setup().ceiling);
     minima_ = BlockMinima(n, kBlock);
@@ -98,14 +98,14 @@ void TrayTables::rebuild_phi(const Tray& tray, bool near, const Workers& workers
     phi_.add(tray.omega_place(), {}, workers);
     ChangedLayers all(n.z);
     all.add({{0, 0, 0}, {n.x, n.y, phi_.top()}});
-    note(all, all);
-    update_from_phi(all.hull(), near, workers);
+    note(all);
+    update_from_phi(all.hull(), workers);
     ++epoch_;
     epoch_start_ = tray.version();
     changes_.clear();
 }
 
-void TrayTables::rebuild(const Tray& tray, int margin, bool near, const Workers& workers) {
+void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
     const Extent& n = tray.extent();
     // What there was makes room first.
     bits_ = {};
@@ -125,7 +125,7 @@ void TrayTables::rebuild(const Tray& tray, int margin, bool near, const Workers&
             crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
             fill(bits_, crowd_, tray, workers);
         } else {
-            rebuild_phi(tray, near, workers);
+            rebuild_phi(tray, workers);
         }
     });
     instance_ = tray.instance();
@@ -138,9 +138,9 @@ void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
     }
 }
 
-void TrayTables::follow_phi(const Tray& tray, bool near, const Workers& workers) {
+void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
     if (any_removed(tray, version_)) {
-        rebuild_phi(tray, near, workers);
+        rebuild_phi(tray, workers);
         return;
     }
     VoxelBox all;
@@ -148,40 +148,40 @@ void TrayTables::follow_phi(const Tray& tray, bool near, const Workers& workers)
         const TrayObject& object = tray.object(tray.journal()[v].id);
         raise_phi(object.box().hi.z, workers);
         const ChangedLayers changed = phi_.add(*object.solid, object.position, workers);
-        const ChangedLayers changed_near = changed.within(SumTables<std::uint8_t>::kMostPooled, object.box());
-        changes_.push_back({changed.hull(), changed_near.hull()});
-        note(changed, changed_near);
+        changes_.push_back(changed.hull());
+        note(changed);
         all = hull(all, changed.hull());
     }
-    update_from_phi(all, near, workers);
+    update_from_phi(all, workers);
 }
 
-void TrayTables::note(const ChangedLayers& changed, const ChangedLayers& near) {
+void TrayTables::note(const ChangedLayers& changed) {
     if (words_) words_->note(changed);
-    if (bytes_) bytes_->note(near);
-    if (quads_) quads_->note(near);
+    if (bytes_) bytes_->note(changed);
+    if (quads_) quads_->note(changed);
     quads_follow_ = false;
 }
 
 /// What depends on phi, after it changed within `changed`.
-void TrayTables::update_from_phi(const VoxelBox& changed, bool near, const Workers& workers) {
+void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
     workers.for_each(2, [&](std::int64_t i) {
-        if (i == 0) choose_sums(near, workers);
+        if (i == 0) choose_sums(workers);
         if (i == 1) minima_.update(phi_, changed, workers);
     });
 }
 
-/// Once all is near it stays so until an object is removed: then bytes are all that is needed. Until then nobody asks
-/// for quads.
-void TrayTables::choose_sums(bool near, const Workers& workers) {
-    narrow_ = may_be_narrow_ && (near || all_near());
-    if (may_be_narrow_ && all_near()) words_.reset();
-    if (!all_near()) {
+/// Once phi is small enough for bytes it stays so until an object is removed.
+void TrayTables::choose_sums(const Workers& workers) {
+    narrow_ = may_be_narrow_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
+    if (narrow_) {
+        words_.reset();
+        if (!bytes_) bytes_ = make_sums<std::uint8_t>(phi_.extent(), apart_, workers);
+    } else {
+        bytes_.reset();
         quads_.reset();
         quads_follow_ = false;
+        if (!words_) words_ = make_sums<std::uint16_t>(phi_.extent(), apart_, workers);
     }
-    if (narrow_ && !bytes_) bytes_ = make_sums<std::uint8_t>(phi_.extent(), apart_, workers);
-    if (!narrow_ && !words_) words_ = make_sums<std::uint16_t>(phi_.extent(), apart_, workers);
     follow_sums(workers);
 }
 
@@ -211,15 +211,14 @@ bool TrayTables::starts_afresh(const Tray& tray, int margin) const {
            tray.version() - version_ > kRebuildAfter;
 }
 
-void TrayTables::follow(const Tray& tray, int margin, bool near, const Workers& workers) {
+void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
     const bool afresh = starts_afresh(tray, margin);
     if (afresh) {
-        rebuild(tray, std::max(margin, bits_.margin()), near, workers);
+        rebuild(tray, std::max(margin, bits_.margin()), workers);
     } else if (tray.version() > version_) {
-        workers.for_each(
-            2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, near, workers); });
+        workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
     } else {
-        choose_sums(near, workers);
+        choose_sums(workers);
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
     version_ = tray.version();
@@ -228,14 +227,12 @@ void TrayTables::follow(const Tray& tray, int margin, bool near, const Workers& 
 #endif
 }
 
-TrayTables::Change TrayTables::changed_since(std::uint64_t since) const {
-    Change change;
+VoxelBox TrayTables::changed_since(std::uint64_t since) const {
+    VoxelBox changed;
     for (std::uint64_t v = std::max(since, epoch_start_); v < version_; ++v) {
-        const Change& one = changes_[v - epoch_start_];
-        change.all = hull(change.all, one.all);
-        change.near = hull(change.near, one.near);
+        changed = hull(changed, changes_[v - epoch_start_]);
     }
-    return change;
+    return changed;
 }
 
 std::int64_t TrayTables::bytes() const {

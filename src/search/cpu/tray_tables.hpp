@@ -50,9 +50,8 @@ class TrayTables {
         : large_from_(large_from), may_be_narrow_(bytes) {}
 
     /// Brings the tables to the tray's version, sums and phi below layer top(). `margin`: voxels by which an A+g may
-    /// reach beyond A. `near`: sums of what
-    /// is near will do, which take less following.
-    void follow(const Tray& tray, int margin, bool near, const Workers& workers);
+    /// reach beyond A.
+    void follow(const Tray& tray, int margin, const Workers& workers);
 
     const BitTables& bits() const { return bits_; }
     /// In a large tray more is worth making than in a small one: crowd tables, small cells of solids. And threads keep
@@ -61,8 +60,8 @@ class TrayTables {
     const CrowdTables& crowd() const { return crowd_; }
     /// Right below its own top, which is a little higher than top() and where no block ends or begins in between.
     const DistanceGrid& phi() const { return phi_; }
-    /// Calls visit(sums) with the Sums that follow: of bytes, which is half of what the search reads most, where only
-    /// what is near was asked for or all is; else of 16 bits.
+    /// Calls visit(sums) with the Sums that follow: of bytes, which is half of what the search reads most, where no phi
+    /// is above what they can tell; else of 16 bits.
     template <class Visit>
     void visit_sums(const Visit& visit) const {
         if (narrow_) {
@@ -72,11 +71,7 @@ class TrayTables {
         }
     }
     bool narrow() const { return narrow_; }
-    /// True when nothing is farther than sums in bytes can tell.
-    bool all_near() const { return phi_.most() <= SumTables<std::uint8_t>::kMostPooled; }
-    /// True when sums are those of phi; else they may be less.
-    bool exact() const { return !narrow_ || all_near(); }
-    /// Of what is near, pooled over quads of positions. Not followed unless asked to: only solids of few runs ask for
+    /// Pooled over quads of positions; where narrow(). Not followed unless asked to: only solids of few runs ask for
     /// it.
     const SumTables<std::uint8_t>& quads() const { return *quads_; }
     /// Brings quads() to the version of the rest, below layer top() as well.
@@ -104,12 +99,8 @@ class TrayTables {
     /// Grows whenever what was derived before is void (a new tray, an object removed).
     std::uint64_t epoch() const { return epoch_; }
     std::uint64_t version() const { return version_; }
-    struct Change {
-        VoxelBox all;   ///< phi is as it was outside of it
-        VoxelBox near;  ///< likewise as far as sums in bytes tell
-    };
-    /// What changed since version `since` of this epoch.
-    Change changed_since(std::uint64_t since) const;
+    /// Where phi changed since version `since` of this epoch: a box outside of which it is as it was.
+    VoxelBox changed_since(std::uint64_t since) const;
 
     std::int64_t bytes() const;
 
@@ -119,14 +110,14 @@ class TrayTables {
 
   private:
     bool starts_afresh(const Tray& tray, int margin) const;
-    void rebuild(const Tray& tray, int margin, bool near, const Workers& workers);
-    void rebuild_phi(const Tray& tray, bool near, const Workers& workers);
+    void rebuild(const Tray& tray, int margin, const Workers& workers);
+    void rebuild_phi(const Tray& tray, const Workers& workers);
     void follow_bits(const Tray& tray, const Workers& workers);
-    void follow_phi(const Tray& tray, bool near, const Workers& workers);
+    void follow_phi(const Tray& tray, const Workers& workers);
     void raise_phi(int top, const Workers& workers);
-    void note(const ChangedLayers& changed, const ChangedLayers& near);
-    void update_from_phi(const VoxelBox& changed, bool near, const Workers& workers);
-    void choose_sums(bool near, const Workers& workers);
+    void note(const ChangedLayers& changed);
+    void update_from_phi(const VoxelBox& changed, const Workers& workers);
+    void choose_sums(const Workers& workers);
     void follow_sums(const Workers& workers);
     void note_occupied(const Tray& tray);
 
@@ -149,7 +140,7 @@ class TrayTables {
     bool walls_ = false;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
     std::uint64_t epoch_start_ = 0;  // version at which the epoch began
-    std::vector<Change> changes_;    // one for each version since then
+    std::vector<VoxelBox> changes_;  // one for each version since then
 };
 
 }  // namespace spectralpack
