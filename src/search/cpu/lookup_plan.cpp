@@ -19,7 +19,6 @@ constexpr std::size_t kLastBatch = 512;
 constexpr std::size_t kOfStacks = 16;      // look-ups
 constexpr int kLeastOfStacks = 4;          // voxels of a piece
 constexpr std::size_t kMostOfBlocks = 64;  // look-ups for whole blocks
-constexpr std::size_t kLots = 32;          // room for them; those of one gap class are fewer
 
 /// How much a piece is likely to decide, 0 .. kRanks - 1.
 constexpr int kRanks = 1 + std::max(BitTables::kForms.run_levels, BitTables::kForms.last_plate + 2);
@@ -71,35 +70,9 @@ std::size_t pieces_in(std::span<const Lot> lots) {
     return count;
 }
 
-/// Of all pieces; those of one rank as for_each_spread() has them. They are worked out in the order in which they lie
-/// and dealt out afterwards, which takes less for each than to look for them in their lots, as first_places() does.
-Places all_places(std::vector<Lot>& lots, const BitTables& bits) {
-    Places places;
-    places.all.resize(pieces_in(lots));
-    BitTables::Place* next = places.all.data();
-    std::vector<BitTables::Place> of_rank;
-    of_rank.reserve(places.all.size());
-    for_each_rank(lots, [&](std::span<const Lot> same) {
-        of_rank.resize(pieces_in(same));
-        BitTables::Place* place = of_rank.data();
-        for (const Lot& lot : same) {
-            for (const VoxelIndex& corner : lot.corners) {
-                *place++ = bits.place(lot.spots(corner + lot.offset));
-            }
-        }
-        for_each_spread(of_rank.size(), kFirstBatch, [&](std::size_t k) {
-            *next++ = of_rank[k];
-            return true;
-        });
-        if (same.front().rank >= kCoarse) places.coarse += of_rank.size();
-        return true;
-    });
-    return places;
-}
-
-/// Of the first `most` of them, in tables that know where a spot is.
+/// Of the first `most` pieces, in tables that know where a spot is; those of one rank as for_each_spread() has them.
 template <class Tables>
-Places first_places(std::vector<Lot>& lots, const Tables& tables, std::size_t most) {
+Places places_of(std::vector<Lot>& lots, const Tables& tables, std::size_t most) {
     Places places;
     places.all.reserve(std::min(most, pieces_in(lots)));
     for_each_rank(lots, [&](std::span<const Lot> same) {
@@ -156,7 +129,6 @@ std::vector<Lot> lots_of_stacks(const std::vector<Lot>& lots, const BitTables& b
 /// All that an orientation is looked up in.
 std::vector<Lot> lots_of(const OrientationRuns& runs, const TrayTables& tables) {
     std::vector<Lot> lots;
-    lots.reserve(kLots);
     const auto add = [&](const Pieces& pieces, int layer, int first_rank) {
         for (const Pieces::OfForm& of : pieces.forms) {
             lots.push_back({pieces.corners_of(of),
@@ -214,7 +186,7 @@ void append_batches(std::span<const BitTables::Place> places, LookupPlan& plan) 
 CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tables, std::size_t loads) {
     const BitTables& bits = tables.bits();
     std::vector<Lot> lots = lots_of(runs, tables);
-    Places all = all_places(lots, bits);
+    Places all = places_of(lots, bits, pieces_in(lots));
     all.by_shift(kAllThrough);
     CollisionPlan plan;
     plan.sift = std::clamp(loads / kLoadsPerSifted / kFirstBatch, CollisionPlan::kLeastSift, CollisionPlan::kMostSift);
@@ -227,12 +199,12 @@ CollisionPlan plan_collision(const OrientationRuns& runs, const TrayTables& tabl
         if (plan.of_positions.batches.size() >= plan.sift) size = std::min(2 * size, kLastBatch);
     }
     std::vector<Lot> lots_in_stacks = lots_of_stacks(lots, bits);
-    Places of_stacks = first_places(lots_in_stacks, bits, kOfStacks);
+    Places of_stacks = places_of(lots_in_stacks, bits, kOfStacks);
     of_stacks.by_shift(kOfStacks);
     append_batches(of_stacks.all, plan.of_stacks);
     const CrowdTables& crowd = tables.crowd();
     std::erase_if(lots, [&](const Lot& lot) { return !crowd.holds(lot.layer, lot.form); });
-    append_batches(first_places(lots, crowd, kMostOfBlocks).all, plan.of_blocks);
+    append_batches(places_of(lots, crowd, kMostOfBlocks).all, plan.of_blocks);
     return plan;
 }
 
