@@ -88,7 +88,7 @@ const Strewn* strewn_pieces() {
         made.packing.container.size = {480, 245, 200};
         TrayPacking& tray = made.packing.trays.emplace_back();
         for (const SetRow& row : read_set(*data / "sets/pieces.csv")) {
-            Part part;
+            PackedPart part;
             part.id = static_cast<int>(made.packing.parts.size());
             part.name = fs::path(row.mesh).stem().string();
             part.mesh = (*data / "meshes" / row.mesh).string();

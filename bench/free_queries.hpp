@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/stopwatch.hpp"
-#include "disassembly/reachable_region.hpp"
-#include "packing/greedy.hpp"
+#include "disassembly/ways/reachable_region.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {
@@ -59,15 +59,15 @@ struct FreeQueries {
 
 /// Asks of `engine` about all of `placed`, for all positions about every `every`-th, of which as many as `samples` of
 /// `plain` (null: none) as well.
-inline FreeQueries ask_free_positions(const Tray& tray, const std::vector<PlacedItem>& placed, PlacementSearch& engine,
+inline FreeQueries ask_free_positions(const Tray& tray, const std::vector<PlacedCopy>& placed, PlacementSearch& engine,
                                       PlacementSearch* plain, int samples) {
     FreeQueries queries;
     const std::size_t every = std::max<std::size_t>(1, placed.size() / static_cast<std::size_t>(std::max(1, samples)));
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        const PlacedItem& copy = placed[i];
+        const PlacedCopy& copy = placed[i];
         const TrayObject& object = tray.object(copy.object);
         VoxelBox rest;
-        for (const PlacedItem& other : placed) {
+        for (const PlacedCopy& other : placed) {
             if (other.object != copy.object) rest = hull(rest, tray.object(other.object).box());
         }
         const FreeQuery query{.without = copy.object};

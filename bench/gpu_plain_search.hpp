@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.hpp"
 #include "gpu_plain.hpp"
 #include "search/placement_search.hpp"
 #include "search/reference/transform.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/distance_field.hpp"
 
 namespace spectralpack {

@@ -40,7 +40,7 @@ double processor_ms() {
 }
 
 struct Scene {
-    std::vector<StandingCopy> settled;
+    std::vector<PlacedSurface> settled;
     std::vector<Vec3> backed;  ///< where each is refined from
 };
 
@@ -69,7 +69,7 @@ Scene settle(const std::string& set) {
     const Vec3 tall{kTray.x, kTray.y, 2000};
     Refiner fall({tall, 0, 2000, 2}), step({tall, 0, 0.7 * kVoxel, 1});
     for (const auto& surface : surfaces) {
-        StandingCopy copy{surface, {}, kGap};
+        PlacedSurface copy{surface, {}, kGap};
         const Vec3 size = surface->box().size();
         if (size.x > kTray.x || size.y > kTray.y) continue;
         const Vec3 at{random.unit() * (kTray.x - size.x), random.unit() * (kTray.y - size.y), tall.z - size.z};
@@ -97,7 +97,7 @@ const Scene& scene_of(const std::string& set) {
 void refine_set(benchmark::State& state, const std::string& set) {
     const Scene& scene = scene_of(set);
     Refiner refiner({kTray, 0, 2 * kVoxel, 3});
-    for (const StandingCopy& copy : scene.settled) {
+    for (const PlacedSurface& copy : scene.settled) {
         refiner.add(copy);
     }
     std::vector<double> ms;
@@ -106,7 +106,7 @@ void refine_set(benchmark::State& state, const std::string& set) {
         ms.clear();
         way = 0;
         for (std::size_t i = 0; i < scene.settled.size(); ++i) {
-            StandingCopy copy = scene.settled[i];
+            PlacedSurface copy = scene.settled[i];
             const auto id = static_cast<Refiner::CopyId>(i);
             Refiner others = refiner;
             others.remove(id);

@@ -24,14 +24,14 @@
 #include <memory>
 #include <string>
 
-#include "core/error.hpp"
 #include "core/stopwatch.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
 #include "free_queries.hpp"
-#include "model/orientation.hpp"
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/orientations.hpp"
 #ifdef SPECTRALPACK_BENCH_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -161,7 +161,7 @@ class TimedSearch final : public PlacementSearch {
 /// A set's copies in their order, and the tray they go into.
 struct Question {
     std::vector<Mesh> meshes;
-    std::vector<PackItem> items;
+    std::vector<Copy> items;
     TraySetup setup;
     CostModel model;
 };
@@ -189,7 +189,7 @@ Question read_question(const Arguments& arguments) {
     question.model.height_penalty = arguments.penalty == "auto"
                                         ? automatic_height_penalty(sizes, setup.size.x * setup.size.y * setup.size.z)
                                         : std::atof(arguments.penalty.c_str());
-    question.items = order_items(sizes, Order::size, 0);
+    question.items = order_copies(sizes, Order::size, 0);
     if (arguments.most > 0 && static_cast<std::size_t>(arguments.most) < question.items.size()) {
         question.items.resize(static_cast<std::size_t>(arguments.most));
     }
@@ -216,7 +216,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
             Shape shape = make_shape(static_cast<std::uint64_t>(part) + 1,
                                      question.meshes[static_cast<std::size_t>(part)], rotations, setup.voxel_size,
                                      setup.detail, arguments.gap, setup.gap_classes, makers, setup.size);
-            shape.copies = static_cast<int>(std::ranges::count(question.items, part, &PackItem::part));
+            shape.copies = static_cast<int>(std::ranges::count(question.items, part, &Copy::part));
             return std::make_shared<const Shape>(std::move(shape));
         },
         workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
@@ -231,11 +231,11 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
     const int every = std::max(1, static_cast<int>(question.items.size()) / std::max(1, plain.samples));
     TimedSearch search(*engine, plain, every, arguments.trace && !plain.search);
     GreedyResult result;
-    const Settle settle = [&](const PackItem&, const Shape& shape, const BestPlacement& best) {
-        return stand_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
+    const Settle settle = [&](const Copy&, const Shape& shape, const BestPlacement& best) {
+        return settle_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
     };
     pack_greedily(
-        tray, search, question.model, question.items, shapes, settle, [](std::size_t) {}, {}, result);
+        tray, {{search, shapes, workers}, 0, question.model, {}, settle}, question.items, [](std::size_t) {}, result);
 
     Packed packed{result.placed.size(),
                   result.searches,
@@ -248,7 +248,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
                   search.asked,
                   search.same,
                   {}};
-    for (const PlacedItem& placed : result.placed) {
+    for (const PlacedCopy& placed : result.placed) {
         packed.costs += placed.cost.primary;
     }
     if (arguments.free_samples > 0) {

@@ -4,11 +4,11 @@ execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty=-changed
 if(failed)
     set(commit unknown)
 endif()
-file(CONFIGURE OUTPUT ${OUT} CONTENT [[#include "bench/commit.hpp"
+file(CONFIGURE OUTPUT ${OUT} CONTENT [[#include "tools/bench/commit.hpp"
 
-namespace spectralpack::cli {
+namespace spectralpack::tools {
 
 const char* const kCommit = "@commit@";
 
-}  // namespace spectralpack::cli
+}  // namespace spectralpack::tools
 ]] @ONLY)

@@ -7,8 +7,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace spectralpack;
     try {
         const JobFile job = parse_job("/a/b/job.json", {reinterpret_cast<const char*>(data), size});
-        for (const JobPart& part : job.parts) {
-            expect(!part.mesh.empty() && part.count >= 0 && part.scale > 0, "parts are valid");
+        for (const Part& part : job.parts) {
+            expect(!part.mesh.file().empty() && part.count >= 0 && part.scale > 0, "parts are valid");
         }
     } catch (const InputError& error) {
         expect(!error.cause().empty(), "a refusal says why");

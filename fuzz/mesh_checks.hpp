@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_repair.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

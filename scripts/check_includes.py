@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks the direction of every #include: a room may include what lies below it, and itself.
 
-The public headers (include/spectralpack) and src/api are two sides of one room: the face and what stands behind
-it. Also checks that each third-party library is seen in one room only. Prints each offence; exit status 1 if any.
+The public headers (include/spectralpack) include each other and the standard library, nothing else. Those that hold
+plain values (VALUES) are the ground that all rooms stand on; the others declare what src/api puts together. Also checks
+that each third-party library is seen in one room only. Prints each offence; exit status 1 if any.
 """
 import pathlib
 import re
@@ -10,28 +11,37 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-BASE = ["core"]
+# Public headers that any room may include.
+VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop"]
+# Those that speak of jobs and packings: for the rooms that know the model.
+MODEL_VALUES = ["check", "disassembly", "job", "options", "orientations", "packing", "printers", "render"]
+
+BASE = ["core", "values"]
+MODEL = ["model", "model values"]
 ALLOWED = {
-    "core": [],
+    "core": ["values"],
     "geometry": BASE,
-    "generate": BASE + ["geometry"],
-    "prepare": BASE + ["geometry"],
-    "model": BASE + ["geometry"],
-    "formats": BASE + ["geometry", "model"],
+    "model": BASE + ["geometry", "model values"],
+    "formats": BASE + ["geometry"] + MODEL,
     "voxel": BASE + ["geometry"],
-    "render": BASE + ["geometry", "model"],
-    "verify": BASE + ["geometry", "model"],  # judges the rest, so it shares nothing with it
+    "render": BASE + ["geometry"] + MODEL,
+    "verify": BASE + ["geometry"] + MODEL,  # judges the rest, so it shares nothing with it
     "search": BASE + ["geometry", "voxel"],
     "search/reference": BASE + ["geometry", "voxel", "search"],
     "search/cpu": BASE + ["geometry", "voxel", "search"],
     "search/cuda": BASE + ["geometry", "voxel", "search"],
-    "refine": BASE + ["geometry", "model", "voxel", "search"],
-    "disassembly": BASE + ["geometry", "model", "voxel", "search"],
-    "packing": BASE + ["geometry", "model", "voxel", "search", "refine", "disassembly"],
-    "api": BASE + ["geometry", "generate", "prepare", "model", "formats", "voxel", "render", "verify", "search",
+    "refine": BASE + ["geometry", *MODEL, "voxel", "search"],
+    "disassembly": BASE + ["geometry", *MODEL, "voxel", "search"],
+    "packing": BASE + ["geometry", *MODEL, "voxel", "search", "refine", "disassembly"],
+    "api": BASE + ["geometry", *MODEL, "formats", "voxel", "render", "verify", "search",
                    "search/reference", "search/cpu", "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
-    "spectralpack": BASE + ["geometry", "generate", "prepare", "model", "voxel", "render", "verify"],
-    "cli": ["spectralpack"],
+    # Beside the product: on its public face, and on the rooms that all others stand on.
+    "tools": BASE + ["geometry", "formats", "model values", "spectralpack", "tools face"],
+    "values": [],
+    "model values": ["values"],
+    "spectralpack": ["values", "model values"],
+    "tools face": ["values", "model values", "spectralpack"],
+    "cli": ["values", "model values", "spectralpack", "tools face"],
 }
 
 LIBRARIES = {  # pattern of the header -> the rooms that may see it
@@ -42,7 +52,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"embree|png\.h": ["render"],
     r"fcl/": ["verify"],
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
-    r"meshoptimizer": ["prepare"],
+    r"meshoptimizer": ["tools"],
     r"xxhash": ["api"],
     r"CLI/": ["cli"],
 }
@@ -52,8 +62,10 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 
 def room_of(path):
     parts = path.relative_to(ROOT).parts
+    if parts[:3] == ("include", "spectralpack", "tools"):
+        return "tools face"
     if parts[0] == "include":
-        return "spectralpack"
+        return "values" if path.stem in VALUES else "model values" if path.stem in MODEL_VALUES else "spectralpack"
     if parts[0] == "apps":
         return parts[1]
     if parts[1] == "search" and parts[2] in ("reference", "cpu", "cuda"):

@@ -44,7 +44,7 @@ int run_check(const CheckArguments& arguments) {
     const Interrupts interrupts(std::nullopt);
     ProgressDisplay display(ProgressStyle::automatic);
     const Scene scene = load_scene(arguments.packing);
-    const CheckReport report = check(scene, arguments.threads, display, interrupts.token());
+    const CheckReport report = check(scene, arguments.threads, {&display, interrupts.token()});
     display.finish();
     const bool plan_missing = arguments.require_plan && !report.plans_complete();
     if (arguments.json) {

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
+
+#include <spectralpack/error.hpp>
+#include <spectralpack/tools/generate.hpp>
 
 #include "commands.hpp"
 #include "exit_status.hpp"
@@ -14,19 +16,17 @@ namespace {
 struct GenerateArguments {
     std::string set;
     std::string folder;
-    GenerateOptions options;
+    tools::GenerateOptions options;
 };
 
 /// mm^3; what a set comes to is said as a share of the paper's tray.
 constexpr double kTray = 480.0 * 245 * 200;
 
-GeneratedSet set_of(const std::string& name) {
-    constexpr std::array kSets{GeneratedSet::pieces, GeneratedSet::mixtures,  GeneratedSet::locks,
-                               GeneratedSet::tori,   GeneratedSet::polyhedra, GeneratedSet::letters};
+tools::GeneratedSet set_of(const std::string& name) {
     std::string known;
-    for (const GeneratedSet set : kSets) {
-        if (name == generated_set_name(set)) return set;
-        known += (known.empty() ? "" : ", ") + std::string(generated_set_name(set));
+    for (const tools::GeneratedSet set : tools::generated_sets()) {
+        if (name == to_string(set)) return set;
+        known += (known.empty() ? "" : ", ") + std::string(to_string(set));
     }
     throw UsageError(fmt::format("there is no set '{}'; one of {}", printable(name), known));
 }
@@ -34,11 +34,11 @@ GeneratedSet set_of(const std::string& name) {
 int run_generate(GenerateArguments arguments) {
     arguments.options.set = set_of(arguments.set);
     ProgressDisplay display(ProgressStyle::automatic);
-    const GeneratedFiles files = generate(arguments.options, arguments.folder, display);
+    const tools::GeneratedFiles files = tools::generate(arguments.options, arguments.folder, {&display});
     display.finish();
     fmt::print("wrote {}: {} copies of {} meshes, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(), files.copies,
                files.meshes, files.volume / 1000, files.box_volume / 1000);
-    if (arguments.options.set == GeneratedSet::letters) {
+    if (arguments.options.set == tools::GeneratedSet::letters) {
         fmt::print("\nuse one like: pack parts/ --container {}\n",
                    (std::filesystem::path(arguments.folder) / "letter-S.stl").string());
     } else {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <memory>
 
+#include <spectralpack/spectralpack.hpp>
+#include <spectralpack/tools/inspect.hpp>
+
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "paths.hpp"
@@ -55,13 +58,13 @@ void print_holes(const MeshFigures& figures) {
     }
 }
 
-std::string orientation_text(const InspectedObject& object) {
-    switch (object.orientation) {
-        case Orientation::outward:
+std::string facing_text(const tools::InspectedObject& object) {
+    switch (object.facing) {
+        case tools::Facing::outward:
             return "outward";
-        case Orientation::turned:
+        case tools::Facing::turned:
             return "outward, after turning facets on loading";
-        case Orientation::inconsistent:
+        case tools::Facing::inconsistent:
             break;
     }
     const EdgeCount& edges = object.figures.edges;
@@ -77,7 +80,7 @@ std::string crossing_text(const SelfCrossings& crossings) {
            place_text(crossings.place);
 }
 
-void print_object(const InspectedObject& object) {
+void print_object(const tools::InspectedObject& object) {
     const MeshFigures& figures = object.figures;
     const Vec3 size = figures.box.size();
     row("size", fmt::format("{:.6g} x {:.6g} x {:.6g} mm", size.x, size.y, size.z));
@@ -88,7 +91,7 @@ void print_object(const InspectedObject& object) {
                     counted(figures.vertices, "vertex", "vertices"), counted(figures.shells, "shell", "shells")));
     row("watertight", watertight_text(figures));
     print_holes(figures);
-    row("orientation", orientation_text(object));
+    row("orientation", facing_text(object));
     row("non-manifold", figures.edges.crowded == 0
                             ? "no"
                             : counted(figures.edges.crowded, "edge", "edges") + " of more than two triangles" +
@@ -105,7 +108,7 @@ void print_object(const InspectedObject& object) {
     }
 }
 
-void print_file(const InspectedFile& file) {
+void print_file(const tools::InspectedFile& file) {
     const std::string name = printable(file.file);
     if (file.unusable) {
         const std::string& place = file.unusable->place();
@@ -113,7 +116,7 @@ void print_file(const InspectedFile& file) {
         row("UNUSABLE", printable(place.empty() ? file.unusable->cause() : place + ": " + file.unusable->cause()));
         return;
     }
-    for (const InspectedObject& object : file.objects) {
+    for (const tools::InspectedObject& object : file.objects) {
         std::string heading = name;
         if (object.object) heading += fmt::format(": object {} '{}'", *object.object, object.name);
         if (object.instances > 1) heading += fmt::format(", {} times", object.instances);
@@ -123,7 +126,7 @@ void print_file(const InspectedFile& file) {
 }
 
 int run_inspect(const InspectArguments& arguments) {
-    InspectOptions options;
+    tools::InspectOptions options;
     options.unit = parse_unit(arguments.unit);
     options.threads = arguments.threads;
     options.keep_meshes = !arguments.picture.empty();
@@ -131,19 +134,20 @@ int run_inspect(const InspectArguments& arguments) {
     parse_picture_size(arguments.size, picture);
     if (options.keep_meshes) require_picture(arguments.picture);
     ProgressDisplay display(ProgressStyle::automatic);
-    const std::vector<InspectedFile> files = inspect(expand_inputs(arguments.meshes, ""), options, display);
+    const std::vector<tools::InspectedFile> files =
+        tools::inspect(expand_inputs(arguments.meshes, ""), options, {&display});
     display.finish();
 
-    if (arguments.json) fmt::print("{}\n", inspection_json(files));
+    if (arguments.json) fmt::print("{}\n", tools::inspection_json(files));
     std::size_t unusable = 0;
-    for (const InspectedFile& file : files) {
+    for (const tools::InspectedFile& file : files) {
         unusable += file.unusable ? 1 : 0;
         if (arguments.json) continue;
         if (&file != &files.front()) fmt::print("\n");
         print_file(file);
     }
     if (options.keep_meshes && unusable < files.size()) {
-        write_picture(inspection_scene(files), arguments.picture, picture, arguments.threads);
+        write_picture(tools::inspection_scene(files), arguments.picture, picture, arguments.threads);
         if (!arguments.json) fmt::print("\nwrote {}\n", arguments.picture);
     }
     if (unusable == 0) return kDone;

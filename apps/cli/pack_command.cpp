@@ -59,8 +59,8 @@ void check_files(const Settings& settings) {
 void spare_inputs(const Settings& settings, const PackArguments& arguments) {
     std::vector<std::string> inputs = files_of(settings.job.container);
     inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
-    for (const PartSource& part : settings.job.parts) {
-        inputs.push_back(part.mesh);
+    for (const Part& part : settings.job.parts) {
+        inputs.push_back(part.mesh.file());
     }
     for (const FixedSource& fixed : settings.job.fixed) {
         inputs.push_back(fixed.mesh.file);
@@ -135,7 +135,7 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
 constexpr double kProbeSeconds = 3;
 
 int run_estimate(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
-    const Estimate planned = estimate(settings.job, display);
+    const Estimate planned = estimate(settings.job, {&display});
     display.finish();
     report_unusable(planned.unusable, display);
     unusable = unusable || !planned.unusable.empty();
@@ -145,7 +145,7 @@ int run_estimate(const Settings& settings, ProgressDisplay& display, const Inter
 
 int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
     int status = kDone;
-    const PackResult result = pack(settings.job, display, interrupts.token());
+    const PackResult result = pack(settings.job, {&display, interrupts.token()});
     report_unusable(result.unusable, display);
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {

@@ -17,7 +17,7 @@ constexpr std::size_t kMostNamed = 12;
 struct PlanArguments {
     std::string packing;
     std::vector<std::string> outputs;
-    PlanSettings settings;
+    PlanOptions settings;
     std::optional<double> time_limit;
     bool json = false;
 };
@@ -69,13 +69,13 @@ int run_plan(const PlanArguments& arguments) {
     ProgressDisplay display(ProgressStyle::automatic);
     Scene scene = load_scene(arguments.packing);
     std::vector<std::string> meshes = files_of(container_source(scene.packing));
-    for (const Part& part : scene.packing.parts) {
+    for (const PackedPart& part : scene.packing.parts) {
         meshes.push_back(part.mesh);
     }
     for (const std::string& output : arguments.outputs) {
         require_no_input(output, "-o", meshes);
     }
-    const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, display, interrupts.token());
+    const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, {&display, interrupts.token()});
     display.finish();
     bool complete = true;
     for (std::size_t tray = 0; tray < plans.size(); ++tray) {

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include <spectralpack/tools/prepare.hpp>
+
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
@@ -15,7 +17,7 @@ struct PrepareArguments {
     std::string folder, output;
     std::string tray = "480x245x200";
     std::string unit = "mm";
-    PrepareOptions options;
+    tools::PrepareOptions options;
 };
 
 int run_prepare(PrepareArguments arguments) {
@@ -23,15 +25,15 @@ int run_prepare(PrepareArguments arguments) {
     arguments.options.unit = parse_unit(arguments.unit);
     const Interrupts interrupts(std::nullopt);
     ProgressDisplay display(ProgressStyle::automatic);
-    const PrepareSummary summary =
-        prepare(arguments.folder, arguments.output, arguments.options, display, interrupts.token());
+    const tools::PrepareSummary summary =
+        tools::prepare(arguments.folder, arguments.output, arguments.options, {&display, interrupts.token()});
     display.finish();
 
     fmt::print("{} of {} files", summary.done, summary.files);
     if (summary.earlier > 0) fmt::print(" ({} by earlier runs)", summary.earlier);
     fmt::print("\n");
     for (const auto& [outcome, count] : summary.meshes) {
-        fmt::print("  {:<14} {}\n", prepared_name(outcome), count);
+        fmt::print("  {:<14} {}\n", to_string(outcome), count);
     }
     fmt::print("wrote {} and {}\n", summary.set_file.string(), summary.report_file.string());
     if (summary.stopped == StopReason::none) return kDone;

@@ -45,7 +45,7 @@ void print_left_over(const Packing& packing) {
 /// What came of the shares.
 void print_shares(const Packing& packing) {
     for (std::size_t i = 0; i < packing.parts.size() && i < kMostListed; ++i) {
-        const Part& part = packing.parts[i];
+        const PackedPart& part = packing.parts[i];
         fmt::print("  filled     {} x {} (share {})\n", part.count, printable(part.name), part.share);
     }
     if (packing.parts.size() > kMostListed)

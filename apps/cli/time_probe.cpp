@@ -59,7 +59,7 @@ std::optional<ProbedTime> probe_time(const Job& job, double seconds, const StopT
     Job probed = job;
     probed.enough_orders.reset();
     try {
-        pack(probed, probe, probe.token());
+        pack(probed, {&probe, probe.token()});
     } catch (const ResourceError&) {
         return std::nullopt;
     }

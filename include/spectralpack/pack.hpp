@@ -1,34 +1,21 @@
 #pragma once
-/// Packing: from mesh files to a Packing.
+/// Packing: from a job to a packing, in memory.
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/listener.hpp"
-#include "core/stop.hpp"
-#include "model/options.hpp"
-#include "model/packing.hpp"
-#include "model/printer.hpp"
-#include "spectralpack/inputs.hpp"
-#include "spectralpack/scene.hpp"
-#include "voxel/grid.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/events.hpp"
+#include "spectralpack/grid.hpp"
+#include "spectralpack/job.hpp"
+#include "spectralpack/options.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/printers.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
-
-struct Job {
-    std::vector<PartSource> parts;
-    double unit = 1;  ///< millimetres per unit for files that do not say
-    PackOptions options;
-    ContainerSource container;       ///< where it is a mesh, its size takes the place of options.tray
-    std::vector<FixedSource> fixed;  ///< copies that stand in the first tray and stay there
-    /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does.
-    /// Who has one requests it whenever he requests that.
-    std::optional<StopToken> enough_orders;
-    std::optional<Scene> onto;  ///< its copies stand where they are; those placed come on top, tray by tray
-};
 
 struct PackResult {
     Packing packing;
@@ -60,9 +47,10 @@ struct Estimate {
 /// sense or are not built, ResourceError when the memory plan does not fit (with the bytes needed and the voxel
 /// size that would fit), InputError when nothing at all is usable, for a container or keep-out mesh that cannot be one
 /// and for fixed copies that overlap or stick out.
-PackResult pack(const Job& job, Listener& listener, const StopToken& stop);
+PackResult pack(const Job& job, const Control& control = {});
 
-/// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.
-Estimate estimate(const Job& job, Listener& listener);
+/// Loads the inputs and plans, without packing; of `control` only the listener counts. Throws as pack() does, but not
+/// for memory.
+Estimate estimate(const Job& job, const Control& control = {});
 
 }  // namespace spectralpack

@@ -1,16 +1,15 @@
 #pragma once
-/// spectralpack: dense, collision-free packing of generic 3D objects. The whole public face.
+/// spectralpack: dense, collision-free packing of generic 3D objects. The whole public face, without the
+/// tools beside it (spectralpack/tools).
 ///
 ///     spectralpack::Job job;
 ///     job.parts = spectralpack::expand_inputs({"parts/", "bracket.stl:12"}, "").parts;
-///     spectralpack::Listener quiet;
-///     const auto result = spectralpack::pack(job, quiet, {});
+///     const auto result = spectralpack::pack(job);
 ///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
 
-#include "spectralpack/generate.hpp"
-#include "spectralpack/inputs.hpp"
-#include "spectralpack/inspect.hpp"
+#include "spectralpack/check.hpp"
+#include "spectralpack/files.hpp"
 #include "spectralpack/pack.hpp"
-#include "spectralpack/packings.hpp"
-#include "spectralpack/plan_packing.hpp"
-#include "spectralpack/prepare.hpp"
+#include "spectralpack/plan.hpp"
+#include "spectralpack/printers.hpp"
+#include "spectralpack/render.hpp"

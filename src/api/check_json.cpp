@@ -3,7 +3,8 @@
 
 #include "formats/json_text.hpp"
 #include "formats/packing_file.hpp"
-#include "spectralpack/packings.hpp"
+#include "spectralpack/check.hpp"
+#include "spectralpack/files.hpp"
 
 namespace spectralpack {
 namespace {

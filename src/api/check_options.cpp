@@ -7,8 +7,8 @@
 #include <string>
 
 #include "api/short_number.hpp"
-#include "core/error.hpp"
-#include "model/orientation.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/orientations.hpp"
 
 namespace spectralpack {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "api/check_options.hpp"
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

@@ -1,36 +1,16 @@
 #include "api/engine_factory.hpp"
 
-#include "core/error.hpp"
+#include "api/reference_engine.hpp"
+#include "core/checked.hpp"
 #include "core/zeroed.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/dilated_layers.hpp"
 #include "search/cpu/position_cache.hpp"
 #include "search/cpu/tray_tables.hpp"
-#ifdef SPECTRALPACK_HAS_REFERENCE
-#include "search/reference/reference_search.hpp"
-#endif
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
-
-#ifdef SPECTRALPACK_HAS_REFERENCE
-std::unique_ptr<PlacementSearch> make_reference(const Workers& workers) { return make_reference_search({}, workers); }
-
-std::int64_t memory_of_reference(const EngineNeed& need, const Workers& workers) {
-    ReferenceMemory memory;
-    memory.tray = need.tray;
-    memory.overhang = {need.overhang, need.overhang, need.overhang};
-    memory.gap_classes = need.gap_classes * part_count(need.detail);
-    memory.lanes = workers.threads();
-    return reference_memory(memory);
-}
-
-constexpr bool kHasReference = true;
-#else
-std::unique_ptr<PlacementSearch> make_reference(const Workers&) { return nullptr; }
-std::int64_t memory_of_reference(const EngineNeed&, const Workers&) { return 0; }
-constexpr bool kHasReference = false;
-#endif
 
 /// The tables of search/cpu: phi and its prefix sums along three axes, fine and pooled (16 bytes a voxel), and those of
 /// what is near in bytes (8; with those over quads 12, but then no others); bit tables; a bit of the crowd tables for
@@ -59,21 +39,26 @@ EngineKind resolve_engine(EngineKind kind) {
         case EngineKind::reference:
             break;
     }
-    if (!kHasReference) {
-        throw UsageError("this build has no reference engine (it was made with SPECTRALPACK_REFERENCE=OFF)");
+    if (!reference_engine()) {
+        throw UsageError("this program has no reference engine; spectralpack-reference has (docs/dependencies.md)");
     }
     return kind;
 }
 
 std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes, const Workers& workers) {
-    if (kind == EngineKind::reference) return make_reference(workers);
+    if (kind == EngineKind::reference) return reference_engine()->make(workers);
     CpuOptions options;
     options.cache_memory = cache_bytes;
     return make_cpu_search(options, workers);
 }
 
+MetricFields reference_fields(const Tray& tray, const Shape& shape, int index, const Workers& workers) {
+    resolve_engine(EngineKind::reference);
+    return reference_engine()->fields(tray, shape, index, workers);
+}
+
 std::int64_t engine_memory(EngineKind kind, const EngineNeed& need, const Workers& workers) {
-    if (kind == EngineKind::reference) return memory_of_reference(need, workers);
+    if (kind == EngineKind::reference) return reference_engine()->memory(need, workers);
     return memory_of_cpu(need) + part_memory(kind, need);
 }
 

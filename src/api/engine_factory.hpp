@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "core/parallel.hpp"
-#include "model/options.hpp"
+#include "search/metric_fields.hpp"
 #include "search/placement_search.hpp"
+#include "spectralpack/options.hpp"
 
 namespace spectralpack {
 
@@ -16,6 +17,9 @@ EngineKind resolve_engine(EngineKind kind);
 
 /// An engine of a resolved kind. `cache_bytes`: what it may keep to answer copies of a part faster.
 std::unique_ptr<PlacementSearch> make_engine(EngineKind kind, std::int64_t cache_bytes, const Workers& workers);
+
+/// Whole fields of orientation `index`, by the reference engine. Throws UsageError where this build has none.
+MetricFields reference_fields(const Tray& tray, const Shape& shape, int index, const Workers& workers);
 
 /// What decides an engine's memory.
 struct EngineNeed {

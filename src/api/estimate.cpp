@@ -8,7 +8,9 @@
 
 namespace spectralpack {
 
-Estimate estimate(const Job& job, Listener& listener) {
+Estimate estimate(const Job& job, const Control& control) {
+    Listener quiet;
+    Listener& listener = control.listener ? *control.listener : quiet;
     PackOptions options = job.options;
     check_options(options);
     check_together(job);
@@ -23,7 +25,7 @@ Estimate estimate(const Job& job, Listener& listener) {
     estimate.container = tray_size(options);
     estimate.orientations = static_cast<int>(plan.most_orientations);
     estimate.parts = static_cast<int>(loaded.parts.size());
-    for (const Part& part : loaded.parts) {
+    for (const PackedPart& part : loaded.parts) {
         estimate.copies += part.count;
     }
     estimate.searches = static_cast<std::int64_t>(plan.items.size());

@@ -18,7 +18,7 @@ constexpr double kSameScale = 1e-9;
 
 constexpr double kNotRigid = 1e-6;
 
-void add_part(LoadedJob& loaded, Part part, std::shared_ptr<const Mesh> mesh) {
+void add_part(LoadedJob& loaded, PackedPart part, std::shared_ptr<const Mesh> mesh) {
     part.id = static_cast<int>(loaded.parts.size());
     loaded.box_volume.push_back(bounding_box(*mesh).volume() * std::pow(part.to_mm(), 3));
     loaded.parts.push_back(std::move(part));
@@ -37,7 +37,7 @@ void add_onto(const Scene& onto, LoadedJob& loaded) {
             const auto i = static_cast<std::size_t>(placement.part);
             if (index[i] < 0) {
                 index[i] = static_cast<int>(loaded.parts.size());
-                Part part = packing.parts[i];
+                PackedPart part = packing.parts[i];
                 part.count = 0;
                 add_part(loaded, std::move(part), onto.meshes[i]);
             }
@@ -82,7 +82,7 @@ void add_fixed(const Job& job, LoadedJob& loaded) {
                              "holds " + std::to_string(file->second.size()) + " objects; a fixed copy is one");
         }
         const LoadedMesh& mesh = file->second.front();
-        Part part;
+        PackedPart part;
         part.name = source.name.value_or(mesh.name);
         part.mesh = source.mesh.file;
         part.object = mesh.object;

@@ -2,7 +2,7 @@
 /// Copies that stand in their trays before anything is packed.
 
 #include "api/load.hpp"
-#include "core/stop.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -1,4 +1,4 @@
-#include "spectralpack/inputs.hpp"
+#include "spectralpack/files.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -80,18 +80,21 @@ class Expander {
         } else if (ending == ".json") {
             job(file, wanted);
         } else {
-            inputs_.parts.push_back({file, wanted.count, wanted.scale, ""});
+            inputs_.parts.push_back({.mesh = file, .count = wanted.count, .scale = wanted.scale});
         }
     }
 
     void set(const std::string& file, const CountAndScale& wanted) {
         const fs::path base = mesh_dir_.empty() ? fs::path(file).parent_path() : mesh_dir_;
-        std::vector<PartSource> parts;
+        std::vector<Part> parts;
         try {
             for (const SetRow& row : read_set(file)) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                parts.push_back({(base / row.mesh).string(), count, row.scale * wanted.scale, file + " " + place});
+                parts.push_back({.mesh = (base / row.mesh).string(),
+                                 .count = count,
+                                 .scale = row.scale * wanted.scale,
+                                 .origin = file + " " + place});
             }
         } catch (const InputError& error) {
             inputs_.unusable.push_back(error);
@@ -105,11 +108,11 @@ class Expander {
             throw UsageError(file + ": is the second job file, after " + inputs_.job->file + "; one run has one job");
         }
         JobFile job = read_job(file);
-        for (JobPart& part : job.parts) {
-            const int count = product(part.count, wanted.count, file, part.key + ".count");
-            inputs_.parts.push_back({std::move(part.mesh), count, part.scale * wanted.scale, file + " " + part.key,
-                                     std::move(part.name), part.gap, std::move(part.orientations), part.priority,
-                                     std::move(part.due)});
+        for (Part& part : job.parts) {
+            part.count = product(part.count, wanted.count, file, part.origin + ".count");
+            part.scale *= wanted.scale;
+            part.origin = file + " " + part.origin;
+            inputs_.parts.push_back(std::move(part));
         }
         inputs_.job = std::move(job.settings);
     }
@@ -140,7 +143,7 @@ class Expander {
         }
         std::sort(found.begin(), found.end());  // bytewise
         for (const std::string& file : found) {
-            inputs_.parts.push_back({file, wanted.count, wanted.scale, root});
+            inputs_.parts.push_back({.mesh = file, .count = wanted.count, .scale = wanted.scale, .origin = root});
         }
     }
 

@@ -15,11 +15,37 @@
 namespace spectralpack {
 namespace {
 
-struct FileContent {
+struct InputContent {
     std::vector<LoadedMesh> meshes;
     std::vector<std::shared_ptr<const Mesh>> shared;  // the meshes, moved out
     std::optional<InputError> error;
 };
+
+/// What messages call the input.
+std::string label_of(const Part& part) {
+    if (!part.mesh.file().empty()) return part.mesh.file();
+    return part.name.empty() ? "a mesh in memory" : part.name;
+}
+
+InputContent content_of(const Part& part, double unit) {
+    InputContent content;
+    const std::shared_ptr<const Mesh> mesh = part.mesh.mesh();
+    if (mesh) {
+        content.meshes.push_back(adopt_mesh(*mesh, label_of(part), unit));
+        // What needed no mending stays the caller's: no second copy of it is held.
+        if (content.meshes.front().repairs.empty()) {
+            content.meshes.front().mesh = {};
+            content.shared.push_back(mesh);
+            return content;
+        }
+    } else {
+        content.meshes = read_meshes(part.mesh.file(), unit);
+    }
+    for (LoadedMesh& loaded : content.meshes) {
+        content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
+    }
+    return content;
+}
 
 std::string count_of(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
@@ -91,44 +117,43 @@ class Hash {
 }  // namespace
 
 LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener) {
-    std::map<std::string, std::size_t> index;
-    std::vector<std::string> files;
-    for (const PartSource& source : job.parts) {
-        if (index.emplace(source.mesh, files.size()).second) files.push_back(source.mesh);
+    std::map<std::pair<std::string, const Mesh*>, std::size_t> index;  // of distinct meshes, in the order named
+    std::vector<const Part*> inputs;
+    const auto key = [](const Part& part) { return std::pair(part.mesh.file(), part.mesh.mesh().get()); };
+    for (const Part& part : job.parts) {
+        if (index.emplace(key(part), inputs.size()).second) inputs.push_back(&part);
     }
-    std::vector<FileContent> contents(files.size());
+    std::vector<InputContent> contents(inputs.size());
     constexpr std::size_t kBatch = 16;  // so that progress comes from this thread
-    for (std::size_t begin = 0; begin < files.size(); begin += kBatch) {
-        const std::size_t size = std::min(kBatch, files.size() - begin);
+    for (std::size_t begin = 0; begin < inputs.size(); begin += kBatch) {
+        const std::size_t size = std::min(kBatch, inputs.size() - begin);
         workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
-            FileContent& content = contents[begin + static_cast<std::size_t>(i)];
+            const std::size_t input = begin + static_cast<std::size_t>(i);
             try {
-                content.meshes = read_meshes(files[begin + static_cast<std::size_t>(i)], job.unit);
-                for (LoadedMesh& loaded : content.meshes) {
-                    content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
-                }
+                contents[input] = content_of(*inputs[input], job.unit);
             } catch (const InputError& error) {
-                content.error = error;
+                contents[input].error = error;
             }
         });
         listener.on_progress({Phase::load, static_cast<std::int64_t>(begin + size),
-                              static_cast<std::int64_t>(files.size()), 0,
-                              static_cast<double>(begin + size) / static_cast<double>(files.size())});
+                              static_cast<std::int64_t>(inputs.size()), 0,
+                              static_cast<double>(begin + size) / static_cast<double>(inputs.size())});
     }
 
     LoadedJob result;
     load_fixed(job, result);
-    for (std::size_t f = 0; f < files.size(); ++f) {
-        if (contents[f].error) result.unusable.push_back(*contents[f].error);
-        for (const LoadedMesh& loaded : contents[f].meshes) {
-            const std::string name = loaded.object ? files[f] + " (" + loaded.name + ")" : files[f];
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (contents[i].error) result.unusable.push_back(*contents[i].error);
+        const std::string file = label_of(*inputs[i]);
+        for (const LoadedMesh& loaded : contents[i].meshes) {
+            const std::string name = loaded.object ? file + " (" + loaded.name + ")" : file;
             if (!loaded.repairs.empty()) {
                 listener.on_warning(name + ": mended: " + joined(loaded.repairs));
             }
             if (!loaded.warnings.empty()) listener.on_warning(name + ": " + joined(loaded.warnings));
         }
     }
-    const auto add = [&](const PartSource& source, Part part, std::shared_ptr<const Mesh> mesh, double box_volume,
+    const auto add = [&](const Part& source, PackedPart part, std::shared_ptr<const Mesh> mesh, double box_volume,
                          std::string problem) {
         result.priority.push_back(source.priority);
         result.due.push_back(source.due);
@@ -138,17 +163,17 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         result.box_volume.push_back(box_volume);
         result.problem.push_back(std::move(problem));
     };
-    for (const PartSource& source : job.parts) {
-        const FileContent& content = contents[index.at(source.mesh)];
-        Part part;
-        part.mesh = source.mesh;
+    for (const Part& source : job.parts) {
+        const InputContent& content = contents[index.at(key(source))];
+        PackedPart part;
+        part.mesh = source.mesh.file();
         part.count = source.count;
         part.scale = source.scale;
         part.unit = job.unit;
         part.gap = source.gap.value_or(job.options.gap);
         part.orientations = source.orientations;
         if (content.error) {
-            part.name = source.name.value_or(std::filesystem::path(source.mesh).stem().string());
+            part.name = source.name.empty() ? std::filesystem::path(part.mesh).stem().string() : source.name;
             const std::string& place = content.error->place();
             add(source, part, nullptr, 0,
                 place.empty() ? content.error->cause() : place + ": " + content.error->cause());
@@ -157,12 +182,12 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         for (std::size_t i = 0; i < content.meshes.size(); ++i) {
             const LoadedMesh& loaded = content.meshes[i];
             if (loaded.instances > std::numeric_limits<int>::max() / source.count) {
-                throw InputError(source.mesh, loaded.object ? "object " + *loaded.object : "",
+                throw InputError(label_of(source), loaded.object ? "object " + *loaded.object : "",
                                  "comes to more copies than can be counted");
             }
-            part.name = !source.name                 ? loaded.name
-                        : content.meshes.size() == 1 ? *source.name
-                                                     : *source.name + " " + loaded.name;
+            part.name = source.name.empty()          ? loaded.name
+                        : content.meshes.size() == 1 ? source.name
+                                                     : source.name + " " + loaded.name;
             part.object = loaded.object;
             part.item_transform = loaded.item_transform;
             part.count = source.count * loaded.instances;
@@ -173,11 +198,11 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             add(source, part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
         }
     }
-    if (result.unusable.size() == files.size() && !files.empty()) {
+    if (result.unusable.size() == inputs.size() && !inputs.empty()) {
         const InputError& first = result.unusable.front();
-        if (files.size() == 1) throw InputError(first);
+        if (inputs.size() == 1) throw InputError(first);
         throw InputError(first.file(), first.place(),
-                         first.cause() + " (and " + count_of(files.size() - 1, "other file") +
+                         first.cause() + " (and " + count_of(inputs.size() - 1, "other file") +
                              ": nothing that was named can be used)");
     }
     return result;
@@ -186,7 +211,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
 std::string input_hash(const LoadedJob& loaded, const Container& container, const PackOptions& options) {
     Hash hash;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
-        const Part& part = loaded.parts[i];
+        const PackedPart& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;
         hash.add(*loaded.meshes[i]);
         hash.add(part.count);

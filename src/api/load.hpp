@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/listener.hpp"
 #include "core/parallel.hpp"
+#include "spectralpack/events.hpp"
 #include "spectralpack/pack.hpp"
 
 namespace spectralpack {
@@ -17,7 +17,7 @@ struct FixedPlacement {
 
 struct LoadedJob {
     /// Those of fixed copies first, then in input order; an unusable file keeps its place as a part without mesh.
-    std::vector<Part> parts;
+    std::vector<PackedPart> parts;
     std::size_t fixed_parts = 0;  ///< so many of them have fixed copies only
     std::vector<FixedPlacement> fixed;
     std::vector<double> priority;  ///< by part, as is `due`

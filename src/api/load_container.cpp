@@ -5,11 +5,11 @@
 #include <memory>
 #include <utility>
 
-#include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "geometry/mesh_inspect.hpp"
 #include "model/physical_surfaces.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/mesh_figures.hpp"
 
 namespace spectralpack {
 namespace {

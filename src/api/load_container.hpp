@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "model/container_source.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/job.hpp"
 #include "spectralpack/pack.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

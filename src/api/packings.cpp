@@ -1,19 +1,21 @@
-#include "spectralpack/packings.hpp"
+#include "spectralpack/files.hpp"
 
 #include <map>
 
 #include "api/load_container.hpp"
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/report.hpp"
+#include "render/render.hpp"
+#include "spectralpack/error.hpp"
+#include "verify/check.hpp"
 
 namespace spectralpack {
 namespace {
 
 /// The object of a mesh file that a part names.
-LoadedMesh* find_object(std::vector<LoadedMesh>& meshes, const Part& part) {
+LoadedMesh* find_object(std::vector<LoadedMesh>& meshes, const PackedPart& part) {
     for (LoadedMesh& loaded : meshes) {
         if (loaded.object == part.object && loaded.item_transform == part.item_transform) return &loaded;
     }
@@ -38,7 +40,7 @@ Scene load_scene(const std::filesystem::path& packing_file) {
     std::map<std::string, File> files;
     for (std::size_t i = 0; i < scene.packing.parts.size(); ++i) {
         if (!placed[i]) continue;
-        const Part& part = scene.packing.parts[i];
+        const PackedPart& part = scene.packing.parts[i];
         const auto [file, fresh] = files.try_emplace(part.mesh);
         if (fresh) file->second.loaded = read_meshes(part.mesh);
         LoadedMesh* object = find_object(file->second.loaded, part);
@@ -69,8 +71,10 @@ ContainerSource container_source(const Packing& packing) {
     return source;
 }
 
-CheckReport check(const Scene& scene, int threads, Listener& listener, const StopToken& stop) {
-    return check_packing(scene.packing, scene.meshes, Workers(threads), listener, stop);
+CheckReport check(const Scene& scene, int threads, const Control& control) {
+    Listener quiet;
+    return check_packing(scene.packing, scene.meshes, Workers(threads), control.listener ? *control.listener : quiet,
+                         control.stop);
 }
 
 const char* output_endings() { return ".json .3mf .stl .csv .png"; }
@@ -144,6 +148,10 @@ void write_report(const Scene& scene, const std::filesystem::path& path, std::op
         extras.pictures.push_back(encode_png(render(scene.packing, scene.meshes, options, workers)));
     }
     replace_file(path, report_html(scene.packing, extras));
+}
+
+Image render(const Scene& scene, const RenderOptions& options, int threads) {
+    return render(scene.packing, scene.meshes, options, Workers(threads));
 }
 
 void write_picture(const Scene& scene, const std::filesystem::path& path, const RenderOptions& options, int threads) {

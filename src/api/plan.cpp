@@ -9,10 +9,10 @@
 #include "api/engine_factory.hpp"
 #include "api/memory_plan.hpp"
 #include "api/short_number.hpp"
-#include "geometry/box.hpp"
 #include "geometry/minimum_box.hpp"
-#include "model/orientation.hpp"
-#include "packing/shape_store.hpp"
+#include "packing/tray/shape_store.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/orientations.hpp"
 #include "voxel/axis_turn.hpp"
 
 namespace spectralpack {
@@ -161,7 +161,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
     if (options.interlock == Interlock::place) plan.ahead = std::min(plan.ahead, ShapeStore::kAheadOfWays);
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
-        const Part& part = loaded.parts[i];
+        const PackedPart& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;
         const int copies = copies_to_pack(loaded, i);
         plan.box_ratio += copies * loaded.box_volume[i] / container_volume;
@@ -176,7 +176,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     if (!is_open(options) && material > container_volume) plan.placed = container_volume / material;
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
-    plan.items = order_items(sizes, options.order, options.seed);
+    plan.items = order_copies(sizes, options.order, options.seed);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));

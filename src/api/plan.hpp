@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "api/load.hpp"
-#include "packing/order.hpp"
+#include "packing/order/order.hpp"
 
 namespace spectralpack {
 
@@ -16,7 +16,7 @@ struct Plan {
     std::vector<std::size_t> roots;   ///< by part: of its orientations, those that none before them turns into
     std::vector<double> gap_classes;  ///< distinct gaps of usable parts, ascending
     double height_penalty = 0;        ///< p
-    std::vector<PackItem> items;      ///< in the order to try, without what cannot fit
+    std::vector<Copy> items;          ///< in the order to try, without what cannot fit
     bool copies = false;              ///< some part has more than one
     std::vector<int> ranks;           ///< by part: urgency_ranks()
     std::vector<std::vector<Vec3>> turned_sizes;  ///< by part: its mesh's in some of its orientations, spread over them

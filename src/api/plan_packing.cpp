@@ -1,4 +1,4 @@
-#include "spectralpack/plan_packing.hpp"
+#include "spectralpack/plan.hpp"
 
 #include <cmath>
 #include <map>
@@ -7,11 +7,10 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/plan.hpp"
-#include "core/error.hpp"
 #include "disassembly/disassembler.hpp"
 #include "geometry/mesh_edges.hpp"
-#include "packing/interlocking.hpp"
-#include "packing/physical_walls.hpp"
+#include "packing/containers/physical_walls.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -37,7 +36,7 @@ class StandingTray {
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
         make_surfaces();
         Box box;
-        for (const StandingPart& part : parts_) {
+        for (const Body& part : parts_) {
             box.add(part.box());
         }
         if (container.physical) box.add({{}, container.size});
@@ -58,8 +57,8 @@ class StandingTray {
     }
 
     /// The copies, then the walls of a physical container.
-    const std::vector<StandingPart>& parts() const { return parts_; }
-    DisassemblySetup& setup() { return setup_; }
+    const std::vector<Body>& parts() const { return parts_; }
+    DisassemblyOptions& setup() { return setup_; }
 
   private:
     const Mesh& mesh(std::size_t i) const { return *meshes_[static_cast<std::size_t>(tray_.placements[i].part)]; }
@@ -100,19 +99,37 @@ class StandingTray {
     const PartMeshes& meshes_;
     double voxel_;
     Workers workers_;
-    std::vector<StandingPart> parts_;
+    std::vector<Body> parts_;
     std::map<int, bool> closed_;  // whether a part's mesh encloses a solid, which takes as long as voxelising it
-    DisassemblySetup setup_;
+    DisassemblyOptions setup_;
 };
+
+/// Makes the plan for bodies that stand, by the steps `told` where it finds none (may be null). `interlocked` names the
+/// sets that hold each other, of the first `copies` bodies: what comes after them is a container.
+Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> bodies, std::size_t copies,
+                             const Disassembler::Left& left, const std::vector<RemovalStep>* told) {
+    Disassembler disassembler(options, std::move(bodies), left, told);
+    disassembler.run();
+    Disassembly plan;
+    plan.steps = disassembler.steps();
+    if (!options.stop.stopped()) plan.interlocked = disassembler.stuck();
+    for (std::vector<int>& set : plan.interlocked) {
+        std::erase_if(set, [&](int body) { return static_cast<std::size_t>(body) >= copies; });
+    }
+    plan.complete = disassembler.standing() == 0;
+    return plan;
+}
 
 }  // namespace
 
-std::vector<Disassembly> plan_packing(const Scene& scene, const PlanSettings& settings, Listener& listener,
-                                      const StopToken& stop) {
+std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& settings, const Control& control) {
+    Listener quiet;
+    Listener& listener = control.listener ? *control.listener : quiet;
+    const StopToken& stop = control.stop;
     const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
     if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
     const double ray_spacing = settings.ray_spacing.value_or(settings.voxel || !scene.packing.options.ray_spacing
-                                                                 ? DisassemblySetup::spacing_for(voxel)
+                                                                 ? DisassemblyOptions::spacing_for(voxel)
                                                                  : *scene.packing.options.ray_spacing);
     check_ray_spacing(ray_spacing, voxel);
     const Workers workers(settings.threads);

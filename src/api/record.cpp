@@ -8,7 +8,7 @@
 #include "api/fixed_copies.hpp"
 #include "api/machine.hpp"
 #include "formats/packing_names.hpp"
-#include "packing/measure.hpp"
+#include "packing/tray/measure.hpp"
 
 namespace spectralpack {
 namespace {
@@ -30,30 +30,30 @@ Disassembly shifted(Disassembly plan, int first) {
 }
 
 /// `tray` holds its fixed copies.
-void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray, std::set<PackItem>& settled) {
+void add_placed(const PackRun& run, const FilledTray& filled, TrayPacking& tray, std::set<Copy>& settled) {
     if (filled.plan) tray.disassembly = shifted(*filled.plan, static_cast<int>(tray.placements.size()));
-    for (const PlacedItem& placed : filled.placed) {
-        settled.insert(placed.item);
-        tray.placements.push_back({placed.item.part, placed.item.copy, placed.orientation, false,
+    for (const PlacedCopy& placed : filled.placed) {
+        settled.insert(placed.copy);
+        tray.placements.push_back({placed.copy.part, placed.copy.number, placed.orientation, false,
                                    transform_of(run.loaded, run.plan, placed)});
     }
 }
 
 /// A packing in shares has as many copies as were placed of each part.
-void count_what_came_of_shares(const PackRun& run, std::vector<Part>& parts) {
+void count_what_came_of_shares(const PackRun& run, std::vector<PackedPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (i < run.loaded.fixed_parts || !run.loaded.meshes[i] || !run.plan.too_large[i].empty()) continue;
         parts[i].share = std::exchange(parts[i].count, 0);
     }
     for (const FilledTray& tray : run.trays.trays) {
-        for (const PlacedItem& placed : tray.placed) {
-            ++parts[static_cast<std::size_t>(placed.item.part)].count;
+        for (const PlacedCopy& placed : tray.placed) {
+            ++parts[static_cast<std::size_t>(placed.copy.part)].count;
         }
     }
 }
 
 /// Copies that are not placed, and why; `settled` are those that are.
-std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PackItem> settled) {
+std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<Copy> settled) {
     std::vector<Unplaced> unplaced;
     for (std::size_t i = 0; i < run.loaded.parts.size(); ++i) {
         const bool unusable = !run.loaded.meshes[i];
@@ -65,25 +65,26 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<PackItem> settled
         }
     }
     const FilledTray& last = run.trays.trays.back();
-    for (const PackItem& item : last.interlocked) {
-        unplaced.push_back({item.part, item.copy, UnplacedReason::interlocked, ""});
-        settled.insert(item);
+    for (const Copy& copy : last.interlocked) {
+        unplaced.push_back({copy.part, copy.number, UnplacedReason::interlocked, ""});
+        settled.insert(copy);
     }
-    for (const PackItem& item : run.trays.left_over) {
-        if (!settled.insert(item).second) continue;
-        const auto why = last.why.find(item.part);
-        unplaced.push_back({item.part, item.copy, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
+    for (const Copy& copy : run.trays.left_over) {
+        if (!settled.insert(copy).second) continue;
+        const auto why = last.why.find(copy.part);
+        unplaced.push_back(
+            {copy.part, copy.number, UnplacedReason::tray_full, why == last.why.end() ? "" : why->second});
     }
-    for (const PackItem& item : run.plan.items) {
-        if (run.options.fill || settled.contains(item)) continue;
-        unplaced.push_back({item.part, item.copy, UnplacedReason::stopped, ""});
+    for (const Copy& copy : run.plan.items) {
+        if (run.options.fill || settled.contains(copy)) continue;
+        unplaced.push_back({copy.part, copy.number, UnplacedReason::stopped, ""});
     }
     return unplaced;
 }
 
 Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& workers) {
     Metrics metrics;
-    for (const Part& part : packing.parts) {
+    for (const PackedPart& part : packing.parts) {
         metrics.copies += part.count;
     }
     metrics.placed = run.trays.placed() + static_cast<std::int64_t>(run.loaded.fixed.size());
@@ -128,7 +129,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
 
     if (run.options.fill) count_what_came_of_shares(run, packing.parts);
 
-    std::set<PackItem> settled;
+    std::set<Copy> settled;
     packing.trays = fixed_trays(run.loaded);
     packing.trays.resize(std::max(packing.trays.size(), run.trays.trays.size()));
     for (std::size_t t = 0; t < packing.trays.size(); ++t) {
@@ -144,14 +145,14 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     return packing;
 }
 
-Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedItem& placed) {
-    const double mm = loaded.parts[static_cast<std::size_t>(placed.item.part)].to_mm();
-    const std::vector<Mat3>& turns = *plan.orientations[static_cast<std::size_t>(placed.item.part)];
+Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedCopy& placed) {
+    const double mm = loaded.parts[static_cast<std::size_t>(placed.copy.part)].to_mm();
+    const std::vector<Mat3>& turns = *plan.orientations[static_cast<std::size_t>(placed.copy.part)];
     return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
 }
 
 Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
-    const Part& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
+    const PackedPart& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
     return Error(ErrorKind::input, "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
                                        std::to_string(trays.left_over.size()) +
                                        (trays.left_over.size() == 1 ? " copy" : " copies") +

@@ -6,8 +6,7 @@
 
 #include "api/load.hpp"
 #include "api/plan.hpp"
-#include "packing/least_box.hpp"
-#include "packing/many_trays.hpp"
+#include "packing/job/packing_job.hpp"
 
 namespace spectralpack {
 
@@ -27,7 +26,7 @@ struct PackRun {
 Packing packing_of(const PackRun& run, const Workers& workers);
 
 /// The transform from the mesh file's own coordinates to where the copy stands.
-Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedItem& placed);
+Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedCopy& placed);
 
 /// Several trays were allowed, and one stayed empty of what is left.
 Error stuck_error(const LoadedJob& loaded, const TraysResult& trays);

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 #include <utility>
 

@@ -6,9 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
-#include "disassembly/blocking_graph.hpp"
-#include "disassembly/rays.hpp"
+#include "disassembly/graph/blocking_graph.hpp"
+#include "disassembly/graph/rays.hpp"
+#include "disassembly/ways_out.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -18,36 +19,36 @@ constexpr std::size_t kBatch = 8;
 
 }  // namespace
 
-/// A company being taken apart.
-class Disassembler::Yard {
+/// A subassembly being taken apart.
+class Disassembler::Dismantler {
   public:
-    using Members = Company::Members;
+    using Members = Subassembly::Members;
 
-    Yard(Disassembler& owner, std::vector<int> names, std::vector<StandingPart> parts)
+    Dismantler(Disassembler& owner, std::vector<int> names, std::vector<Body> parts)
         : owner_(owner),
-          company_(Company::closed(owner.setup_, std::move(names), std::move(parts))),
-          graph_(company_.size()),
-          known_(company_.size()) {
-        std::vector<const StandingPart*> standing;
-        for (std::size_t i = 0; i < company_.size(); ++i) {
-            standing.push_back(&company_.part(i));
+          subassembly_(Subassembly::closed(owner.options_, std::move(names), std::move(parts))),
+          graph_(subassembly_.size()),
+          known_(subassembly_.size()) {
+        std::vector<const Body*> standing;
+        for (std::size_t i = 0; i < subassembly_.size(); ++i) {
+            standing.push_back(&subassembly_.part(i));
         }
-        cast_rays(standing, owner.setup_.ray_spacing, graph_, owner.setup_.workers);
-        turns_ = highest_first(company_.movable());
+        cast_rays(standing, owner.options_.ray_spacing, graph_, owner.options_.workers);
+        turns_ = highest_first(subassembly_.movable());
     }
 
     /// `members` of `founder`, which are about to leave it as one; what is known of them still holds.
-    Yard(const Yard& founder, const Members& members, std::vector<std::optional<Company::Flooded>> known)
+    Dismantler(const Dismantler& founder, const Members& members, std::vector<std::optional<Flooded>> known)
         : owner_(founder.owner_),
-          company_(founder.company_, members),
+          subassembly_(founder.subassembly_, members),
           graph_(founder.graph_.among(members)),
           known_(std::move(known)),
-          turns_(highest_first(company_.movable())) {}
+          turns_(highest_first(subassembly_.movable())) {}
 
-    const Company& company() const { return company_; }
+    const Subassembly& subassembly() const { return subassembly_; }
 
     void run() {
-        while (!owner_.setup_.stop.stopped()) {
+        while (!owner_.options_.stop.stopped()) {
             if (leave_straight() || leave_by_flood() || leave_as_group() || leave_as_told() ||
                 leave_beside_the_grid()) {
                 continue;
@@ -57,8 +58,8 @@ class Disassembler::Yard {
     }
 
     bool discard(int name) {
-        for (std::size_t i = 0; i < company_.size(); ++i) {
-            if (company_.name(i) != name || !company_.present(i)) continue;
+        for (std::size_t i = 0; i < subassembly_.size(); ++i) {
+            if (subassembly_.name(i) != name || !subassembly_.present(i)) continue;
             remove(i);
             return true;
         }
@@ -67,23 +68,23 @@ class Disassembler::Yard {
 
   private:
     /// Known to have no way out as things stand.
-    bool stuck(std::size_t i) const { return known_[i] && known_[i]->pocket; }
+    bool stuck(std::size_t i) const { return known_[i] && known_[i]->closed_region; }
 
     void remove(std::size_t i) {
-        const TrayObject& gone = company_.part(i).object;
-        company_.remove(i);
+        const TrayObject& gone = subassembly_.part(i).object;
+        subassembly_.remove(i);
         graph_.remove(i);
         known_[i].reset();
-        for (std::optional<Company::Flooded>& known : known_) {
-            if (known && known->pocket && known->pocket->touches(gone)) known.reset();
+        for (std::optional<Flooded>& known : known_) {
+            if (known && known->closed_region && known->closed_region->touches(gone)) known.reset();
         }
     }
 
     /// `members` leave by `path` as one.
-    void leave(const Members& members, Company::Path path) {
+    void leave(const Members& members, Subassembly::Path path) {
         RemovalStep step{{}, std::move(path)};
         for (const std::size_t i : members) {
-            step.placements.push_back(company_.name(i));
+            step.placements.push_back(subassembly_.name(i));
             remove(i);
         }
         owner_.steps_.push_back(std::move(step));
@@ -96,7 +97,7 @@ class Disassembler::Yard {
     /// Those not known to meet anyone in that direction, the highest first.
     Members ready(AxisDirection direction) const {
         Members members;
-        for (const std::size_t i : company_.movable()) {
+        for (const std::size_t i : subassembly_.movable()) {
             if (graph_.blockers(i, direction) == 0) members.push_back(i);
         }
         return highest_first(std::move(members));
@@ -104,24 +105,24 @@ class Disassembler::Yard {
 
     Members highest_first(Members members) const {
         std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-            return company_.part(a).box().max.z > company_.part(b).box().max.z;
+            return subassembly_.part(a).box().max.z > subassembly_.part(b).box().max.z;
         });
         return members;
     }
 
     /// What a sweep found, for later ones.
-    void learn(const Company::Straight& way, AxisDirection direction) {
+    void learn(const Subassembly::Straight& way, AxisDirection direction) {
         for (const auto& [member, other] : way.passed) {
             graph_.add_passed(member, direction, other);
         }
         // It may have left just now: then the edge says nothing any more.
-        if (way.met && company_.present(way.met->other)) graph_.add(way.met->member, direction, way.met->other);
+        if (way.met && subassembly_.present(way.met->other)) graph_.add(way.met->member, direction, way.met->other);
     }
 
     /// Takes out all that leave by straight ways, upwards where they can. True when some did.
     bool leave_straight() {
         bool any = false;
-        for (int d = 0; d < BlockingGraph::kDirections && !owner_.setup_.stop.stopped();) {
+        for (int d = 0; d < BlockingGraph::kDirections && !owner_.options_.stop.stopped();) {
             // Upwards everything that can; sideways or down one at a time, since others may now go up.
             const bool moved = leave_straight(BlockingGraph::direction(d), d == 0);
             any = any || moved;
@@ -136,10 +137,10 @@ class Disassembler::Yard {
         bool moved = false;
         for (std::size_t begin = 0; begin < members.size() && (all || !moved); begin += batch) {
             const std::size_t count = std::min(batch, members.size() - begin);
-            std::vector<Company::Straight> ways(count);
-            owner_.setup_.workers.for_each(static_cast<std::int64_t>(count), [&](std::int64_t k) {
+            std::vector<Subassembly::Straight> ways(count);
+            owner_.options_.workers.for_each(static_cast<std::int64_t>(count), [&](std::int64_t k) {
                 const auto i = static_cast<std::size_t>(k);
-                ways[i] = company_.straight_way({members[begin + i]}, direction, &graph_);
+                ways[i] = subassembly_.straight_way({members[begin + i]}, direction, &graph_);
             });
             for (std::size_t k = 0; k < count; ++k) {
                 const std::size_t i = members[begin + k];
@@ -155,7 +156,7 @@ class Disassembler::Yard {
 
     /// Takes out one copy by a way with corners. Whoever was not tried for longest is tried first: what left meanwhile
     /// may have opened the way of others, and more so the longer one waits. Some that come next are tried with it: what
-    /// is found of them holds until their turn, a way for good and a pocket until somebody in it leaves.
+    /// is found of them holds until their turn, a way for good and a closed region until somebody in it leaves.
     bool leave_by_flood() {
         struct Try {
             std::size_t turn, i;
@@ -163,7 +164,7 @@ class Disassembler::Yard {
         std::vector<Try> tries;
         for (std::size_t k = 0; k < turns_.size(); ++k) {
             const std::size_t i = turns_[(turn_ + k) % turns_.size()];
-            if (company_.movable(i) && !stuck(i)) tries.push_back({k, i});
+            if (subassembly_.movable(i) && !stuck(i)) tries.push_back({k, i});
         }
         for (auto next = tries.begin(); next != tries.end(); ++next) {
             if (!known_[next->i]) {
@@ -184,13 +185,13 @@ class Disassembler::Yard {
 
     /// Finds a way out for each of these, or that there is none. False: stopped.
     bool flood(const Members& members) {
-        const StopToken& stop = owner_.setup_.stop;
-        std::vector<Company::Flooded> flooded(members.size());
-        owner_.setup_.workers.for_each_in_order(std::ssize(members), [&](std::int64_t k) {
+        const StopToken& stop = owner_.options_.stop;
+        std::vector<Flooded> flooded(members.size());
+        owner_.options_.workers.for_each_in_order(std::ssize(members), [&](std::int64_t k) {
             if (stop.stopped()) return;
             const auto at = static_cast<std::size_t>(k);
-            Company::Flood flood = company_.flood(members[at]);
-            flooded[at] = company_.way_out(flood);
+            Subassembly::Flood flood = subassembly_.flood(members[at]);
+            flooded[at] = way_out(subassembly_, flood);
         });
         if (stop.stopped()) return false;
         for (std::size_t k = 0; k < members.size(); ++k) {
@@ -200,21 +201,22 @@ class Disassembler::Yard {
         return true;
     }
 
-    /// Takes out one group, as the blocking graphs suggest; it becomes a company of its own.
+    /// Takes out one group, as the blocking graphs suggest; it becomes a subassembly of its own.
     bool leave_as_group() {
         for (int d = 0; d < BlockingGraph::kDirections; ++d) {
             const AxisDirection direction = BlockingGraph::direction(d);
             for (bool learned = true; learned;) {
                 learned = false;
                 for (const Members& group : graph_.groups(direction)) {
-                    if (owner_.setup_.stop.stopped()) return false;
-                    if (!std::all_of(group.begin(), group.end(), [&](std::size_t i) { return company_.movable(i); })) {
+                    if (owner_.options_.stop.stopped()) return false;
+                    if (!std::all_of(group.begin(), group.end(),
+                                     [&](std::size_t i) { return subassembly_.movable(i); })) {
                         continue;
                     }
-                    Company::Straight way = company_.straight_way(group, direction, &graph_);
+                    Subassembly::Straight way = subassembly_.straight_way(group, direction, &graph_);
                     learn(way, direction);
                     if (!way.met) {
-                        found_company(group, std::move(way.path));
+                        found_subassembly(group, std::move(way.path));
                         return true;
                     }
                     learned = true;
@@ -229,8 +231,8 @@ class Disassembler::Yard {
     bool leave_as_told() {
         if (owner_.told_ == nullptr) return false;
         std::map<int, std::size_t> present;
-        for (std::size_t i = 0; i < company_.size(); ++i) {
-            if (company_.present(i)) present.emplace(company_.name(i), i);
+        for (std::size_t i = 0; i < subassembly_.size(); ++i) {
+            if (subassembly_.present(i)) present.emplace(subassembly_.name(i), i);
         }
         for (const RemovalStep& step : *owner_.told_) {
             Members members;
@@ -239,9 +241,9 @@ class Disassembler::Yard {
             }
             std::sort(members.begin(), members.end());
             if (members.empty() || members.size() == present.size()) continue;
-            if (!company_.leads_out(members, step.path)) return false;
+            if (!subassembly_.leads_out(members, step.path)) return false;
             if (members.size() > 1) {
-                found_company(members, step.path);
+                found_subassembly(members, step.path);
             } else {
                 leave(members, step.path);
                 ++(step.path.size() == 1 ? owner_.counts_.straight : owner_.counts_.flooded);
@@ -254,13 +256,13 @@ class Disassembler::Yard {
     /// Takes out one copy that no flood fill could begin with, the highest first.
     bool leave_beside_the_grid() {
         Members members;
-        for (const std::size_t i : highest_first(company_.movable())) {
+        for (const std::size_t i : highest_first(subassembly_.movable())) {
             if (stuck(i) && !known_[i]->began) members.push_back(i);
         }
-        std::vector<std::optional<Company::Path>> ways(members.size());
-        const std::int64_t first = owner_.setup_.workers.first(std::ssize(members), [&](std::int64_t k) {
+        std::vector<std::optional<Subassembly::Path>> ways(members.size());
+        const std::int64_t first = owner_.options_.workers.first(std::ssize(members), [&](std::int64_t k) {
             const auto at = static_cast<std::size_t>(k);
-            if (!owner_.setup_.stop.stopped()) ways[at] = company_.way_beside_the_grid(members[at]);
+            if (!owner_.options_.stop.stopped()) ways[at] = way_beside_the_grid(subassembly_, members[at]);
             return ways[at].has_value();
         });
         if (first == std::ssize(members)) return false;
@@ -270,62 +272,62 @@ class Disassembler::Yard {
         return true;
     }
 
-    void found_company(const Members& group, Company::Path path) {
-        // A pocket that only they close stays closed.
-        std::vector<std::optional<Company::Flooded>> known(group.size());
+    void found_subassembly(const Members& group, Subassembly::Path path) {
+        // A closed region that only they close stays closed.
+        std::vector<std::optional<Flooded>> known(group.size());
         for (std::size_t k = 0; k < group.size(); ++k) {
             if (!stuck(group[k])) continue;
             known[k] = known_[group[k]];
-            for (std::size_t other = 0; known[k] && other < company_.size(); ++other) {
-                if (!company_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
-                if (known[k]->pocket->touches(company_.part(other).object)) known[k].reset();
+            for (std::size_t other = 0; known[k] && other < subassembly_.size(); ++other) {
+                if (!subassembly_.present(other) || std::binary_search(group.begin(), group.end(), other)) continue;
+                if (known[k]->closed_region->touches(subassembly_.part(other).object)) known[k].reset();
             }
         }
-        const auto yard = owner_.yards_.emplace(owner_.yards_.end(), *this, group, std::move(known));
+        const auto dismantler = owner_.dismantlers_.emplace(owner_.dismantlers_.end(), *this, group, std::move(known));
         leave(group, std::move(path));
         ++owner_.counts_.groups;
-        yard->run();
-        if (yard->company().movable().empty()) owner_.yards_.erase(yard);
+        dismantler->run();
+        if (dismantler->subassembly().movable().empty()) owner_.dismantlers_.erase(dismantler);
     }
 
     Disassembler& owner_;
-    Company company_;
+    Subassembly subassembly_;
     BlockingGraph graph_;
-    std::vector<std::optional<Company::Flooded>> known_;  // of those asked about: a way for good, or the pocket
-    std::vector<std::size_t> turns_;                      // the order of flood fills, the highest first
+    std::vector<std::optional<Flooded>> known_;  // of those asked about: a way for good, or the closed region
+    std::vector<std::size_t> turns_;             // the order of flood fills, the highest first
     std::size_t turn_ = 0;
 };
 
-Disassembler::Disassembler(const DisassemblySetup& setup, std::vector<StandingPart> parts, Left left,
+Disassembler::Disassembler(const DisassemblyOptions& options, std::vector<Body> parts, Left left,
                            const std::vector<RemovalStep>* told)
-    : setup_(setup), left_(std::move(left)), told_(told) {
+    : options_(options), left_(std::move(left)), told_(told) {
     std::vector<int> names(parts.size());
     std::iota(names.begin(), names.end(), 0);
-    yards_.emplace_back(*this, std::move(names), std::move(parts));
-    all_ = standing_ = static_cast<int>(yards_.front().company().movable().size());
+    dismantlers_.emplace_back(*this, std::move(names), std::move(parts));
+    all_ = standing_ = static_cast<int>(dismantlers_.front().subassembly().movable().size());
 }
 
 Disassembler::~Disassembler() = default;
 
 void Disassembler::run() {
-    // Yards that are founded meanwhile run at once, where their founder's steps are at.
-    std::vector<Yard*> yards;
-    for (Yard& yard : yards_) {
-        yards.push_back(&yard);
+    // Dismantlers that are founded meanwhile run at once, where their founder's steps are at.
+    std::vector<Dismantler*> dismantlers;
+    for (Dismantler& dismantler : dismantlers_) {
+        dismantlers.push_back(&dismantler);
     }
-    for (Yard* yard : yards) {
-        yard->run();
+    for (Dismantler* dismantler : dismantlers) {
+        dismantler->run();
     }
 }
 
 std::vector<std::vector<int>> Disassembler::stuck() const {
     std::vector<std::vector<int>> sets;
-    for (const Yard& yard : yards_) {
-        const Company& company = yard.company();
-        if (company.movable().empty()) continue;
+    for (const Dismantler& dismantler : dismantlers_) {
+        const Subassembly& subassembly = dismantler.subassembly();
+        if (subassembly.movable().empty()) continue;
         std::vector<int> names;
-        for (std::size_t i = 0; i < company.size(); ++i) {
-            if (company.present(i)) names.push_back(company.name(i));
+        for (std::size_t i = 0; i < subassembly.size(); ++i) {
+            if (subassembly.present(i)) names.push_back(subassembly.name(i));
         }
         std::sort(names.begin(), names.end());
         sets.push_back(std::move(names));
@@ -334,8 +336,8 @@ std::vector<std::vector<int>> Disassembler::stuck() const {
 }
 
 void Disassembler::discard(int part) {
-    for (Yard& yard : yards_) {
-        if (yard.discard(part)) {
+    for (Dismantler& dismantler : dismantlers_) {
+        if (dismantler.discard(part)) {
             --standing_;
             return;
         }

@@ -1,6 +1,6 @@
 #include "formats/csv.hpp"
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

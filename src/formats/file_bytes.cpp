@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

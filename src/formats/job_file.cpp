@@ -7,7 +7,7 @@
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/part_orientations.hpp"
-#include "model/printer.hpp"
+#include "spectralpack/printers.hpp"
 
 namespace spectralpack {
 namespace {
@@ -166,8 +166,8 @@ class JobReader {
 
     void read_part(const Node& node) {
         node.expect_keys({"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
-        JobPart part;
-        part.key = node.path();
+        Part part;
+        part.origin = node.path();
         part.mesh = path_of(node.at("mesh"));
         if (const auto v = node.find("name")) part.name = v->text();
         if (const auto v = node.find("count")) part.count = v->integer<int>(1, kMostCopies);

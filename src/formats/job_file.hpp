@@ -7,26 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "model/job_settings.hpp"
-#include "model/orientation.hpp"
+#include "spectralpack/job.hpp"
 
 namespace spectralpack {
 
-struct JobPart {
-    std::string mesh;  ///< usable from the working directory
-    std::optional<std::string> name;
-    int count = 1;
-    double scale = 1;
-    std::optional<double> gap;  ///< mm; none: the job's
-    PartOrientations orientations = {};
-    double priority = 0;   ///< higher goes first
-    std::string due = {};  ///< "2026-12-01"; empty: none
-    std::string key;       ///< where it stands in the file: "parts[3]"
-};
-
 struct JobFile {
     JobSettings settings;
-    std::vector<JobPart> parts;
+    std::vector<Part> parts;  ///< `origin`: where each stands in the file ("parts[3]")
 };
 
 /// Reads a job file; its paths are relative to itself. Throws InputError naming the key's path

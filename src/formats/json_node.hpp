@@ -11,10 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.hpp"
 #include "formats/packing_names.hpp"
-#include "geometry/box.hpp"
-#include "geometry/transform.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

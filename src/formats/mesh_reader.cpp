@@ -1,12 +1,14 @@
 #include "formats/mesh_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "formats/file_bytes.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "geometry/mesh_repair.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -71,6 +73,30 @@ std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double de
         meshes.push_back(std::move(parsed.loaded));
     }
     return meshes;
+}
+
+LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit) {
+    if (mesh.triangles.empty()) throw InputError(name, "", "has no triangles");
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Vec3& v = mesh.vertices[i];
+        if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+            throw InputError(name, "vertex " + std::to_string(i), "has a coordinate that is not finite");
+        }
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t vertex : mesh.triangles[i]) {
+            if (vertex >= mesh.vertices.size()) {
+                throw InputError(
+                    name, "triangle " + std::to_string(i),
+                    "names vertex " + std::to_string(vertex) + " of " + std::to_string(mesh.vertices.size()));
+            }
+        }
+    }
+    ParsedMesh parsed;
+    parsed.loaded.mesh = std::move(mesh);
+    parsed.loaded.name = name;
+    repair(parsed, name, unit);
+    return std::move(parsed.loaded);
 }
 
 bool is_mesh_file(const std::filesystem::path& path) { return parser_by_ending(path) != nullptr; }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 
@@ -32,6 +32,10 @@ struct LoadedMesh {
 /// `default_unit`: mm per unit of files that do not say theirs; only warnings about the size depend
 /// on it.
 std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit = 1);
+
+/// A mesh from memory, mended as one from a file. Throws InputError naming it where it cannot be used: as read_meshes,
+/// and for triangles of vertices that it does not have.
+LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit);
 
 /// True for endings that read_meshes knows.
 bool is_mesh_file(const std::filesystem::path& path);

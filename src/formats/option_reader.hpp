@@ -2,7 +2,7 @@
 /// The options of `pack` as packing files and job files hold them.
 
 #include "formats/json_node.hpp"
-#include "model/options.hpp"
+#include "spectralpack/options.hpp"
 
 namespace spectralpack {
 

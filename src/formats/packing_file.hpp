@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/mesh.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

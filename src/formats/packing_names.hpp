@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "model/options.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/options.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

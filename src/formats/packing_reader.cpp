@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
 #include "formats/part_orientations.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -18,7 +18,7 @@ class PlanReader {
   public:
     /// `walls`: those of a physical container stand in the tray, too.
     PlanReader(const std::vector<Placement>& placements, bool walls)
-        : placements_(placements), walls_(walls), company_(placements.size(), 0), left_in_(placements.size()) {}
+        : placements_(placements), walls_(walls), subassembly_(placements.size(), 0), left_in_(placements.size()) {}
 
     Disassembly read(const Node& node) {
         Disassembly plan;
@@ -53,7 +53,7 @@ class PlanReader {
         const Node named = node.at("placements");
         RemovalStep step{placements_of(named), {}};
         node.at("path").for_each([&](const Node& move) { step.path.push_back(vector_of(move)); });
-        const int company = company_[static_cast<std::size_t>(step.placements.front())];
+        const int subassembly = subassembly_[static_cast<std::size_t>(step.placements.front())];
         for (const int index : step.placements) {
             const auto i = static_cast<std::size_t>(index);
             const std::string name = "placement " + std::to_string(index);
@@ -61,21 +61,21 @@ class PlanReader {
             if (left_in_[i]) {
                 named.fail(name + " has left in steps[" + std::to_string(*left_in_[i]) + "] already");
             }
-            if (company_[i] != company) {
+            if (subassembly_[i] != subassembly) {
                 named.fail(name + " and placement " + std::to_string(step.placements.front()) +
                            " no longer stand together: a group left before");
             }
         }
         const bool group = step.placements.size() > 1;
-        const bool leaves_walls = walls_ && company == 0;
+        const bool leaves_walls = walls_ && subassembly == 0;
         if (group && !leaves_walls &&
-            std::cmp_equal(std::count(company_.begin(), company_.end(), company), step.placements.size())) {
+            std::cmp_equal(std::count(subassembly_.begin(), subassembly_.end(), subassembly), step.placements.size())) {
             named.fail("is all that stands together: a group must leave something behind");
         }
         ++steps_;
         for (const int index : step.placements) {
             const auto i = static_cast<std::size_t>(index);
-            company_[i] = steps_;
+            subassembly_[i] = steps_;
             if (!group) left_in_[i] = steps_ - 1;
         }
         return step;
@@ -84,7 +84,7 @@ class PlanReader {
     const std::vector<Placement>& placements_;
     const bool walls_;
     int steps_ = 0;                            ///< read so far
-    std::vector<int> company_;                 ///< by placement: 0 in the tray, else 1 + the step it left in
+    std::vector<int> subassembly_;             ///< by placement: 0 in the tray, else 1 + the step it left in
     std::vector<std::optional<int>> left_in_;  ///< by placement: the step that took it out by itself
 };
 
@@ -142,7 +142,7 @@ class PackingReader {
     }
 
     void read_part(const Node& node) {
-        Part part;
+        PackedPart part;
         part.id = static_cast<int>(packing_.parts.size());
         if (const auto id = node.find("id"); id && id->integer<std::int64_t>() != part.id) {
             id->fail("must be the part's position, " + std::to_string(part.id));

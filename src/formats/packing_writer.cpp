@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/packing_names.hpp"
 #include "formats/part_orientations.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -105,7 +105,11 @@ Json plan_json(const Disassembly& plan) {
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
-        for (const Part& part : packing.parts) {
+        for (const PackedPart& part : packing.parts) {
+            if (part.mesh.empty()) {
+                throw UsageError("a packing file names mesh files, and " + part.name +
+                                 " has none: its mesh came from memory");
+            }
             mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
             check_utf8(mesh_paths_.back());
         }
@@ -170,7 +174,7 @@ class PackingWriter {
     }
 
     Json part_json(std::size_t index) const {
-        const Part& part = packing_.parts[index];
+        const PackedPart& part = packing_.parts[index];
         return {{"id", index},
                 {"name", part.name},
                 {"mesh", mesh_paths_[index]},

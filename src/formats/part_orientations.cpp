@@ -1,6 +1,7 @@
 #include "formats/part_orientations.hpp"
+#include "model/rotation_samples.hpp"
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/json_node.hpp"
-#include "model/orientation.hpp"
+#include "spectralpack/orientations.hpp"
 
 namespace spectralpack {
 

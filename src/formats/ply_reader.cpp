@@ -9,11 +9,11 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/polygon_faces.hpp"
 #include "formats/text_lines.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -52,7 +52,7 @@ struct Property {
     std::optional<Scalar> count_type;  ///< of a list
 };
 
-struct Element {
+struct PlyElement {
     std::string_view name;
     std::int64_t count = 0;
     std::vector<Property> properties;
@@ -148,7 +148,7 @@ class PlyParser {
     LoadedMesh parse() {
         parse_header();
         Values values(source_, encoding_, lines_.rest(), lines_.number() + 1);
-        for (const Element& element : elements_) {
+        for (const PlyElement& element : elements_) {
             check_count(values, element);
             if (element.name == "vertex") {
                 read_vertices(values, element);
@@ -230,7 +230,7 @@ class PlyParser {
     }
 
     /// A promise the bytes cannot keep is refused before anything is reserved by it.
-    void check_count(const Values& values, const Element& element) const {
+    void check_count(const Values& values, const PlyElement& element) const {
         std::size_t least = 0;
         for (const Property& property : element.properties) {
             least += values.least_size(property.count_type.value_or(property.type));
@@ -257,7 +257,7 @@ class PlyParser {
         return 0;
     }
 
-    void read_vertices(Values& values, const Element& element) {
+    void read_vertices(Values& values, const PlyElement& element) {
         std::vector<int> axes;  // which coordinate a property is, or -1
         int found = 0;
         for (const Property& property : element.properties) {
@@ -283,7 +283,7 @@ class PlyParser {
         }
     }
 
-    void read_faces(Values& values, const Element& element) {
+    void read_faces(Values& values, const PlyElement& element) {
         std::vector<std::int64_t> corners;
         for (std::int64_t i = 0; i < element.count; ++i) {
             for (const Property& property : element.properties) {
@@ -307,7 +307,7 @@ class PlyParser {
     TextLines lines_;
     std::vector<std::string_view> words_;
     Encoding encoding_ = Encoding::ascii;
-    std::vector<Element> elements_;
+    std::vector<PlyElement> elements_;
     std::vector<double> list_;
     std::vector<Vec3> vertices_;
     PolygonFaces faces_;

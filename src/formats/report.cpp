@@ -225,7 +225,7 @@ class HtmlReport {
         std::int64_t copies = 0, placed = 0;
         double mass = 0;
         for (std::size_t i = 0; i < packing_.parts.size(); ++i) {
-            const Part& part = packing_.parts[i];
+            const PackedPart& part = packing_.parts[i];
             const double part_mass = outcomes_[i].placed * mass_of_one(part);
             copies += part.count;
             placed += outcomes_[i].placed;
@@ -243,7 +243,7 @@ class HtmlReport {
             copies, placed, packing_.unplaced.size(), mass_cell(mass));
     }
 
-    double mass_of_one(const Part& part) const {
+    double mass_of_one(const PackedPart& part) const {
         return part.volume / kCubicMillimetresPerCubicCentimetre * extras_.material_density.value_or(0);
     }
 
@@ -281,7 +281,7 @@ std::string report_csv(const Packing& packing, const ReportExtras& extras) {
     const std::vector<PartOutcome> outcomes = outcomes_of(packing);
     std::string text = "part,name,mesh,scale,count,placed,left_over,reasons,volume_mm3,mass_g\r\n";
     for (std::size_t i = 0; i < packing.parts.size(); ++i) {
-        const Part& part = packing.parts[i];
+        const PackedPart& part = packing.parts[i];
         std::string reasons;
         for (const auto& [reason, some] : outcomes[i].left_over) {
             reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies, name_of(kReasonNames, reason));

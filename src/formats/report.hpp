@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/packing.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/csv.hpp"
 #include "formats/file_bytes.hpp"
 #include "formats/number_text.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/text_lines.hpp"
 #include "geometry/mesh_weld.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

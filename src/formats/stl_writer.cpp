@@ -5,16 +5,16 @@
 #include <limits>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/tray_row.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is little endian");
 
-constexpr std::size_t kFacet = 50;
+constexpr std::size_t kFacetBytes = 50;
 
 char* put(char* at, const Vec3& v) {
     const float coordinates[3] = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -23,7 +23,7 @@ char* put(char* at, const Vec3& v) {
 }
 
 std::string facets(const Mesh& mesh) {
-    std::string bytes(kFacet * mesh.triangles.size(), '\0');
+    std::string bytes(kFacetBytes * mesh.triangles.size(), '\0');
     char* at = bytes.data();
     for (const Triangle& t : mesh.triangles) {
         const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];

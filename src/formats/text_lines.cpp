@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "formats/number_text.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 4> kKnownExtensions{
     kCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"};
 
-constexpr std::array<std::pair<std::string_view, double>, 6> kUnits{
+constexpr std::array<std::pair<std::string_view, double>, 6> kModelUnits{
     {{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}}};
 
 enum class Element {
@@ -121,9 +121,9 @@ class ModelParser : public XmlHandler {
     void start_model(const XmlAttributes& attributes) {
         seen_model_ = true;
         if (const char* unit = attributes.find("unit")) {
-            const auto known =
-                std::find_if(kUnits.begin(), kUnits.end(), [&](const auto& pair) { return pair.first == unit; });
-            if (known == kUnits.end()) fail("unit " + quoted_excerpt(unit) + " is unknown");
+            const auto known = std::find_if(kModelUnits.begin(), kModelUnits.end(),
+                                            [&](const auto& pair) { return pair.first == unit; });
+            if (known == kModelUnits.end()) fail("unit " + quoted_excerpt(unit) + " is unknown");
             part_.unit = known->second;
         }
         const char* required = attributes.find("requiredextensions");

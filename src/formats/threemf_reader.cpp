@@ -5,12 +5,12 @@
 #include <bit>
 #include <map>
 
-#include "core/error.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/threemf_model.hpp"
 #include "formats/xml_parser.hpp"
 #include "formats/zip_archive.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -6,11 +6,11 @@
 #include <map>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/tray_row.hpp"
 #include "formats/xml_text.hpp"
 #include "formats/zip_archive.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// Where the trays of a packing stand in files that show all of them: in a row along x.
 
-#include "model/packing.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

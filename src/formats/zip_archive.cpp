@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -11,7 +11,7 @@ extern "C" {
 #include <set>
 #include <utility>
 
-#include "geometry/box.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 namespace {

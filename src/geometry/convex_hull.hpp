@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/vec3.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

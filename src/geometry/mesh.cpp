@@ -1,4 +1,4 @@
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 #include <utility>
 

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/mesh_figures.hpp"
 
 namespace spectralpack {
 
@@ -44,14 +45,6 @@ class MeshEdges {
   private:
     std::vector<std::uint32_t> begin_;  ///< by smaller vertex: where its uses start
     std::unique_ptr<Use[]> uses_;
-};
-
-/// How the edges of a mesh are used.
-struct EdgeCount {
-    std::size_t border = 0;       ///< of one triangle, or of an odd number
-    std::size_t misdirected = 0;  ///< of two triangles that walk it the same way
-    std::size_t crowded = 0;      ///< of more than two triangles
-    bool closed = false;          ///< every edge is walked as often one way as the other (see is_closed)
 };
 
 EdgeCount count_edges(const MeshEdges& edges);

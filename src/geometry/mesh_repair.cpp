@@ -13,7 +13,7 @@ namespace {
 
 /// Relative to a length: less than this is nothing. Generous beside the rounding of single
 /// precision files (6e-8).
-constexpr double kFlat = 1e-6;
+constexpr double kFlatMesh = 1e-6;
 /// Corners that belong together but were rounded apart, for example by transforms or by text with
 /// few digits.
 constexpr double kCrack = 1e-5;
@@ -58,7 +58,7 @@ bool has_area(const Mesh& mesh, const Triangle& t, const Vec3& normal) {
 
 bool has_area(const Mesh& mesh, const Triangle& t) { return has_area(mesh, t, normal_of(mesh, t)); }
 
-/// All vertices within kFlat of one plane: that of the largest facet.
+/// All vertices within kFlatMesh of one plane: that of the largest facet.
 bool is_planar(const Mesh& mesh, double size) {
     Vec3 normal, origin;
     for (const Triangle& t : mesh.triangles) {
@@ -70,7 +70,7 @@ bool is_planar(const Mesh& mesh, double size) {
     }
     const double scale = length(normal);
     return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vec3& vertex) {
-        return std::abs(dot(vertex - origin, normal)) <= kFlat * size * scale;
+        return std::abs(dot(vertex - origin, normal)) <= kFlatMesh * size * scale;
     });
 }
 

@@ -47,11 +47,6 @@ class DisjointSets {
     std::vector<std::uint32_t> parent_;
 };
 
-bool meet(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-           b.min.z <= a.max.z;
-}
-
 /// Of the signed angle under which a facet is seen from `eye`, the half (van Oosterom and Strackee
 /// 1983).
 double half_solid_angle(const Mesh& mesh, const Triangle& t, const Vec3& eye) {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/mesh.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The box of least volume, in any orientation, about a mesh.
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

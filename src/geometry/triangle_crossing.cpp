@@ -52,14 +52,9 @@ Vec3 unit(const Vec3& v) {
     return size > 0 ? v * (1 / size) : Vec3{};
 }
 
-bool meet(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
-           b.min.z <= a.max.z;
-}
-
-class Search {
+class CrossingSearch {
   public:
-    Search(const Mesh& mesh, double tolerance)
+    CrossingSearch(const Mesh& mesh, double tolerance)
         : tree_(mesh),
           tolerance_(tolerance),
           steps_left_(kLeastSteps + kStepsPerTriangle * static_cast<std::int64_t>(mesh.triangles.size())) {}
@@ -154,6 +149,6 @@ std::optional<Vec3> crossing_point(const Corners& a, const Corners& b, double to
     return point + ((low + high) / 2 - dot(point - origin, line)) * line;
 }
 
-SelfCrossings self_crossings(const Mesh& mesh, double tolerance) { return Search(mesh, tolerance).run(); }
+SelfCrossings self_crossings(const Mesh& mesh, double tolerance) { return CrossingSearch(mesh, tolerance).run(); }
 
 }  // namespace spectralpack

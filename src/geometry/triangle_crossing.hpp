@@ -1,10 +1,10 @@
 #pragma once
 /// Whether triangles of one mesh cut through one another.
 
-#include <cstdint>
 #include <optional>
 
 #include "geometry/bvh.hpp"
+#include "spectralpack/mesh_figures.hpp"
 
 namespace spectralpack {
 
@@ -14,12 +14,6 @@ namespace spectralpack {
 /// corners count as the same vertex. After Moeller, "A fast triangle-triangle intersection test"
 /// (1997).
 std::optional<Vec3> crossing_point(const Corners& a, const Corners& b, double tolerance);
-
-struct SelfCrossings {
-    std::int64_t pairs = 0;     ///< of triangles that cross properly
-    bool complete = true;       ///< false: the search ended early, there may be more
-    std::optional<Vec3> place;  ///< of one of them
-};
 
 /// About O(n log n) for surfaces; work is bounded, so that a mesh of triangles that all lie in one
 /// another's boxes takes seconds, not hours. Equal coordinates are taken for the same vertex.

@@ -1,10 +1,11 @@
-#include "model/orientation.hpp"
+#include "model/rotation_samples.hpp"
+#include "spectralpack/orientations.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

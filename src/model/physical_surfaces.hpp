@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/packing.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -1,4 +1,4 @@
-#include "model/printer.hpp"
+#include "spectralpack/printers.hpp"
 
 #include <algorithm>
 #include <array>

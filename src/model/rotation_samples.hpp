@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

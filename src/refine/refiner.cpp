@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/error.hpp"
 #include "geometry/mesh_distance.hpp"
 #include "geometry/slide.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 
@@ -28,24 +28,25 @@ Box grown(const Box& box, double by) {
 class Walk {
   public:
     struct Neighbour {
-        const StandingCopy* copy;
+        const PlacedSurface* copy;
         double gap;   ///< to keep from it
         double kept;  ///< min(gap, distance at the start)
     };
 
-    Walk(const RefineSetup& setup, const StandingCopy& copy, std::vector<Neighbour> neighbours, const Workers& workers)
-        : setup_(setup), start_(copy), at_(copy), neighbours_(std::move(neighbours)), workers_(workers) {}
+    Walk(const RefineOptions& options, const PlacedSurface& copy, std::vector<Neighbour> neighbours,
+         const Workers& workers)
+        : options_(options), start_(copy), at_(copy), neighbours_(std::move(neighbours)), workers_(workers) {}
 
     Refined run(const std::array<int, 3>& direction) {
         if (!measure()) return {start_.offset, 0, shortfall()};
         for (int i = 0; i < kRecoveries && shortfall() > kProof; ++i) {
             if (!recover()) break;
         }
-        for (int round = 0; round < setup_.rounds; ++round) {
+        for (int round = 0; round < options_.rounds; ++round) {
             double way = 0;
             for (int axis = 0; axis < 3; ++axis) {
                 if (direction[static_cast<std::size_t>(axis)] == 0) continue;
-                way += move({axis, direction[static_cast<std::size_t>(axis)]}, setup_.longest_move);
+                way += move({axis, direction[static_cast<std::size_t>(axis)]}, options_.longest_move);
             }
             if (way == 0) break;  // nor would another round
         }
@@ -105,8 +106,8 @@ class Walk {
     double move(AxisDirection direction, double longest) {
         const int axis = direction.axis;
         const Box box = at_.box();
-        const double room = direction.sign > 0 ? setup_.container[axis] - setup_.wall_gap - box.max[axis]
-                                               : box.min[axis] - setup_.wall_gap;
+        const double room = direction.sign > 0 ? options_.container[axis] - options_.wall_gap - box.max[axis]
+                                               : box.min[axis] - options_.wall_gap;
         double way = std::min(longest, room);
         if (!(way > kLeastMove)) return 0;
         Box swept = box;
@@ -167,9 +168,9 @@ class Walk {
         return kept;
     }
 
-    const RefineSetup& setup_;
-    const StandingCopy& start_;
-    StandingCopy at_;
+    const RefineOptions& options_;
+    const PlacedSurface& start_;
+    PlacedSurface at_;
     std::vector<Neighbour> neighbours_;
     const Workers& workers_;
     std::array<std::atomic<const Neighbour*>, 3> stoppers_{};  // by axis; where threads meet, one that may be it
@@ -193,22 +194,22 @@ std::array<int, 3> descent(const std::array<Cost, 6>& neighbours) {
     return direction;
 }
 
-Refiner::Refiner(const RefineSetup& setup) : setup_(setup), index_({Vec3{}, finite(setup.container)}) {
-    const Vec3& size = setup.container;
-    if (!std::isfinite(setup.wall_gap) || setup.wall_gap < 0) {
+Refiner::Refiner(const RefineOptions& options) : options_(options), index_({Vec3{}, finite(options.container)}) {
+    const Vec3& size = options.container;
+    if (!std::isfinite(options.wall_gap) || options.wall_gap < 0) {
         throw UsageError("the wall gap must be a number of millimetres, 0 or more");
     }
     const double least = std::min({size.x, size.y, size.z});
-    if (!(2 * setup.wall_gap < least)) {
+    if (!(2 * options.wall_gap < least)) {
         throw UsageError("the wall gap leaves no room in the container");
     }
-    if (!std::isfinite(setup.longest_move) || setup.longest_move < 0 || setup.rounds < 0 ||
+    if (!std::isfinite(options.longest_move) || options.longest_move < 0 || options.rounds < 0 ||
         !std::isfinite(size.x + size.y) || std::isnan(size.z)) {
-        throw InternalError("refinement: the setup makes no sense");
+        throw InternalError("refinement: the options makes no sense");
     }
 }
 
-Refiner::CopyId Refiner::add(StandingCopy copy) {
+Refiner::CopyId Refiner::add(PlacedSurface copy) {
     if (!std::isfinite(copy.gap) || copy.gap < 0) {
         throw UsageError("a gap must be a number of millimetres, 0 or more");
     }
@@ -220,36 +221,36 @@ Refiner::CopyId Refiner::add(StandingCopy copy) {
 }
 
 void Refiner::remove(CopyId id) {
-    const StandingCopy* copy = find(id);
+    const PlacedSurface* copy = find(id);
     if (!copy) throw InternalError("refinement: the copy to remove does not stand here");
     index_.remove(id, copy->box());
     copies_[static_cast<std::size_t>(id)].reset();
 }
 
-const StandingCopy* Refiner::find(CopyId id) const {
+const PlacedSurface* Refiner::find(CopyId id) const {
     if (id < 0 || id >= static_cast<CopyId>(copies_.size())) return nullptr;
-    const std::optional<StandingCopy>& copy = copies_[static_cast<std::size_t>(id)];
+    const std::optional<PlacedSurface>& copy = copies_[static_cast<std::size_t>(id)];
     return copy ? &*copy : nullptr;
 }
 
-Refined Refiner::refine(const StandingCopy& copy, const std::array<int, 3>& direction, const Workers& workers) const {
+Refined Refiner::refine(const PlacedSurface& copy, const std::array<int, 3>& direction, const Workers& workers) const {
     if (!std::isfinite(copy.gap) || copy.gap < 0) {
         throw UsageError("a gap must be a number of millimetres, 0 or more");
     }
     // A millimetre more than the rounds can go: for the recovery.
-    const double reach = setup_.rounds * setup_.longest_move + std::max(largest_gap_, copy.gap) + 1;
+    const double reach = options_.rounds * options_.longest_move + std::max(largest_gap_, copy.gap) + 1;
     const Box around = grown(copy.box(), reach);
     std::vector<Walk::Neighbour> neighbours;
     for (const CopyId id : index_.near(around)) {
-        const StandingCopy* other = find(id);
+        const PlacedSurface* other = find(id);
         if (distance(around, other->box()) > 0) continue;
         neighbours.push_back({other, other->wall ? other->gap : std::max(copy.gap, other->gap), 0});
     }
-    return Walk(setup_, copy, std::move(neighbours), workers).run(direction);
+    return Walk(options_, copy, std::move(neighbours), workers).run(direction);
 }
 
 template <class Counts>
-double Refiner::clearance_to(const StandingCopy& copy, double upper_bound, const Counts& counts) const {
+double Refiner::clearance_to(const PlacedSurface& copy, double upper_bound, const Counts& counts) const {
     std::vector<CopyId> ids;
     if (std::isfinite(upper_bound)) {
         ids = index_.near(grown(copy.box(), upper_bound));
@@ -261,21 +262,21 @@ double Refiner::clearance_to(const StandingCopy& copy, double upper_bound, const
     }
     double least = upper_bound;
     for (const CopyId id : ids) {
-        const StandingCopy* other = find(id);
+        const PlacedSurface* other = find(id);
         if (!other || other->wall || !counts(id)) continue;
         least = least_distance(*copy.surface, copy.offset, *other->surface, other->offset, least).distance;
     }
     return least;
 }
 
-double Refiner::clearance(const StandingCopy& copy, double upper_bound, std::optional<CopyId> except) const {
+double Refiner::clearance(const PlacedSurface& copy, double upper_bound, std::optional<CopyId> except) const {
     return clearance_to(copy, upper_bound, [&](CopyId id) { return id != except; });
 }
 
 std::optional<double> Refiner::least_gap(const Workers& workers) const {
     std::atomic<double> least = Box::kInfinity;
     workers.for_each(std::ssize(copies_), [&](std::int64_t id) {
-        const StandingCopy* copy = find(id);
+        const PlacedSurface* copy = find(id);
         if (!copy || copy->wall) return;
         // Each pair once.
         lower(least, clearance_to(*copy, least, [&](CopyId other) { return other < id; }));

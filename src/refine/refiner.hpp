@@ -16,7 +16,7 @@
 
 namespace spectralpack {
 
-struct RefineSetup {
+struct RefineOptions {
     Vec3 container;  ///< size of the box, z infinite where there is no ceiling; what else bounds it is added as walls
     double wall_gap = 0;      ///< least distance of a mesh's box to the container's sides
     double longest_move = 4;  ///< along one axis in one round: 2 dx in the paper
@@ -24,7 +24,7 @@ struct RefineSetup {
 };
 
 /// A mesh where it stands: its surface, turned and scaled to millimetres, moved by `offset`.
-struct StandingCopy {
+struct PlacedSurface {
     std::shared_ptr<const Bvh> surface;
     Vec3 offset;
     double gap = 0;     ///< two copies keep the larger of their gaps
@@ -50,15 +50,15 @@ class Refiner {
 
     /// Throws UsageError for a wall gap that is negative, not a number or leaves no room;
     /// InternalError for other values that make no sense.
-    explicit Refiner(const RefineSetup& setup);
+    explicit Refiner(const RefineOptions& options);
 
     /// Throws UsageError for a gap that is negative or not finite.
-    CopyId add(StandingCopy copy);
+    CopyId add(PlacedSurface copy);
     /// Throws InternalError where `id` does not stand here.
     void remove(CopyId id);
-    const StandingCopy* find(CopyId id) const;  ///< null when removed or never added
+    const PlacedSurface* find(CopyId id) const;  ///< null when removed or never added
 
-    /// Moves `copy`, which must not have been added yet, in setup.rounds rounds along x, y, z as
+    /// Moves `copy`, which must not have been added yet, in options.rounds rounds along x, y, z as
     /// `direction` says (that of the voxel it was placed at, in every round, as in the paper), each
     /// time until the first contact, the wall or longest_move. The path is free throughout: at
     /// every moment the copy keeps from each other copy
@@ -69,22 +69,22 @@ class Refiner {
     /// is room; else `shortfall` tells. One that starts crossing another does not move.
     /// Deterministic; may be called from several threads at once. Time grows with the triangles
     /// near to the copy, not with the tray.
-    Refined refine(const StandingCopy& copy, const std::array<int, 3>& direction,
+    Refined refine(const PlacedSurface& copy, const std::array<int, 3>& direction,
                    const Workers& workers = Workers(1)) const;
 
     /// Least distance of the surface of `copy` to those of the others (walls and `except` left out), if it is
     /// below `upper_bound`; else upper_bound.
-    double clearance(const StandingCopy& copy, double upper_bound, std::optional<CopyId> except = std::nullopt) const;
+    double clearance(const PlacedSurface& copy, double upper_bound, std::optional<CopyId> except = std::nullopt) const;
     /// Least distance between the surfaces of two copies that stand here, walls left out; none with fewer than two.
     std::optional<double> least_gap(const Workers& workers = Workers(1)) const;
 
   private:
     /// clearance() to those copies that `counts(id)` is true of.
     template <class Counts>
-    double clearance_to(const StandingCopy& copy, double upper_bound, const Counts& counts) const;
+    double clearance_to(const PlacedSurface& copy, double upper_bound, const Counts& counts) const;
 
-    RefineSetup setup_;
-    std::vector<std::optional<StandingCopy>> copies_;  // by id
+    RefineOptions options_;
+    std::vector<std::optional<PlacedSurface>> copies_;  // by id
     BoxIndex index_;
     double largest_gap_ = 0;  // of all copies ever added
 };

@@ -6,7 +6,7 @@ namespace {
 constexpr double kCrease = 0.848;  // cosine of 32 degrees: twelve-sided rounds are still round
 constexpr std::size_t kMostAround = 128;
 
-Vec3 unit(const Vec3& v) {
+Vec3 unit_or_zero(const Vec3& v) {
     const double size = length(v);
     return size > 0 ? 1 / size * v : Vec3{};
 }
@@ -42,9 +42,9 @@ std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
             p[k] = mesh.vertices[mesh.triangles[t][k]];
         }
         const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
-        flat[t] = unit(normal);
+        flat[t] = unit_or_zero(normal);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 a = unit(p[(k + 1) % 3] - p[k]), b = unit(p[(k + 2) % 3] - p[k]);
+            const Vec3 a = unit_or_zero(p[(k + 1) % 3] - p[k]), b = unit_or_zero(p[(k + 2) % 3] - p[k]);
             weight[3 * t + k] = length(normal) * std::acos(std::min(1.0, std::max(-1.0, dot(a, b))));
         }
     }
@@ -61,7 +61,7 @@ std::vector<CornerNormals> corner_normals(const Mesh& mesh) {
                     const Vec3& other = flat[corner / 3];
                     if (dot(other, flat[t]) > kCrease) sum = sum + weight[corner] * other;
                 }
-                if (length(sum) > 0) normal = unit(sum);
+                if (length(sum) > 0) normal = unit_or_zero(sum);
             }
             result[t][k] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
         }

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 

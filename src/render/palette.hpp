@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "geometry/vec3.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "core/atomic_file.hpp"
-#include "core/error.hpp"
 #include "render/render.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 

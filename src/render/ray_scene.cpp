@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "core/error.hpp"
 #include "render/corner_normals.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

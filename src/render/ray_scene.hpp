@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "geometry/vec3.hpp"
 #include "render/stage.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

@@ -1,8 +1,8 @@
 #include "render/render.hpp"
 
 #include "core/checked.hpp"
-#include "core/error.hpp"
 #include "render/tile_painter.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -1,48 +1,18 @@
 #pragma once
-/// Pictures of packings: ray-traced on the CPU, the same bytes for any number of threads.
+/// The picture of spectralpack/render.hpp, by given workers.
 
-#include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/render.hpp"
 
 namespace spectralpack {
 
-struct Image {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;  ///< row by row from the top, 3 bytes a pixel
-};
-
-struct RenderOptions {
-    int width = 1600, height = 1200;
-    double azimuth = 35;    ///< degrees: where the camera stands round the container; 0 looks along
-                            ///< +y, 90 along -x
-    double elevation = 28;  ///< degrees above it, in [-90, 90]; from below there is no floor
-    int tray = -1;          ///< which tray; -1: all, side by side
-    int samples = 3;        ///< per pixel and axis, against jagged edges
-    /// Copies drawn apart along their ways out, the tray stretched by 1 + this (>= 0) that way.
-    std::optional<double> explode;
-    /// The disassembly plan's step from 1 on: its copies highlighted half way, with what is left of
-    /// those they stood together with. 0: the whole tray. Needs one tray to be chosen.
-    std::optional<int> step;
-};
-
-/// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the
-/// container outlined, ambient occlusion and a soft shadow on the floor. Throws UsageError for options
-/// out of range, and where a disassembly plan is to be drawn and a tray has none.
+/// `meshes`: by part; null for parts without placements. Throws as render(Scene) does.
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
              const RenderOptions& options, const Workers& workers);
-
-/// The bytes of a PNG file.
-std::string encode_png(const Image& image);
-
-/// Throws ResourceError when the file cannot be written.
-void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace spectralpack

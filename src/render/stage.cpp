@@ -4,10 +4,10 @@
 #include <numbers>
 #include <string>
 
-#include "core/error.hpp"
 #include "render/feature_edges.hpp"
 #include "render/palette.hpp"
 #include "render/taking_apart.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/box.hpp"
-#include "model/packing.hpp"
 #include "render/camera.hpp"
 #include "render/render.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -62,11 +62,11 @@ std::vector<ShownCopy> show_step(const TrayPacking& tray, int step) {
     std::vector<ShownCopy> shown(tray.placements.size());
     if (step == 0) return shown;
     // Who stands with whom: 0 in the tray, else the step that one left in, from 1 on.
-    std::vector<int> company(tray.placements.size(), 0);
+    std::vector<int> subassembly(tray.placements.size(), 0);
     int before = 0;
     for (int k = 1; k <= step; ++k) {
         for (const int placement : tray.disassembly->steps[static_cast<std::size_t>(k - 1)].placements) {
-            int& of_copy = company[static_cast<std::size_t>(placement)];
+            int& of_copy = subassembly[static_cast<std::size_t>(placement)];
             before = of_copy;
             of_copy = k;
         }
@@ -74,8 +74,8 @@ std::vector<ShownCopy> show_step(const TrayPacking& tray, int step) {
     const std::vector<Vec3>& path = tray.disassembly->steps[static_cast<std::size_t>(step - 1)].path;
     const Vec3 half_way = walk(path, path_length(path) / 2);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        shown[i].leaving = company[i] == step;
-        shown[i].drawn = shown[i].leaving || company[i] == before;
+        shown[i].leaving = subassembly[i] == step;
+        shown[i].drawn = shown[i].leaving || subassembly[i] == before;
         if (shown[i].leaving) shown[i].offset = half_way;
     }
     return shown;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "geometry/box.hpp"
-#include "model/packing.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kRim = Shading::kPattern / 2;  // half the window that exposures are averaged over
 constexpr int kSide = kTileSide + 2 * kRim;
-constexpr double kCrease = 0.7;  // largest cosine between normals on two sides of a drawn crease
-constexpr double kStep = 0.02;   // stage units in depth that make an edge within one copy
+constexpr double kDrawnCrease = 0.7;  // largest cosine between normals on two sides of a drawn crease
+constexpr double kStep = 0.02;        // stage units in depth that make an edge within one copy
 constexpr double kEdgeInk = 0.62, kCreaseInk = 0.2;
 constexpr double kFarFloor = 4;  // stage units from the centre: no shadow reaches there
 
@@ -109,7 +109,7 @@ class TilePainter {
                     if (there.depth < here.depth) return kEdgeInk;
                 } else if (f.copy >= 0) {
                     if (there.depth < here.depth - kStep) return kEdgeInk;
-                    if (dot(g.smooth, f.smooth) < kCrease) strongest = kCreaseInk;
+                    if (dot(g.smooth, f.smooth) < kDrawnCrease) strongest = kCreaseInk;
                 }
             }
         }

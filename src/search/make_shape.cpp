@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/error.hpp"
 #include "search/shape.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/axis_turn.hpp"
 #include "voxel/split.hpp"
 

@@ -18,10 +18,10 @@
 #include <optional>
 
 #include "core/parallel.hpp"
-#include "core/stop.hpp"
 #include "search/cost.hpp"
 #include "search/shape.hpp"
 #include "search/tray.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/box.hpp"
+#include "spectralpack/geometry.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/distance_field.hpp"
 #include "voxel/split.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/box.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

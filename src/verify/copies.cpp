@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 #include "verify/pose.hpp"
 #include "verify/words.hpp"
 
@@ -35,7 +35,7 @@ class Preparation {
         const Placement& placement = placement_at(tray, index);
         const auto part_index = static_cast<std::size_t>(placement.part);
         if (placement.part < 0 || part_index >= packing_.parts.size()) return;
-        const Part& part = packing_.parts[part_index];
+        const PackedPart& part = packing_.parts[part_index];
         if (part_index >= meshes_.size() || !meshes_[part_index]) {
             throw InternalError(part.name + " is placed, but its mesh is not there");
         }

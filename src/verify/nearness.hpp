@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 #include "verify/solid.hpp"
 
 namespace spectralpack {

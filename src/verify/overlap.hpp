@@ -25,7 +25,7 @@
 /// deep point for all of them: a twin of one part laid exactly upon it can hide. Of open meshes only the crossing of
 /// triangles and their surface inside a closed one is seen.
 
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 #include "verify/solid.hpp"
 
 namespace spectralpack {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

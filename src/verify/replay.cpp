@@ -67,7 +67,7 @@ class PlanReplay {
           placements_(packing.trays[static_cast<std::size_t>(tray)].placements),
           plan_(*packing.trays[static_cast<std::size_t>(tray)].disassembly),
           copy_of_(placements_.size()),
-          company_(placements_.size(), kInTray),
+          subassembly_(placements_.size(), kInTray),
           own_step_(placements_.size()) {
         for (const Copy& copy : copies) {
             copy_of_[static_cast<std::size_t>(copy.placement)] = &copy;
@@ -115,27 +115,27 @@ class PlanReplay {
                 return impossible(index, "takes out " + name(i) + ", which step " + std::to_string(*own_step_[i] + 1) +
                                              " has taken out already");
             }
-            if (company_[i] != company_[static_cast<std::size_t>(step.placements[0])]) {
+            if (subassembly_[i] != subassembly_[static_cast<std::size_t>(step.placements[0])]) {
                 return impossible(index, "moves copies as one that no longer stand together");
             }
         }
         for (const Vec3& move : step.path) {
             if (!std::isfinite(length(move))) return impossible(index, "moves by what is not a finite number");
         }
-        const int company = company_[static_cast<std::size_t>(step.placements[0])];
+        const int subassembly = subassembly_[static_cast<std::size_t>(step.placements[0])];
         const int fresh = static_cast<int>(index) + 1;
         for (const int placement : step.placements) {
             const auto i = static_cast<std::size_t>(placement);
-            company_[i] = fresh;
+            subassembly_[i] = fresh;
             if (step.placements.size() == 1) own_step_[i] = index;
         }
         Stage stage{index, {}, {}};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             if (!copy_of_[i]) continue;
-            if (company_[i] == fresh) stage.leaving.push_back(copy_of_[i]);
-            if (company_[i] == company) stage.left.push_back(copy_of_[i]);
+            if (subassembly_[i] == fresh) stage.leaving.push_back(copy_of_[i]);
+            if (subassembly_[i] == subassembly) stage.left.push_back(copy_of_[i]);
         }
-        if (company == kInTray) {
+        if (subassembly == kInTray) {
             for (const Copy& wall : walls_) {
                 stage.left.push_back(&wall);
             }
@@ -263,7 +263,7 @@ class PlanReplay {
     const std::vector<Placement>& placements_;
     const Disassembly& plan_;
     std::vector<const Copy*> copy_of_;                  ///< by placement; null: not there
-    std::vector<int> company_;                          ///< by placement: kInTray, else 1 + the step it left in
+    std::vector<int> subassembly_;                      ///< by placement: kInTray, else 1 + the step it left in
     std::vector<std::optional<std::size_t>> own_step_;  ///< by placement: the step that took it out by itself
     Replay replay_;
 };

@@ -15,7 +15,7 @@ struct Replay {
     bool stopped = false;
 };
 
-/// Every step's copies go their way, move by move, past each copy that is left of their company; they must touch
+/// Every step's copies go their way, move by move, past each copy that is left of their subassembly; they must touch
 /// nothing deeper than the tolerance and end wholly outside the bounding box of that. Two findings a step at most: the
 /// deepest penetration (the one met first, of equals) and where it ends. The placements' order of `copies` is that of
 /// the tray; copies that are not among them are not there. `walls`: what else stands in the tray and never moves, its

@@ -14,12 +14,11 @@ namespace spectralpack {
 namespace {
 
 using Vector = fcl::Vector3<double>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A ray that comes nearer than this to an edge is not counted with.
 constexpr double kGrazing = 1e-6;  ///< mm
 /// Boxes are asked with so much room, for rounding.
-constexpr double kRoom = 1e-7;  ///< mm
+constexpr double kBoxRoom = 1e-7;  ///< mm
 constexpr int kDirections = 16;
 constexpr int kDeepCandidates = 8;
 
@@ -53,9 +52,9 @@ void for_each_on_ray(const Hierarchy& hierarchy, const Vec3& from, const Vec3& a
     const auto meets = [&](const Volume& volume) {
         const LocalBox box(volume);
         const Vector start = box.to_local(origin), step = volume.axis.transpose() * way;
-        double begin = 0, end = kInfinity;
+        double begin = 0, end = Box::kInfinity;
         for (int axis = 0; axis < 3; ++axis) {
-            const double reach = box.half[axis] + kRoom;
+            const double reach = box.half[axis] + kBoxRoom;
             if (std::abs(step[axis]) < 1e-12) {
                 if (std::abs(start[axis]) > reach) return false;
                 continue;
@@ -197,13 +196,13 @@ int Solid::winding(const Vec3& point) const {
 }
 
 double Solid::surface_distance(const Vec3& point) const {
-    if (!hierarchy_) return kInfinity;
+    if (!hierarchy_) return Box::kInfinity;
     const Vector p = to_fcl(point);
     const auto box_distance = [&](int node) {
         const LocalBox box(hierarchy_->getBV(node).bv);
-        return (box.to_local(p).cwiseAbs() - box.half).cwiseMax(0).norm() - kRoom;
+        return (box.to_local(p).cwiseAbs() - box.half).cwiseMax(0).norm() - kBoxRoom;
     };
-    double best = kInfinity;
+    double best = Box::kInfinity;
     std::vector<std::pair<double, int>> open{{box_distance(0), 0}};
     while (!open.empty()) {
         const auto [lower, index] = open.back();
@@ -281,14 +280,14 @@ std::optional<Vec3> Solid::middle_behind(std::size_t index) const {
     // Not the very middle: on regular meshes that often lies opposite to an edge.
     const Vec3 middle = 0.2957 * c[0] + 0.3391 * c[1] + 0.3652 * c[2];
     const RayFrame frame(middle, inward);
-    double opposite = kInfinity;
+    double opposite = Box::kInfinity;
     for_each_on_ray(*hierarchy_, middle, inward, [&](int primitive) {
         const auto crossing = frame.cross_triangle(corners(triangle(primitive)));
         if (crossing.sign != 0 && crossing.distance > kGrazing) {
             opposite = std::min(opposite, crossing.distance);
         }
     });
-    if (opposite == kInfinity) return std::nullopt;
+    if (opposite == Box::kInfinity) return std::nullopt;
     return middle + opposite / 2 * inward;
 }
 

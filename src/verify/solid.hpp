@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 #include "verify/triangle_pair.hpp"
 
 namespace spectralpack {

@@ -10,7 +10,7 @@ namespace spectralpack {
 namespace {
 
 /// Boxes are asked with so much more room than flat meetings need, for rounding.
-constexpr double kRoom = 1e-6;  ///< mm
+constexpr double kSweepRoom = 1e-6;  ///< mm
 /// Once a penetration is found, so many more pairs of triangles, or times, are looked at for a deeper one.
 constexpr int kDeeperPairs = 4096;
 constexpr int kDeeperTimes = 8;
@@ -94,7 +94,7 @@ class Sweep {
             const TurnedBox box_a(node_a.bv);
             TurnedBox box_b(node_b.bv);
             box_b.place(b_to_a_);
-            if (!meet(box_a, box_b, move_, kFlatReach * tolerance_ + kRoom)) continue;
+            if (!meet(box_a, box_b, move_, kFlatReach * tolerance_ + kSweepRoom)) continue;
             if (node_a.isLeaf() && node_b.isLeaf()) {
                 look_at(a_.triangle(node_a.primitiveId()), b_.triangle(node_b.primitiveId()));
             } else if (node_b.isLeaf() ||

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace spectralpack {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double squared(const Vec3& v) { return dot(v, v); }
 
@@ -25,9 +22,9 @@ double inner_segments(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v
     const Vec3 w = a - b;
     const double uu = squared(u), uv = dot(u, v), vv = squared(v), uw = dot(u, w), vw = dot(v, w);
     const double determinant = uu * vv - uv * uv;
-    if (!(determinant > 0)) return kInfinity;
+    if (!(determinant > 0)) return Box::kInfinity;
     const double s = (uv * vw - vv * uw) / determinant;
-    if (s < 0 || s > 1) return kInfinity;
+    if (s < 0 || s > 1) return Box::kInfinity;
     const double t = std::clamp((vw + s * uv) / vv, 0.0, 1.0);
     return squared(w + s * u - t * v);
 }
@@ -56,7 +53,7 @@ struct Face {
 /// Squared distance from p to the inside of the face; infinity where an edge is nearest.
 double point_inside(const Vec3& p, const Face& face) {
     const double nn = squared(face.normal);
-    if (!(nn > 0) || !face.above(p)) return kInfinity;
+    if (!(nn > 0) || !face.above(p)) return Box::kInfinity;
     const double height = dot(p - face.corner[0], face.normal);
     return height * height / nn;
 }
@@ -106,11 +103,11 @@ double point_triangle_distance(const Vec3& point, const Corners& triangle) {
 double triangle_distance(const Corners& corners_a, const Corners& corners_b, double cutoff) {
     const Face a(corners_a), b(corners_b);
     const auto over_a = heights(a, b);
-    if (beyond(over_a, a, cutoff)) return kInfinity;
+    if (beyond(over_a, a, cutoff)) return Box::kInfinity;
     const auto over_b = heights(b, a);
-    if (beyond(over_b, b, cutoff)) return kInfinity;
+    if (beyond(over_b, b, cutoff)) return Box::kInfinity;
     if (pierces(over_a, a, b) || pierces(over_b, b, a)) return 0;
-    double best = kInfinity;
+    double best = Box::kInfinity;
     for (int i = 0; i < 3; ++i) {
         best = std::min({best, point_inside(a.corner[i], b), point_inside(b.corner[i], a)});
         for (int j = 0; j < 3; ++j) {
@@ -124,10 +121,10 @@ double triangle_distance(const Corners& corners_a, const Corners& corners_b, dou
 
 double crossing_depth(const Corners& corners_a, const Corners& corners_b) {
     const Face a(corners_a), b(corners_b);
-    double depth = kInfinity;
+    double depth = Box::kInfinity;
     // Along an axis the triangles cover two intervals; the way out is the shorter of the two.
     const auto try_axis = [&](const Vec3& axis) {
-        double low_a = kInfinity, high_a = -kInfinity, low_b = kInfinity, high_b = -kInfinity;
+        double low_a = Box::kInfinity, high_a = -Box::kInfinity, low_b = Box::kInfinity, high_b = -Box::kInfinity;
         for (int i = 0; i < 3; ++i) {
             const double on_a = dot(axis, a.corner[i] - a.corner[0]);
             const double on_b = dot(axis, b.corner[i] - a.corner[0]);
@@ -150,7 +147,7 @@ double crossing_depth(const Corners& corners_a, const Corners& corners_b) {
             if (!parallel && !try_axis(axis)) return 0;
         }
     }
-    return depth < kInfinity ? depth : 0;
+    return depth < Box::kInfinity ? depth : 0;
 }
 
 }  // namespace spectralpack

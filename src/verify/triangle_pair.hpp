@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "geometry/vec3.hpp"
+#include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
 

@@ -1,12 +1,9 @@
 #include "verify/triangle_sweep.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace spectralpack {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Two edges whose cross product is this much smaller than they are count as parallel.
 constexpr double kParallel = 1e-7;
@@ -24,7 +21,7 @@ struct Times {
         } else if (rate < 0) {
             end = std::min(end, missing / rate);
         } else if (missing >= 0) {
-            end = -kInfinity;
+            end = -Box::kInfinity;
         }
     }
 };
@@ -113,7 +110,7 @@ class Passage {
     }
 
     double overlap(double t) const {
-        double least = kInfinity;
+        double least = Box::kInfinity;
         for (int i = 0; i < count_; ++i) {
             least = std::min(least, shadows_[i].overlap(t));
         }

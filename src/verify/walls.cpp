@@ -1,7 +1,7 @@
 #include "verify/walls.hpp"
 
-#include "core/error.hpp"
 #include "model/physical_surfaces.hpp"
+#include "spectralpack/error.hpp"
 #include "verify/words.hpp"
 
 namespace spectralpack {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "core/stop.hpp"
+#include "spectralpack/stop.hpp"
 #include "verify/check.hpp"
 #include "verify/copies.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "model/packing.hpp"
+#include "spectralpack/packing.hpp"
 
 namespace spectralpack {
 

@@ -5,8 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "geometry/box.hpp"
-#include "geometry/transform.hpp"
+#include "spectralpack/geometry.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/voxel_box.hpp"
 

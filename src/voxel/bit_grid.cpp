@@ -1,4 +1,5 @@
 #include "voxel/bit_grid.hpp"
+#include "core/checked.hpp"
 
 #include <algorithm>
 #include <bit>

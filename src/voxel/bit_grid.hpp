@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "voxel/grid.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

@@ -8,15 +8,14 @@ namespace spectralpack {
 namespace {
 
 using Word = BitGrid::Word;
-constexpr int kWordBits = BitGrid::kWordBits;
 
 /// First voxel at or after `x` whose bit is `value`; nx where there is none.
 int next_bit(const Word* row, int nx, int x, bool value) {
     while (x < nx) {
-        const Word word = value ? row[x / kWordBits] : ~row[x / kWordBits];
-        const Word rest = word >> (x % kWordBits);
+        const Word word = value ? row[x / BitGrid::kWordBits] : ~row[x / BitGrid::kWordBits];
+        const Word rest = word >> (x % BitGrid::kWordBits);
         if (rest != 0) return std::min(nx, x + std::countr_zero(rest));
-        x += kWordBits - x % kWordBits;
+        x += BitGrid::kWordBits - x % BitGrid::kWordBits;
     }
     return nx;
 }

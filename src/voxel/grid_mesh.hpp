@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 #include "voxel/triangle_rows.hpp"
 
 namespace spectralpack {

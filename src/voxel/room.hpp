@@ -4,7 +4,7 @@
 /// nearer than `gap` mm (Euclidean, less kGapTolerance) count as taken, too; with gap 0 what only touches does not.
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack {

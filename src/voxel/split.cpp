@@ -8,7 +8,6 @@ namespace spectralpack {
 namespace {
 
 using Word = BitGrid::Word;
-constexpr int kWordBits = BitGrid::kWordBits;
 
 /// How fine voxels lie in coarse ones.
 struct Layout {
@@ -32,10 +31,10 @@ enum class Rule { some, every };
 /// 64 bits of a row from bit `first` on, 0 outside the row; first > -64.
 Word bits_at(std::span<const Word> row, int first) {
     if (first < 0) return row[0] << -first;
-    const auto w = static_cast<std::size_t>(first / kWordBits);
-    const int shift = first % kWordBits;
+    const auto w = static_cast<std::size_t>(first / BitGrid::kWordBits);
+    const int shift = first % BitGrid::kWordBits;
     Word bits = w < row.size() ? row[w] >> shift : 0;
-    if (shift > 0 && w + 1 < row.size()) bits |= row[w + 1] << (kWordBits - shift);
+    if (shift > 0 && w + 1 < row.size()) bits |= row[w + 1] << (BitGrid::kWordBits - shift);
     return bits;
 }
 
@@ -55,16 +54,16 @@ void deal_out(std::span<const Word> row, int rest, int count, int detail, const 
     if (detail == 2) {  // as nearly always: half a word at once
         for (int p = 0; p < 2; ++p) {
             Word* to = part_row(p);
-            for (int x = 0; x < count; x += kWordBits / 2) {
-                to[x / kWordBits] |= every_second(bits_at(row, 2 * x + p - rest)) << (x % kWordBits);
+            for (int x = 0; x < count; x += BitGrid::kWordBits / 2) {
+                to[x / BitGrid::kWordBits] |= every_second(bits_at(row, 2 * x + p - rest)) << (x % BitGrid::kWordBits);
             }
         }
         return;
     }
     for (std::size_t w = 0; w < row.size(); ++w) {
         for (Word bits = row[w]; bits != 0; bits &= bits - 1) {
-            const int x = kWordBits * static_cast<int>(w) + std::countr_zero(bits) + rest;
-            part_row(x % detail)[x / detail / kWordBits] |= Word{1} << (x / detail % kWordBits);
+            const int x = BitGrid::kWordBits * static_cast<int>(w) + std::countr_zero(bits) + rest;
+            part_row(x % detail)[x / detail / BitGrid::kWordBits] |= Word{1} << (x / detail % BitGrid::kWordBits);
         }
     }
 }
@@ -91,17 +90,18 @@ CoarseVoxels pooled(const BitGrid& fine, const VoxelIndex& at, int detail, Rule 
             if (std::ranges::all_of(row, [](Word word) { return word == 0; })) continue;
             Word* to = result.voxels.row(y, z);
             if (detail == 2) {  // as nearly always: half a word at once
-                for (int x = 0; x < layout.extent.x; x += kWordBits / 2) {
+                for (int x = 0; x < layout.extent.x; x += BitGrid::kWordBits / 2) {
                     const Word bits = bits_at(row, 2 * x - layout.rest.x);
                     const Word next = bits_at(row, 2 * x - layout.rest.x + 1);
                     const Word coarse = every_second(rule == Rule::some ? bits | next : bits & next);
-                    to[x / kWordBits] |= coarse << (x % kWordBits);
+                    to[x / BitGrid::kWordBits] |= coarse << (x % BitGrid::kWordBits);
                 }
                 continue;
             }
             for (int x = 0; x < layout.extent.x; ++x) {
                 const Word group = bits_at(row, detail * x - layout.rest.x) & all;
-                to[x / kWordBits] |= Word{rule == Rule::some ? group != 0 : group == all} << (x % kWordBits);
+                to[x / BitGrid::kWordBits] |= Word{rule == Rule::some ? group != 0 : group == all}
+                                              << (x % BitGrid::kWordBits);
             }
         }
     }

@@ -7,8 +7,8 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/vec3.hpp"
-#include "voxel/grid.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

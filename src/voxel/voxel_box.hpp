@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "voxel/grid.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/axis_turn.hpp"
 #include "voxel/enclosed.hpp"
 #include "voxel/grid_mesh.hpp"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/lazy_grid.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/grid_mesh.hpp"
 #include "voxel/near_mesh.hpp"
 

@@ -3,7 +3,7 @@
 /// voxel size.
 
 #include "core/parallel.hpp"
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 #include "voxel/axis_turn.hpp"
 #include "voxel/bit_grid.hpp"
 #include "voxel/lazy_grid.hpp"

@@ -11,14 +11,16 @@
 namespace spectralpack::test {
 namespace {
 
+using nlohmann::json;
 namespace fs = std::filesystem;
 
 class Bench : public testing::Test {
   protected:
-    Ran bench(const std::string& table, std::vector<std::string> more = {}, const std::string& interrupt_when = "") {
-        std::vector<std::string> call{"bench", "--table", table, "--scale", "quick", "-o", (folder_ / "out").string()};
-        call.insert(call.end(), more.begin(), more.end());
-        return spectralpack(call, interrupt_when);
+    Ran bench(const std::string& table, const std::vector<std::string>& more = {}, const Moment& interrupt_when = {}) {
+        return spectralpack(
+            std::vector<std::string>{"bench", "--table", table, "--scale", "quick", "-o", (folder_ / "out").string()} +
+                more,
+            interrupt_when);
     }
 
     /// Rows of a table's CSV by column name.
@@ -43,10 +45,12 @@ class Bench : public testing::Test {
         return count;
     }
 
+    fs::path kept() const { return folder_ / "out" / "runs"; }
+
     /// When each kept run was written.
     std::map<std::string, fs::file_time_type> runs() const {
         std::map<std::string, fs::file_time_type> written;
-        for (const auto& entry : fs::directory_iterator(folder_ / "out" / "runs")) {
+        for (const auto& entry : fs::directory_iterator(kept())) {
             if (entry.path().extension() == ".txt") written[entry.path().filename()] = entry.last_write_time();
         }
         return written;
@@ -83,18 +87,18 @@ TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
     }
     const std::string text = read_text(folder_ / "out" / "table-order.md");
     EXPECT_EQ(times(text, "spectralpack pack "), 32u);
-    EXPECT_TRUE(contains(text, "| mixtures | size |")) << text;
-    EXPECT_TRUE(contains(ran.out, "| mixtures | size |"));
-    EXPECT_TRUE(contains(ran.err, "run 1 of 32: mixtures, random, tray\n")) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "run 32 of 32: pieces, mixed, beam of 5, fixed set\n")) << ran.err;
+    EXPECT_TRUE(contains(ran.out, text)) << "what is written is shown, too";
+    EXPECT_TRUE(names(ran.err, {1, 32, "mixtures", "pieces", "beam of 5"})) << "which run of how many, and what it is";
     const fs::path log = fs::path(runs().begin()->first).replace_extension(".log");
-    EXPECT_TRUE(contains(read_text(folder_ / "out" / "runs" / log), R"({"phase": "search")"));
+    EXPECT_TRUE(reported([](const json& line) { return line.value("phase", "") == "search"; })(
+        read_text(folder_ / "out" / "runs" / log)));
 }
 
 TEST_F(Bench, WhatWasRunIsNotRunAgain) {
     if (kSanitized) GTEST_SKIP() << "many whole runs; other tests of bench run with sanitizers";
     const std::vector<std::string> options{"--threads", "1"};
-    const Ran cut = bench("4", options, "run 4 of 6");  // three sets, twice each
+    const Moment three_done = [&](const std::string&) { return fs::exists(kept()) && runs().size() >= 3; };
+    const Ran cut = bench("4", options, three_done);  // three sets, twice each
     EXPECT_EQ(cut.status, 130) << cut.err;
     const auto before = runs();
     EXPECT_GE(before.size(), 3u);
@@ -121,12 +125,16 @@ TEST_F(Bench, TheLargeSetTellsTimePerPhase) {
     const auto all = rows("3");
     ASSERT_EQ(all.size(), 12u);
     for (const auto& row : all) {
+        double phases = 0;
+        for (const char* phase : {"load", "voxelize", "search", "refine", "disassemble", "reinsert"}) {
+            phases += std::stod(row.at(phase));
+        }
         EXPECT_GT(std::stod(row.at("search")), 0);
+        EXPECT_LE(phases, std::stod(row.at("seconds")));
         if (row.at("kind") == "tray") continue;
         EXPECT_EQ(row.at("placed"), row.at("copies"));
     }
     EXPECT_GT(std::stoi(all[1].at("trays")), 1) << "many trays";
-    EXPECT_TRUE(contains(read_text(folder_ / "out" / "table-3.md"), "plan / put back"));
 }
 
 TEST_F(Bench, OnlyRowsThatAreAskedFor) {
@@ -148,7 +156,7 @@ TEST_F(Bench, AllTablesAreOneCallAndOneFile) {
     // What another call adds stands beside it.
     ASSERT_EQ(bench("4", {"--rows", "pieces"}).status, 0);
     const std::string text = read_text(folder_ / "out" / "benchmarks.md");
-    const std::size_t first = text.find("(Table 1)"), fourth = text.find("(Table 4)"), tori = text.find("(Fig. 22)");
+    const std::size_t first = text.find("Table 1"), fourth = text.find("Table 4"), tori = text.find("Fig. 22");
     EXPECT_LT(first, fourth);
     EXPECT_LT(fourth, tori);
     EXPECT_NE(tori, std::string::npos);
@@ -186,14 +194,15 @@ TEST_F(Bench, PolyhedraOfEightyAndSeventySevenAtTwoVoxelSizes) {
     std::map<std::string, int> numbers;
     for (const auto& row : all) {
         ++numbers[row.at("set")];
-        EXPECT_TRUE(contains(row.at("command"), " --rotations 30 --gap 0 ")) << row.at("command");
+        EXPECT_TRUE(contains(row.at("command"), " --rotations 30 ")) << row.at("command");
+        EXPECT_TRUE(contains(row.at("command"), " --gap 0 ")) << row.at("command");
         EXPECT_EQ(row.at("planned"), contains(row.at("setting"), "post") ? "1" : "0");
         if (row.at("kind") == "tray") continue;
         EXPECT_TRUE(contains(row.at("command"), "--tray 36.98x4")) << row.at("command");
         EXPECT_EQ(row.at("placed"), row.at("copies"));
     }
     EXPECT_EQ(numbers, (std::map<std::string, int>{{"polyhedra:77", 8}, {"polyhedra:80", 8}}));
-    EXPECT_TRUE(contains(ran.out, "51.27 %, 56.37 mm, 329 s")) << ran.out;
+    EXPECT_TRUE(names(ran.out, {51.27, 56.37, 329})) << "the published values";
 }
 
 TEST_F(Bench, SetsOfAFolderArePacked) {
@@ -207,14 +216,14 @@ TEST_F(Bench, SetsOfAFolderArePacked) {
     EXPECT_EQ(rows("4").size(), 6u);
     const Ran missing = bench("tori", options);
     EXPECT_EQ(missing.status, 3);
-    EXPECT_TRUE(contains(missing.err, "tori.csv")) << missing.err;
+    EXPECT_TRUE(names(missing.err, {"tori.csv"}));
 }
 
 TEST_F(Bench, APeerIsMeasuredByWhatItLeaves) {
     // A "packer" that places one copy: the first mesh as it is.
     const Ran ran = bench("4", {"--peer", "one=set -- {files}; cp \"$1\" {out}", "--peer", "none=true {out}"});
     EXPECT_EQ(ran.status, 1) << "a peer that leaves nothing has failed";
-    EXPECT_TRUE(contains(ran.err, "none")) << ran.err;
+    EXPECT_TRUE(names(ran.err, {"none"}));
     int measured = 0;
     for (const auto& row : rows("4")) {
         if (row.at("setting") != "one") continue;

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/checked.hpp"
-#include "core/error.hpp"
-#include "core/stop.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 namespace {

@@ -1,4 +1,4 @@
-#include "disassembly/blocking_graph.hpp"
+#include "disassembly/graph/blocking_graph.hpp"
 
 #include <gtest/gtest.h>
 

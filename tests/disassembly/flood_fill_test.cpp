@@ -1,4 +1,4 @@
-#include "disassembly/flood_fill.hpp"
+#include "disassembly/ways/flood_fill.hpp"
 
 #include <gtest/gtest.h>
 

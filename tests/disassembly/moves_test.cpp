@@ -1,6 +1,6 @@
 /// Paths made shorter come to what trying all of them again after each change comes to, in fewer tries.
 
-#include "disassembly/moves.hpp"
+#include "disassembly/ways/moves.hpp"
 
 #include <gtest/gtest.h>
 

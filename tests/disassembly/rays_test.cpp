@@ -1,4 +1,4 @@
-#include "disassembly/rays.hpp"
+#include "disassembly/graph/rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@ using test::AssemblyScene;
 
 BlockingGraph graph_of(const AssemblyScene& scene, double spacing) {
     BlockingGraph graph(scene.parts().size());
-    std::vector<const StandingPart*> parts;
-    for (const StandingPart& part : scene.parts()) {
+    std::vector<const Body*> parts;
+    for (const Body& part : scene.parts()) {
         parts.push_back(&part);
     }
     cast_rays(parts, spacing, graph, Workers(2));
@@ -45,7 +45,7 @@ TEST(Rays, FindNothingThatExactSweepsDoNot) {
             const Vec3 at{8 + 40 * random.unit(), 8 + 40 * random.unit(), 8 + 40 * random.unit()};
             const Mesh ball = test::placed(test::sphere_mesh(2 + 3 * random.unit(), 6), at);
             bool meets = false;
-            for (const StandingPart& part : scene.parts()) {
+            for (const Body& part : scene.parts()) {
                 meets = meets || distance(part.box(), bounding_box(ball)) < 0.1;
             }
             if (!meets) scene.add(ball);

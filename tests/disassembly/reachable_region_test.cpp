@@ -1,4 +1,4 @@
-#include "disassembly/reachable_region.hpp"
+#include "disassembly/ways/reachable_region.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(ReachableRegion, HoldsWhatReachesOutsideThroughRandomVoxels) {
                 ASSERT_FALSE(told);
                 continue;
             }
-            ASSERT_TRUE(told || !found);  // not, in a pocket found closed
+            ASSERT_TRUE(told || !found);  // not, in a closed region found closed
             ASSERT_EQ(region.contains(free.origin + at), found);
             ASSERT_EQ(region.visited(free.origin + at), found);
             ASSERT_EQ(region.free(free.origin + at), found);

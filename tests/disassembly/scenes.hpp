@@ -64,9 +64,9 @@ class AssemblyScene {
         return static_cast<int>(parts_.size()) - 1;
     }
 
-    const DisassemblySetup& setup() const { return setup_; }
-    DisassemblySetup& setup() { return setup_; }
-    const std::vector<StandingPart>& parts() const { return parts_; }
+    const DisassemblyOptions& setup() const { return setup_; }
+    DisassemblyOptions& setup() { return setup_; }
+    const std::vector<Body>& parts() const { return parts_; }
 
     struct Answer {
         std::vector<RemovalStep> steps;
@@ -85,27 +85,27 @@ class AssemblyScene {
     /// Replays the steps: exactly where meshes are made of boxes, else in moves of at most `step` mm. Fails where a
     /// copy comes to overlap another, where a path does not end outside, or where a copy has not one step of its own.
     void replay(const Answer& answer, double step = 0.1) const {
-        std::vector<int> company(parts_.size(), 0), single(parts_.size(), 0);
-        int companies = 1;
+        std::vector<int> subassembly(parts_.size(), 0), single(parts_.size(), 0);
+        int subassemblies = 1;
         for (const RemovalStep& removal : answer.steps) {
             ASSERT_FALSE(removal.placements.empty());
-            const int own = company[static_cast<std::size_t>(removal.placements.front())];
+            const int own = subassembly[static_cast<std::size_t>(removal.placements.front())];
             std::vector<std::size_t> others;
             Box rest;
             for (std::size_t i = 0; i < parts_.size(); ++i) {
                 const bool moves =
                     std::ranges::find(removal.placements, static_cast<int>(i)) != removal.placements.end();
                 if (moves) {
-                    ASSERT_EQ(company[i], own);
+                    ASSERT_EQ(subassembly[i], own);
                 }
-                if (moves || company[i] != own) continue;
+                if (moves || subassembly[i] != own) continue;
                 others.push_back(i);
                 rest.add(parts_[i].box());
             }
             Vec3 at;
             Box box;
             for (const int i : removal.placements) {
-                const StandingPart& part = parts_[static_cast<std::size_t>(i)];
+                const Body& part = parts_[static_cast<std::size_t>(i)];
                 ASSERT_FALSE(part.object.fixed);
                 box.add(part.box());
                 Vec3 from;
@@ -124,9 +124,9 @@ class AssemblyScene {
                 box = {box.min + at, box.max + at};
                 EXPECT_GT(distance(box, rest), 0);
             }
-            const int next = removal.placements.size() > 1 ? companies++ : -1;
+            const int next = removal.placements.size() > 1 ? subassemblies++ : -1;
             for (const int i : removal.placements) {
-                company[static_cast<std::size_t>(i)] = next;
+                subassembly[static_cast<std::size_t>(i)] = next;
                 single[static_cast<std::size_t>(i)] += removal.placements.size() == 1;
             }
         }
@@ -192,9 +192,9 @@ class AssemblyScene {
         return true;
     }
 
-    DisassemblySetup setup_;
+    DisassemblyOptions setup_;
     std::unique_ptr<PlacementSearch> search_;
-    std::vector<StandingPart> parts_;
+    std::vector<Body> parts_;
     std::vector<Mesh> meshes_;
 };
 

@@ -1,4 +1,4 @@
-#include "disassembly/tile_map.hpp"
+#include "disassembly/ways/tile_map.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "formats/mesh_reader.hpp"
+#include "spectralpack/error.hpp"
+#include "support/names.hpp"
 #include "support/process.hpp"
 
 namespace spectralpack::test {
@@ -64,12 +65,5 @@ inline InputError refusal_of(const std::string& name, const std::string& bytes) 
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-inline bool any_contains(const std::vector<std::string>& texts, const std::string& part) {
-    for (const std::string& text : texts) {
-        if (contains(text, part)) return true;
-    }
-    return false;
-}
 
 }  // namespace spectralpack::test

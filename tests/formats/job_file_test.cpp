@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
-#include "model/printer.hpp"
+#include "spectralpack/printers.hpp"
 #include "support/data.hpp"
 
 namespace spectralpack::test {
@@ -154,9 +154,9 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.json, false);
     EXPECT_EQ(s.material_density, 1.01);
     ASSERT_EQ(file.parts.size(), 2u);
-    const JobPart& lid = file.parts[1];
+    const Part& lid = file.parts[1];
     EXPECT_EQ(lid.name, "lid");
-    EXPECT_EQ(lid.mesh, "/jobs/week/../b.3mf");
+    EXPECT_EQ(lid.mesh.file(), "/jobs/week/../b.3mf");
     EXPECT_EQ(lid.count, 12);
     EXPECT_EQ(lid.scale, 0.5);
     EXPECT_EQ(lid.gap, 2);
@@ -166,7 +166,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(lid.orientations.up, (std::vector<SignedAxis>{{2, true}, {0, false}}));
     EXPECT_EQ(lid.orientations.yaw, 45);
     EXPECT_EQ(file.parts[0].orientations, PartOrientations{});
-    EXPECT_EQ(lid.key, "parts[1]");
+    EXPECT_EQ(lid.origin, "parts[1]");
 }
 
 TEST(JobFile, NamesThePathOfWhatIsWrong) {

@@ -12,6 +12,7 @@ namespace spectralpack {
 namespace {
 
 using test::contains;
+using test::names;
 using test::refusal;
 
 std::filesystem::path golden(const std::string& name) {
@@ -212,20 +213,18 @@ TEST(PackingFile, PlansWithGroupsComeBack) {
 TEST(PackingFile, PlansThatTakeOutWhatIsNotThereAreRefused) {
     struct Case {
         std::vector<RemovalStep> steps;
-        const char* cause;
+        std::vector<test::Fact> named;  ///< by the cause
     };
     const Case cases[] = {
-        {{{{0}, {}}, {{0}, {}}}, "has left in steps[0] already"},
-        {{{{0}, {}}, {{0, 1}, {}}}, "has left in steps[0] already"},
-        {{{{0, 1}, {}}, {{1, 2}, {}}}, "no longer stand together"},
-        {{{{0, 1}, {}}, {{0, 1}, {}}}, "all that stands together"},
-        {{{{0, 1}, {}}, {{4}, {}}}, "is fixed"},
+        {{{{0}, {}}, {{0}, {}}}, {"steps[0]"}}, {{{{0}, {}}, {{0, 1}, {}}}, {"steps[0]"}},
+        {{{{0, 1}, {}}, {{1, 2}, {}}}, {}},     {{{{0, 1}, {}}, {{0, 1}, {}}}, {}},
+        {{{{0, 1}, {}}, {{4}, {}}}, {"fixed"}},
     };
     for (const Case& c : cases) {
         const std::string text = packing_to_json(with_steps(c.steps), ".");
         const InputError error = refusal([&] { read_text_as_packing(text); });
         EXPECT_EQ(error.place(), "trays[0].disassembly.steps[1].placements");
-        EXPECT_TRUE(contains(error.cause(), c.cause)) << error.what();
+        EXPECT_TRUE(names(error.cause(), c.named));
     }
 }
 
@@ -235,8 +234,8 @@ TEST(PackingFile, AllMayLeaveTogetherWhatPhysicalWallsStandRound) {
     for (Placement& placement : packing.trays[0].placements) {
         placement.fixed = false;
     }
-    EXPECT_TRUE(contains(refusal([&] { read_text_as_packing(packing_to_json(packing, ".")); }).cause(),
-                         "all that stands together"));
+    EXPECT_EQ(refusal([&] { read_text_as_packing(packing_to_json(packing, ".")); }).place(),
+              "trays[0].disassembly.steps[0].placements");
     packing.container.physical = true;
     EXPECT_EQ(read_text_as_packing(packing_to_json(packing, ".")).trays[0].disassembly->steps.size(), 1u);
 }
@@ -244,7 +243,7 @@ TEST(PackingFile, AllMayLeaveTogetherWhatPhysicalWallsStandRound) {
 TEST(PackingFile, WhatIsNoJsonIsRefused) {
     const std::string whole = test::read_text(golden("packing.json"));
     for (std::size_t length = 0; length + 2 < whole.size(); length += 97) {
-        EXPECT_TRUE(contains(refusal([&] { read_text_as_packing(whole.substr(0, length)); }).cause(), "JSON"));
+        EXPECT_TRUE(names(refusal([&] { read_text_as_packing(whole.substr(0, length)); }).cause(), {"JSON"}));
     }
     const std::string deep(1'000'000, '[');
     for (const std::string& text : {std::string("{\"version\": 1e999}"), std::string("\xff\xfe"), deep,
@@ -255,8 +254,8 @@ TEST(PackingFile, WhatIsNoJsonIsRefused) {
 }
 
 TEST(PackingFile, WhatIsAnotherKindOfFileIsCalledThat) {
-    EXPECT_TRUE(contains(refusal([] { read_text_as_packing("PK\x03\x04 {"); }).cause(), "-o NAME.json"));
-    EXPECT_TRUE(contains(refusal([] { read_text_as_packing(R"({"format": "spectralpack/job"})"); }).cause(), "a job"));
+    EXPECT_TRUE(names(refusal([] { read_text_as_packing("PK\x03\x04 {"); }).cause(), {"-o", ".json"}));
+    EXPECT_TRUE(names(refusal([] { read_text_as_packing(R"({"format": "spectralpack/job"})"); }).cause(), {"job"}));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ inline Packing small_packing() {
     packing.options.verify_with = VerifyWith{EngineKind::reference, 10};
     packing.options.time_limit = 2.5;
 
-    Part bracket;
+    PackedPart bracket;
     bracket.name = "bracket \"left\" & <co>";
     bracket.mesh = "/elsewhere/meshes/bracket.stl";
     bracket.count = 3;
@@ -59,7 +59,7 @@ inline Packing small_packing() {
     bracket.volume = 1000.0 / 3;
     bracket.repairs = {"turned the mesh, which was inside out"};
     packing.parts.push_back(bracket);
-    Part lid;
+    PackedPart lid;
     lid.id = 1;
     lid.name = "Deckel äöü";
     lid.mesh = "/elsewhere/out/job.3mf";

@@ -86,13 +86,13 @@ TEST(Ply, WhatAHeaderPromisesIsCheckedAgainstTheBytes) {
         const std::string vertices = "ply\nformat " + format +
                                      " 1.0\nelement vertex 4000000000\n"
                                      "property float x\nproperty float y\nproperty float z\nend_header\n";
-        EXPECT_TRUE(test::contains(refusal_of("a.ply", vertices + body).cause(), "promises"));
+        EXPECT_TRUE(test::names(refusal_of("a.ply", vertices + body).cause(), {4000000000, "vertex"}));
         const std::string empty = "ply\nformat " + format + " 1.0\nelement nothing 4000000000\nend_header\n";
-        EXPECT_TRUE(test::contains(refusal_of("a.ply", empty + body).cause(), "promises"));
+        EXPECT_TRUE(test::names(refusal_of("a.ply", empty + body).cause(), {4000000000, "nothing"}));
         const std::string list = "ply\nformat " + format +
                                  " 1.0\nelement face 1\n"
                                  "property list uint uchar vertex_indices\nend_header\n";
-        EXPECT_TRUE(test::contains(refusal_of("a.ply", list + body).cause(), "list"));
+        EXPECT_TRUE(test::names(refusal_of("a.ply", list + body).cause(), {"list"}));
     }
 }
 

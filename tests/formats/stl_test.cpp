@@ -71,11 +71,11 @@ TEST(BinaryStl, EveryTruncationIsRefused) {
 
 TEST(BinaryStl, ACountThatDisagreesWithTheLengthIsRefusedOrTold) {
     std::string bytes = binary_stl(test::cube_mesh(20));
-    EXPECT_TRUE(test::any_contains(read_as("a.stl", bytes + "stray")[0].warnings, "5 bytes"));
+    EXPECT_TRUE(test::any_names(read_as("a.stl", bytes + "stray")[0].warnings, {5, "bytes"}));
     for (const std::uint32_t count : {0u, 10u, 13u, 0xffffffffu}) {
         bytes.replace(80, 4, test::bytes_of(count));
         const InputError error = refusal_of("a.stl", bytes);
-        EXPECT_TRUE(test::contains(error.cause(), std::to_string(count))) << error.what();
+        EXPECT_TRUE(test::names(error.cause(), {count}));
     }
 }
 
@@ -121,7 +121,7 @@ TEST(AsciiStl, ErrorsNameTheLine) {
         return text.replace(text.find(old_text), old_text.size(), new_text);
     };
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).place(), "line 5");
-    EXPECT_TRUE(test::contains(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).cause(), "comma"));
+    EXPECT_TRUE(test::names(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10,5 0")).cause(), {"10,5", "comma"}));
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 10")).place(), "line 5");
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 ten 0")).place(), "line 5");
     EXPECT_EQ(refusal_of("a.stl", with("vertex 0 10 0", "vertex 0 nan 0")).place(), "line 5");
@@ -133,8 +133,8 @@ TEST(AsciiStl, ErrorsNameTheLine) {
 
 TEST(AsciiStl, TextThatIsNoStlIsCalledThat) {
     const std::string prose(500, 'x');
-    EXPECT_TRUE(test::contains(refusal_of("a.stl", prose).cause(), "text"));
-    EXPECT_TRUE(test::contains(refusal_of("a.stl", "solid nothing\nendsolid\n").cause(), "no triangles"));
+    EXPECT_TRUE(test::names(refusal_of("a.stl", prose).cause(), {"text"}));
+    EXPECT_TRUE(test::names(refusal_of("a.stl", "solid nothing\nendsolid\n").cause(), {"triangles"}));
 }
 
 TEST(Stl, TheBenchmarkMeshesLoadAsTheirIndexSays) {
@@ -166,12 +166,12 @@ TEST(MeshFiles, UnknownOrUnreadableOnesAreRefused) {
     EXPECT_TRUE(is_mesh_file("x.3mf"));
     EXPECT_FALSE(is_mesh_file("x.step"));
     EXPECT_FALSE(is_mesh_file("stl"));
-    EXPECT_TRUE(test::contains(refusal_of("a.step", "ISO-10303-21;").cause(), "format"));
-    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "no.stl"); }).what(), "no.stl"));
+    EXPECT_TRUE(test::names(refusal_of("a.step", "ISO-10303-21;").what(), {"a.step", "STL"}));
+    EXPECT_TRUE(test::names(test::refusal([&] { read_meshes(folder / "no.stl"); }).what(), {"no.stl"}));
     std::filesystem::create_directory(folder / "d.stl");
-    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "d.stl"); }).cause(), "folder"));
+    EXPECT_TRUE(test::names(test::refusal([&] { read_meshes(folder / "d.stl"); }).cause(), {"folder"}));
     ASSERT_EQ(::mkfifo((folder / "pipe.stl").c_str(), 0600), 0);
-    EXPECT_TRUE(test::contains(test::refusal([&] { read_meshes(folder / "pipe.stl"); }).cause(), "regular"));
+    EXPECT_TRUE(test::names(test::refusal([&] { read_meshes(folder / "pipe.stl"); }).what(), {"pipe.stl"}));
 }
 
 TEST(MeshFiles, WhatAFileIsDecidesNotItsName) {

@@ -7,7 +7,7 @@
 namespace spectralpack {
 namespace {
 
-using test::contains;
+using test::names;
 
 const std::string kRelationships =
     "<?xml version=\"1.0\"?><Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/"
@@ -65,7 +65,7 @@ TEST(ThreeMf, UnitsAreTold) {
         EXPECT_DOUBLE_EQ(signed_volume(loaded[0].mesh), 8);  // in the file's own unit
     }
     EXPECT_EQ(read(model(kCube, kItem))[0].unit, 1);
-    EXPECT_TRUE(contains(refused(model(kCube, kItem, "unit=\"furlong\"")).cause(), "furlong"));
+    EXPECT_TRUE(names(refused(model(kCube, kItem, "unit=\"furlong\"")).cause(), {"furlong"}));
 }
 
 TEST(ThreeMf, ItemsOfOneObjectInOneOrientationAreInstances) {
@@ -124,9 +124,9 @@ TEST(ThreeMf, WhatIsNotToBePrintedIsLeftOutWithANote) {
                                    "<item objectid=\"2\"/>"));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_EQ(loaded[0].instances, 1);
-    EXPECT_TRUE(test::any_contains(loaded[0].warnings, "not printable"));
-    EXPECT_TRUE(test::any_contains(loaded[0].warnings, "support"));
-    EXPECT_TRUE(contains(refused(model(kCube, "<item objectid=\"1\" printable=\"0\"/>")).cause(), "printable"));
+    EXPECT_TRUE(test::any_names(loaded[0].warnings, {"printable"}));
+    EXPECT_TRUE(test::any_names(loaded[0].warnings, {"support"}));
+    EXPECT_TRUE(names(refused(model(kCube, "<item objectid=\"1\" printable=\"0\"/>")).cause(), {"printable"}));
 }
 
 TEST(ThreeMf, ExtensionsThatDoNotChangeGeometryAreIgnored) {
@@ -164,44 +164,47 @@ TEST(ThreeMf, ObjectsInOtherModelPartsAreFollowed) {
 }
 
 TEST(ThreeMf, UnknownRequiredExtensionsAreRefusedByName) {
-    EXPECT_TRUE(contains(refused(model(kCube, kItem, "xmlns:z=\"urn:lattice\" requiredextensions=\"z\"")).cause(),
-                         "urn:lattice"));
-    EXPECT_TRUE(contains(refused(model(kCube, kItem, "requiredextensions=\"q\"")).cause(), "q"));
+    EXPECT_TRUE(names(refused(model(kCube, kItem, "xmlns:z=\"urn:lattice\" requiredextensions=\"z\"")).cause(),
+                      {"urn:lattice"}));
+    EXPECT_TRUE(names(refused(model(kCube, kItem, "requiredextensions=\"q\"")).cause(), {"q"}));
     EXPECT_EQ(read(model(kCube, kItem, "xmlns:z=\"urn:lattice\"")).size(), 1u);
 }
 
 TEST(ThreeMf, WhatTheSpecificationForbidsIsRefused) {
-    const std::pair<std::string, std::string> cases[] = {
-        {model(kCube, ""), "no items"},
-        {model(kCube, "<item objectid=\"2\"/>"), "not in the file"},
-        {model(kCube + kCube, kItem), "twice"},
-        {model(kCube, "<item/>"), "objectid"},
-        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0\"/>"), "12 numbers"},
-        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 x 0 0 0\"/>"), "'x'"},
-        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/>"), "inverted"},
-        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 nan 0 0 0\"/>"), "finite"},
-        {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\"/></vertices></mesh>"), kItem), "'z'"},
+    const struct {
+        std::string root;
+        std::vector<test::Fact> named;
+    } cases[] = {
+        {model(kCube, ""), {"items"}},
+        {model(kCube, "<item objectid=\"2\"/>"), {"object", 2}},
+        {model(kCube + kCube, kItem), {"object", 1}},
+        {model(kCube, "<item/>"), {"objectid"}},
+        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 0 0\"/>"), {"transform", 12}},
+        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 x 0 0 0\"/>"), {"transform", "x"}},
+        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/>"), {"transform"}},
+        {model(kCube, "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 nan 0 0 0\"/>"), {"transform", "nan"}},
+        {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\"/></vertices></mesh>"), kItem),
+         {"attribute", "z"}},
         {model(object("id=\"1\"", "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"1,5\"/></vertices></mesh>"), kItem),
-         "1,5"},
+         {"1,5"}},
         {model(object("id=\"1\"",
                       "<mesh><vertices/><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/>"
                       "</triangles></mesh>"),
                kItem),
-         "refers to vertex 0"},
+         {"triangle", "vertex", 0}},
         {model(object("id=\"1\"",
                       "<mesh><vertices/><triangles><triangle v1=\"-1\" v2=\"1\" v3=\"2\"/>"
                       "</triangles></mesh>"),
                kItem),
-         "-1"},
-        {model(object("id=\"1\"", "<mesh/>"), kItem), "no triangles"},
-        {"<html/>", "not a 3MF"},
-        {"<model", "well-formed"},
-        {"", "well-formed"},
-        {"<!DOCTYPE model [<!ENTITY a \"b\">]>" + model(kCube, kItem).substr(38), "document type"},
+         {"vertex", -1}},
+        {model(object("id=\"1\"", "<mesh/>"), kItem), {"triangles"}},
+        {"<html/>", {"3MF"}},
+        {"<model", {"XML"}},
+        {"", {"XML"}},
+        {"<!DOCTYPE model [<!ENTITY a \"b\">]>" + model(kCube, kItem).substr(38), {"document type"}},
     };
-    for (const auto& [root, cause] : cases) {
-        const InputError error = refused(root);
-        EXPECT_TRUE(contains(error.cause(), cause)) << error.what() << " for " << root;
+    for (const auto& [root, named] : cases) {
+        EXPECT_TRUE(names(refused(root).what(), named)) << " for " << root;
     }
 }
 
@@ -215,17 +218,17 @@ TEST(ThreeMf, ComponentsThatMultiplyOrContainThemselvesAreRefused) {
             }
             resources += object("id=\"" + std::to_string(level) + "\"", "<components>" + components + "</components>");
         }
-        EXPECT_TRUE(contains(refused(model(resources, "<item objectid=\"29\"/>")).cause(), "multiply"));
+        EXPECT_TRUE(names(refused(model(resources, "<item objectid=\"29\"/>")).cause(), {"multiply"}));
     }
     const auto component = [](int id) {
         return "<components><component objectid=\"" + std::to_string(id) + "\"/></components>";
     };
-    EXPECT_TRUE(contains(refused(model(object("id=\"1\"", component(1)), kItem)).cause(), "nested"));
+    EXPECT_TRUE(names(refused(model(object("id=\"1\"", component(1)), kItem)).cause(), {"nested"}));
     std::string chain = object("id=\"1\"", mesh_xml(test::cube_mesh(2)));
     for (int id = 2; id < 20'000; ++id) {
         chain += object("id=\"" + std::to_string(id) + "\"", component(id - 1));
     }
-    EXPECT_TRUE(contains(refused(model(chain, "<item objectid=\"19999\"/>")).cause(), "nested"));
+    EXPECT_TRUE(names(refused(model(chain, "<item objectid=\"19999\"/>")).cause(), {"nested"}));
 }
 
 TEST(ThreeMf, ItemsThatMultiplyALargeMeshAreRefusedButManyOfItsOwnSizeAreNot) {
@@ -238,16 +241,15 @@ TEST(ThreeMf, ItemsThatMultiplyALargeMeshAreRefusedButManyOfItsOwnSizeAreNot) {
         return xml;
     };
     EXPECT_EQ(read(model(torus, items(40))).size(), 40u);
-    EXPECT_TRUE(contains(refused(model(torus, items(500))).cause(), "multiply"));
+    EXPECT_TRUE(names(refused(model(torus, items(500))).cause(), {"multiply"}));
 }
 
 TEST(ThreeMf, PackagesWithoutAModelAreRefused) {
-    EXPECT_TRUE(contains(test::refusal_of("a.3mf", make_zip({{"a.txt", "b"}})).cause(), "not a 3MF"));
+    EXPECT_TRUE(names(test::refusal_of("a.3mf", make_zip({{"a.txt", "b"}})).cause(), {"3MF"}));
     EXPECT_EQ(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", kRelationships}})).place(), "3D/3dmodel.model");
-    EXPECT_TRUE(
-        contains(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", "<Relationships/>"}})).cause(), "no 3D model"));
-    EXPECT_TRUE(contains(test::refusal_of("a.3mf", "PK\x03\x04").cause(), "ZIP"));
-    EXPECT_TRUE(contains(test::refusal_of("a.3mf", "").cause(), "empty"));
+    EXPECT_TRUE(names(test::refusal_of("a.3mf", make_zip({{"_rels/.rels", "<Relationships/>"}})).cause(), {"model"}));
+    EXPECT_TRUE(names(test::refusal_of("a.3mf", "PK\x03\x04").cause(), {"ZIP"}));
+    EXPECT_TRUE(names(test::refusal_of("a.3mf", "").cause(), {"empty"}));
 }
 
 TEST(ThreeMf, ManyItemsWithTransformsOfTheirOwnAreRead) {

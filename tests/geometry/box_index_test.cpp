@@ -9,8 +9,6 @@
 namespace spectralpack {
 namespace {
 
-bool meet(const Box& a, const Box& b) { return distance(a, b) == 0; }
-
 TEST(BoxIndex, FindsEveryBoxThatMeetsAlsoOutsideTheRegionAndAfterRemovals) {
     RandomStream random(1);
     const auto box = [&] {

@@ -26,6 +26,9 @@ inline double slide(const Bvh& moving, const Vec3& offset, const Bvh& still, Axi
     return free;
 }
 
+/// A mesh of this triangle only.
+inline Bvh alone(const Corners& t) { return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}}); }
+
 using Quad = __float128;
 
 struct QuadPoint {
@@ -156,6 +159,10 @@ class Numbers {
   private:
     RandomStream random_;
 };
+
+inline AxisDirection any_direction(Numbers& numbers) {
+    return {static_cast<int>(numbers.below(3)), numbers.below(2) ? 1 : -1};
+}
 
 inline Corners moved(Corners t, const Vec3& by) {
     for (Vec3& corner : t)

@@ -12,15 +12,11 @@
 namespace spectralpack {
 namespace {
 
+using test::alone;
 using test::along;
+using test::any_direction;
 using test::Numbers;
 using test::slide;
-
-Bvh alone(const Corners& t) { return Bvh(Mesh{{t.begin(), t.end()}, {{0, 1, 2}}}); }
-
-AxisDirection any_direction(Numbers& numbers) {
-    return {static_cast<int>(numbers.below(3)), numbers.below(2) ? 1 : -1};
-}
 
 /// slides_past() for a graze of kTouchTolerance, by the kernel that iterates; none where its answer hangs on rounding.
 std::optional<bool> slid_past(const Bvh& a, const Vec3& offset, const Bvh& b, AxisDirection direction, double way) {

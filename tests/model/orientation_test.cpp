@@ -1,11 +1,12 @@
-#include "model/orientation.hpp"
+#include "model/rotation_samples.hpp"
+#include "spectralpack/orientations.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

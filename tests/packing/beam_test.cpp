@@ -1,4 +1,4 @@
-#include "packing/beam.hpp"
+#include "packing/order/beam.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ class BeamSearch : public testing::TestWithParam<int> {
         for (int part = 0; part < 6; ++part) {
             sizes_.push_back({part, 4, bounding_box(mesh_of(part)).volume(), 0, "", volume_of_part(part)});
         }
-        items_ = order_items(sizes_, Order::random, static_cast<std::uint64_t>(GetParam()));
+        copies_ = order_copies(sizes_, Order::random, static_cast<std::uint64_t>(GetParam()));
     }
 
     void open() {
@@ -46,7 +46,7 @@ class BeamSearch : public testing::TestWithParam<int> {
     }
 
     /// width 0: pack_greedily().
-    Packed pack(int width, const std::vector<PackItem>& items, int threads = 2) {
+    Packed pack(int width, const std::vector<Copy>& copies, int threads = 2) {
         const Workers workers(threads);
         ShapeStore shapes(
             [&](int part, const Workers&) {
@@ -54,36 +54,39 @@ class BeamSearch : public testing::TestWithParam<int> {
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, 0, {0}, workers));
             },
             workers);
-        shapes.start_tray(items);
-        const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 1, 0);
+        shapes.start_tray(copies);
+        const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
+            return settle_on_grid(shape, best, 1, 1, 0);
         };
-        BeamSetup beam{width,
-                       urgency_ranks(sizes_),
-                       [&] { return make_cpu_search({}, workers); },
-                       {volume_of_part, [](const PlacedItem& placed) {
-                            const Mesh turned = transformed(mesh_of(placed.item.part),
-                                                            {kTurns[static_cast<std::size_t>(placed.orientation)], {}});
-                            return bounding_box(turned).max.z + placed.offset.z;
-                        }}};
+        BeamOptions beam{width,
+                         urgency_ranks(sizes_),
+                         [&] { return make_cpu_search({}, workers); },
+                         {volume_of_part, [](const PlacedCopy& placed) {
+                              const Mesh turned =
+                                  transformed(mesh_of(placed.copy.part),
+                                              {kTurns[static_cast<std::size_t>(placed.orientation)], {}});
+                              return bounding_box(turned).max.z + placed.offset.z;
+                          }}};
         Tray tray(setup_);
         Packed packed;
         if (width == 0) {
             const auto engine = make_cpu_search({}, workers);
             pack_greedily(
-                tray, *engine, model_, items, shapes, settle, [](std::size_t) {}, {}, packed.result);
+                tray, {{*engine, shapes, workers}, 0, model_, {}, settle}, copies, [](std::size_t) {}, packed.result);
         } else {
+            const auto engine = make_cpu_search({}, workers);
             pack_in_beam(
-                tray, beam, model_, items, shapes, settle, [](std::size_t) {}, stop_.token(), packed.result, 0);
+                tray, beam, {{*engine, shapes, workers, stop_.token()}, 0, model_, {}, settle}, copies,
+                [](std::size_t) {}, packed.result);
         }
-        packed.score = score_packing(items, {&packed.result.placed}, beam.measures);
+        packed.score = score_packing(copies, {&packed.result.placed}, beam.measures);
         return packed;
     }
 
     static void expect_same(const GreedyResult& a, const GreedyResult& b) {
         ASSERT_EQ(a.placed.size(), b.placed.size());
         for (std::size_t i = 0; i < a.placed.size(); ++i) {
-            EXPECT_EQ(a.placed[i].item, b.placed[i].item) << i;
+            EXPECT_EQ(a.placed[i].copy, b.placed[i].copy) << i;
             EXPECT_EQ(a.placed[i].orientation, b.placed[i].orientation) << i;
             EXPECT_EQ(a.placed[i].position, b.placed[i].position) << i;
         }
@@ -92,14 +95,14 @@ class BeamSearch : public testing::TestWithParam<int> {
     TraySetup setup_;
     CostModel model_;
     std::vector<PartSize> sizes_;
-    std::vector<PackItem> items_;
+    std::vector<Copy> copies_;
     StopSource stop_;
 };
 
 TEST_P(BeamSearch, OfOneIsGreedy) {
     for (const bool opened : {false, true}) {
         if (opened) open();
-        const Packed greedy = pack(0, items_), beam = pack(1, items_);
+        const Packed greedy = pack(0, copies_), beam = pack(1, copies_);
         expect_same(beam.result, greedy.result);
         EXPECT_EQ(beam.result.searches, greedy.result.searches);
         EXPECT_EQ(beam.result.left_over.size(), greedy.result.left_over.size());
@@ -110,33 +113,33 @@ TEST_P(BeamSearch, OfOneIsGreedy) {
 TEST_P(BeamSearch, GreedyInItsOrderGivesTheSame) {
     for (const bool opened : {false, true}) {
         if (opened) open();
-        const Packed beam = pack(4, items_);
-        EXPECT_EQ(beam.result.placed.size() + beam.result.left_over.size(), items_.size());
+        const Packed beam = pack(4, copies_);
+        EXPECT_EQ(beam.result.placed.size() + beam.result.left_over.size(), copies_.size());
         EXPECT_TRUE(beam.result.untried.empty());
-        std::vector<PackItem> order;
-        for (const PlacedItem& placed : beam.result.placed) {
-            order.push_back(placed.item);
+        std::vector<Copy> order;
+        for (const PlacedCopy& placed : beam.result.placed) {
+            order.push_back(placed.copy);
         }
         order.insert(order.end(), beam.result.left_over.begin(), beam.result.left_over.end());
-        ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), items_.begin(), items_.end()));
+        ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), copies_.begin(), copies_.end()));
         const Packed greedy = pack(0, order);
         expect_same(beam.result, greedy.result);
         EXPECT_EQ(beam.score, greedy.score);
     }
 }
 
-TEST_P(BeamSearch, DoesNotDependOnThreads) { expect_same(pack(3, items_, 1).result, pack(3, items_, 4).result); }
+TEST_P(BeamSearch, DoesNotDependOnThreads) { expect_same(pack(3, copies_, 1).result, pack(3, copies_, 4).result); }
 
 TEST_P(BeamSearch, UrgentCopiesComeFirst) {
     sizes_[2].priority = 1;
     sizes_[5].priority = -1;
-    items_ = order_items(sizes_, Order::random, static_cast<std::uint64_t>(GetParam()));
+    copies_ = order_copies(sizes_, Order::random, static_cast<std::uint64_t>(GetParam()));
     open();
-    const Packed beam = pack(4, items_);
+    const Packed beam = pack(4, copies_);
     const std::vector<int> ranks = urgency_ranks(sizes_);
     int last = 0;
-    for (const PlacedItem& placed : beam.result.placed) {
-        const int rank = ranks[static_cast<std::size_t>(placed.item.part)];
+    for (const PlacedCopy& placed : beam.result.placed) {
+        const int rank = ranks[static_cast<std::size_t>(placed.copy.part)];
         EXPECT_GE(rank, last);
         last = rank;
     }
@@ -145,9 +148,9 @@ TEST_P(BeamSearch, UrgentCopiesComeFirst) {
 
 TEST_P(BeamSearch, AStopLeavesTheRestUntried) {
     stop_.request(StopReason::time_limit);
-    const Packed beam = pack(4, items_);
+    const Packed beam = pack(4, copies_);
     EXPECT_TRUE(beam.result.placed.empty());
-    EXPECT_EQ(beam.result.untried, items_);
+    EXPECT_EQ(beam.result.untried, copies_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, BeamSearch, testing::Range(1, 6));

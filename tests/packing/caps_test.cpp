@@ -1,9 +1,9 @@
-#include "packing/caps.hpp"
+#include "packing/tray/caps.hpp"
 
 #include <gtest/gtest.h>
 
-#include "packing/greedy.hpp"
-#include "packing/measure.hpp"
+#include "packing/tray/greedy.hpp"
+#include "packing/tray/measure.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "support/shapes.hpp"
 
@@ -13,15 +13,15 @@ namespace {
 /// Packs cubes of 5 mm into 20 x 20 x 22 mm at 1 mm voxels.
 class CappedTray : public testing::Test {
   protected:
-    GreedyResult pack(const CapSetup& setup, int count) {
+    GreedyResult pack(const CapOptions& setup, int count) {
         TraySetup tray_setup;
         tray_setup.size = {20, 20, 22};
         tray_setup.voxel_size = 1;
         Tray tray(tray_setup);
         Caps caps(setup, {[](int) { return 125.0; }, [&](int, int) { return cube_; }});
-        std::vector<PackItem> items;
+        std::vector<Copy> copies;
         for (int copy = 0; copy < count; ++copy) {
-            items.push_back({0, copy});
+            copies.push_back({0, copy});
         }
         const Workers workers(2);
         ShapeStore shapes(
@@ -29,22 +29,23 @@ class CappedTray : public testing::Test {
                 return std::make_shared<const Shape>(make_shape(1, cube_, {Mat3{}}, 1, 1, 0, {0}, workers));
             },
             workers);
-        shapes.start_tray(items);
-        const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 1, 0);
+        shapes.start_tray(copies);
+        const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
+            return settle_on_grid(shape, best, 1, 1, 0);
         };
         const auto engine = make_cpu_search({}, workers);
         GreedyResult result;
-        GreedyLimits limits;
+        PlaceLimits limits;
         limits.caps = &caps;
         pack_greedily(
-            tray, *engine, {1e8, HeightAt::bottom}, items, shapes, settle, [](std::size_t) {}, {}, result, limits);
+            tray, {{*engine, shapes, workers}, 0, {1e8, HeightAt::bottom}, limits, settle}, copies, [](std::size_t) {},
+            result);
         return result;
     }
 
     std::vector<double> areas(const GreedyResult& result) const {
         std::vector<double> area(22, 0);
-        for (const PlacedItem& placed : result.placed) {
+        for (const PlacedCopy& placed : result.placed) {
             add_section_areas(transformed(cube_, {Mat3{}, placed.offset}), 1, area);
         }
         return area;

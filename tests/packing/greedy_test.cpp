@@ -1,4 +1,4 @@
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,16 +16,17 @@ class Greedy : public testing::Test {
   protected:
     Greedy() : tray_(TraySetup{{4, 4, 2}, 1, 1, {0}, Ceiling::closed, 0, {}, false}) {}
 
-    void pack(const std::vector<PackItem>& items) {
+    void pack(const std::vector<Copy>& copies) {
         ShapeStore shapes(
             [](int part, const Workers&) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
             Workers(2));
-        shapes.start_tray(items);
-        const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 1, 0);
+        shapes.start_tray(copies);
+        const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
+            return settle_on_grid(shape, best, 1, 1, 0);
         };
         pack_greedily(
-            tray_, search_, {}, items, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+            tray_, {{search_, shapes, Workers(2), stop_.token()}, 0, {}, {}, settle}, copies,
+            [&](std::size_t) { ++done_; }, result_);
     }
 
     Tray tray_;
@@ -39,9 +40,9 @@ TEST_F(Greedy, PlacesInOrderAndSkipsCopiesOfAPartThatFoundNoPlace) {
     // Four cubes of 2 fill the 4 x 4 x 2 tray; a cube of 3 never fits.
     pack({{0, 0}, {1, 0}, {0, 1}, {1, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}});
     ASSERT_EQ(result_.placed.size(), 4u);
-    EXPECT_EQ(result_.placed[1].item, (PackItem{0, 1}));
+    EXPECT_EQ(result_.placed[1].copy, (Copy{0, 1}));
     EXPECT_EQ(result_.placed[1].position, (VoxelIndex{2, 0, 0}));
-    const std::vector<PackItem> left{{1, 0}, {1, 1}, {0, 4}, {0, 5}};
+    const std::vector<Copy> left{{1, 0}, {1, 1}, {0, 4}, {0, 5}};
     EXPECT_EQ(result_.left_over, left);
     EXPECT_EQ(result_.searches, 6);  // (1, 1) and (0, 5) are not searched for
     EXPECT_EQ(search_.asked, 6);
@@ -52,23 +53,24 @@ TEST_F(Greedy, PlacesInOrderAndSkipsCopiesOfAPartThatFoundNoPlace) {
 TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
     tray_ = Tray(TraySetup{{6, 6, 6}, 1, 1, {0}, Ceiling::closed, 0, {}, false});
     const std::vector<PartShare> shares{{1, 1}, {0, 2}};  // cubes of 3 and of 2, 1 : 2
-    const std::vector<PackItem> items{{1, 0}, {0, 0}};
+    const std::vector<Copy> copies{{1, 0}, {0, 0}};
     ShapeStore shapes(
         [](int part, const Workers&) { return box_shape(static_cast<std::uint64_t>(part), part == 0 ? 2 : 3); },
         Workers(2));
-    shapes.start_tray(items);
-    const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-        return stand_on_grid(shape, best, 1, 1, 0);
+    shapes.start_tray(copies);
+    const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
+        return settle_on_grid(shape, best, 1, 1, 0);
     };
     pack_in_shares(
-        tray_, search_, {}, shares, shapes, settle, [&](std::size_t) { ++done_; }, stop_.token(), result_);
+        tray_, {{search_, shapes, Workers(2), stop_.token()}, 0, {}, {}, settle}, shares, [&](std::size_t) { ++done_; },
+        result_);
     // 0 lacks more at first (2 of 3), then both lack as much and 1 comes first.
     ASSERT_GE(result_.placed.size(), 6u);
     std::vector<int> parts;
     int counts[2] = {};
-    for (const PlacedItem& placed : result_.placed) {
-        parts.push_back(placed.item.part);
-        EXPECT_EQ(placed.item.copy, counts[placed.item.part]++);
+    for (const PlacedCopy& placed : result_.placed) {
+        parts.push_back(placed.copy.part);
+        EXPECT_EQ(placed.copy.number, counts[placed.copy.part]++);
     }
     EXPECT_EQ((std::vector<int>(parts.begin(), parts.begin() + 6)), (std::vector<int>{0, 1, 0, 0, 1, 0}));
     EXPECT_TRUE(result_.left_over.empty());

@@ -1,4 +1,4 @@
-#include "packing/least_box.hpp"
+#include "packing/job/least_box.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/measure.hpp"
+#include "packing/tray/measure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TrayPacking two_boxes() {
 
 TEST(Measure, DensityBoxesAndHeightOfTwoBoxes) {
     TrayPacking tray = two_boxes();
-    std::vector<Part> parts(2);
+    std::vector<PackedPart> parts(2);
     parts[0].volume = 64;
     parts[1].volume = 1000;
     const auto small = std::make_shared<const Mesh>(test::cube_mesh(2));
@@ -32,7 +32,7 @@ TEST(Measure, DensityBoxesAndHeightOfTwoBoxes) {
 
 TEST(Measure, LayerAreasAreThoseOfTheSectionsAndAddUpToTheVolume) {
     TrayPacking tray = two_boxes();
-    std::vector<Part> parts(2);
+    std::vector<PackedPart> parts(2);
     const auto small = std::make_shared<const Mesh>(test::cube_mesh(2));
     // A box with a closed hollow: its section is a frame.
     const auto hollow = std::make_shared<const Mesh>(

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "packing/part_surfaces.hpp"
+#include "packing/tray/part_surfaces.hpp"
 #include "search/shape.hpp"
 
 namespace spectralpack::test {

@@ -1,23 +1,23 @@
-#include "packing/open_height.hpp"
+#include "packing/tray/open_height.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
-#include "packing/greedy.hpp"
+#include "packing/tray/greedy.hpp"
 #include "search/cpu/cpu_search.hpp"
+#include "spectralpack/error.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
 namespace {
 
-std::vector<PackItem> copies(int parts, int count) {
-    std::vector<PackItem> items;
+std::vector<Copy> copies(int parts, int count) {
+    std::vector<Copy> copies;
     for (int part = 0; part < parts; ++part) {
         for (int copy = 0; copy < count; ++copy) {
-            items.push_back({part, copy});
+            copies.push_back({part, copy});
         }
     }
-    return items;
+    return copies;
 }
 
 const std::vector<Mat3> kTurns = test::three_turns();
@@ -30,7 +30,7 @@ Mesh mesh_of(int part) {
 
 class OpenHeight : public testing::Test {
   protected:
-    GreedyResult pack(const CostModel& model, double height, double gap, const GreedyLimits& limits = {}) {
+    GreedyResult pack(const CostModel& model, double height, double gap, const PlaceLimits& limits = {}) {
         TraySetup setup;
         setup.size = {20, 16, height};
         setup.voxel_size = 1;
@@ -38,7 +38,7 @@ class OpenHeight : public testing::Test {
         setup.ceiling = Ceiling::open;
         setup.reference_layers = 20;
         tray_.emplace(setup);
-        const std::vector<PackItem> items = copies(5, 4);
+        const std::vector<Copy> wanted = copies(5, 4);
         const Workers workers(2);
         ShapeStore shapes(
             [&](int part, const Workers&) {
@@ -46,14 +46,14 @@ class OpenHeight : public testing::Test {
                     make_shape(static_cast<std::uint64_t>(part) + 1, mesh_of(part), kTurns, 1, 1, gap, {gap}, workers));
             },
             workers);
-        shapes.start_tray(items);
-        const Settle settle = [](const PackItem&, const Shape& shape, const BestPlacement& best) {
-            return stand_on_grid(shape, best, 1, 1, 0);
+        shapes.start_tray(wanted);
+        const Settle settle = [](const Copy&, const Shape& shape, const BestPlacement& best) {
+            return settle_on_grid(shape, best, 1, 1, 0);
         };
         const auto engine = make_cpu_search({}, workers);
         GreedyResult result;
         pack_greedily(
-            *tray_, *engine, model, items, shapes, settle, [](std::size_t) {}, {}, result, limits);
+            *tray_, {{*engine, shapes, workers}, 0, model, limits, settle}, wanted, [](std::size_t) {}, result);
         return result;
     }
 
@@ -81,7 +81,7 @@ TEST_F(OpenHeight, WhatTheGridBeginsWithDoesNotShow) {
 }
 
 TEST_F(OpenHeight, GrowsNoFurtherThanAllowed) {
-    GreedyLimits limits;
+    PlaceLimits limits;
     limits.most_layers = 20;
     EXPECT_THROW(pack({1e8, HeightAt::top}, 10, 0, limits), ResourceError);
     EXPECT_LE(tray_->extent().z, 20);

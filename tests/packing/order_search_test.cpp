@@ -1,4 +1,4 @@
-#include "packing/order_search.hpp"
+#include "packing/job/order_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,25 +12,25 @@ class OrderSearching : public testing::Test {
   protected:
     OrderSearching() {
         for (int part = 0; part < 40; ++part) {
-            items_.push_back({part, 0});
+            copies_.push_back({part, 0});
         }
         search_.ranks.assign(40, 0);
-        search_.measures = {[](int part) { return (part * 17) % 23 + 1.0; }, [](const PlacedItem&) { return 1.0; }};
+        search_.measures = {[](int part) { return (part * 17) % 23 + 1.0; }, [](const PlacedCopy&) { return 1.0; }};
     }
 
     FoundOrder find() {
         return find_order(
-            items_, search_,
-            [&](const std::vector<PackItem>& items, bool beam) -> std::optional<TraysResult> {
-                orders_.push_back(items);
+            copies_, search_,
+            [&](const std::vector<Copy>& copies, bool beam) -> std::optional<TraysResult> {
+                orders_.push_back(copies);
                 beams_ += beam ? 1 : 0;
                 if (static_cast<int>(orders_.size()) == fail_at_) return std::nullopt;
                 if (static_cast<int>(orders_.size()) == stop_at_) stop_.request(StopReason::time_limit);
                 TraysResult trays;
                 FilledTray& tray = trays.trays.emplace_back();
-                for (std::size_t i = 0; i < items.size() / 2; ++i) {
-                    PlacedItem placed;
-                    placed.item = items[i];
+                for (std::size_t i = 0; i < copies.size() / 2; ++i) {
+                    PlacedCopy placed;
+                    placed.copy = copies[i];
                     tray.placed.push_back(placed);
                 }
                 tray.searches = 5;
@@ -39,7 +39,7 @@ class OrderSearching : public testing::Test {
             stop_.token());
     }
 
-    double placed_volume(const std::vector<PackItem>& order) const {
+    double placed_volume(const std::vector<Copy>& order) const {
         double sum = 0;
         for (std::size_t i = 0; i < order.size() / 2; ++i) {
             sum += search_.measures.volume(order[i].part);
@@ -47,16 +47,16 @@ class OrderSearching : public testing::Test {
         return sum;
     }
 
-    std::vector<PackItem> items_;
-    OrderSearch search_;
+    std::vector<Copy> copies_;
+    OrderSearchOptions search_;
     StopSource stop_;
-    std::vector<std::vector<PackItem>> orders_;
+    std::vector<std::vector<Copy>> orders_;
     int beams_ = 0, fail_at_ = -1, stop_at_ = -1;
 };
 
 TEST_F(OrderSearching, OneOrderIsTheOneGiven) {
     const FoundOrder found = find();
-    EXPECT_EQ(found.items, items_);
+    EXPECT_EQ(found.copies, copies_);
     EXPECT_EQ(found.packings, 1);
     EXPECT_EQ(orders_.size(), 1u);
 }
@@ -68,18 +68,18 @@ TEST_F(OrderSearching, TheBestOfSeveralWinsAndIsNeverWorseThanTheFirst) {
         orders_.clear();
         const FoundOrder found = find();
         ASSERT_EQ(orders_.size(), 12u);
-        EXPECT_EQ(orders_.front(), items_);
+        EXPECT_EQ(orders_.front(), copies_);
         double most = 0;
         for (const auto& order : orders_) {
             most = std::max(most, placed_volume(order));
         }
-        EXPECT_EQ(placed_volume(found.items), most);
-        EXPECT_GT(most, placed_volume(items_)) << "no other order was better: the test tells nothing";
+        EXPECT_EQ(placed_volume(found.copies), most);
+        EXPECT_GT(most, placed_volume(copies_)) << "no other order was better: the test tells nothing";
         EXPECT_EQ(found.packings, 12);
         EXPECT_EQ(found.trays.searches(), 60);
         const auto before = orders_;
         orders_.clear();
-        EXPECT_EQ(find().items, found.items);
+        EXPECT_EQ(find().copies, found.copies);
         EXPECT_EQ(orders_, before) << "the orders follow from the seed";
     }
 }
@@ -88,7 +88,7 @@ TEST_F(OrderSearching, ABeamComesAfterTheOrderGiven) {
     search_.beam = 3;
     EXPECT_EQ(find().packings, 2);
     EXPECT_EQ(beams_, 1);
-    EXPECT_EQ(orders_, (std::vector<std::vector<PackItem>>{items_, items_}));
+    EXPECT_EQ(orders_, (std::vector<std::vector<Copy>>{copies_, copies_}));
 }
 
 TEST_F(OrderSearching, AStopLeavesTheBestSoFar) {

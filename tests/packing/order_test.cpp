@@ -1,4 +1,4 @@
-#include "packing/order.hpp"
+#include "packing/order/order.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,20 +11,20 @@ namespace {
 const std::vector<PartSize> kParts{{0, 2, 10}, {1, 1, 30}, {2, 3, 10}, {3, 1, 20}};
 
 TEST(Order, SizePutsLargestFirstAndBreaksTiesByInputThenCopy) {
-    const std::vector<PackItem> expected{{1, 0}, {3, 0}, {0, 0}, {0, 1}, {2, 0}, {2, 1}, {2, 2}};
-    EXPECT_EQ(order_items(kParts, Order::size, 0), expected);
+    const std::vector<Copy> expected{{1, 0}, {3, 0}, {0, 0}, {0, 1}, {2, 0}, {2, 1}, {2, 2}};
+    EXPECT_EQ(order_copies(kParts, Order::size, 0), expected);
 }
 
 TEST(Order, InputKeepsTheOrderGiven) {
-    const std::vector<PackItem> expected{{0, 0}, {0, 1}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {3, 0}};
-    EXPECT_EQ(order_items(kParts, Order::input, 0), expected);
+    const std::vector<Copy> expected{{0, 0}, {0, 1}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {3, 0}};
+    EXPECT_EQ(order_copies(kParts, Order::input, 0), expected);
 }
 
 TEST(Order, RandomIsAPermutationThatOnlyTheSeedDecides) {
-    const auto first = order_items(kParts, Order::random, 1);
-    EXPECT_EQ(first, order_items(kParts, Order::random, 1));
-    EXPECT_NE(first, order_items(kParts, Order::random, 2));
-    const auto input = order_items(kParts, Order::input, 0);
+    const auto first = order_copies(kParts, Order::random, 1);
+    EXPECT_EQ(first, order_copies(kParts, Order::random, 1));
+    EXPECT_NE(first, order_copies(kParts, Order::random, 2));
+    const auto input = order_copies(kParts, Order::input, 0);
     EXPECT_TRUE(std::is_permutation(first.begin(), first.end(), input.begin(), input.end()));
 }
 
@@ -35,12 +35,12 @@ TEST(Order, PriorityThenDueDateComeBeforeSize) {
                                 {3, 1, 5, 0, "2026-11-30"},
                                 {4, 1, 1, 2},
                                 {5, 1, 50, -1, "2020-01-01"}};
-    const std::vector<PackItem> expected{{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}, {5, 0}};
-    EXPECT_EQ(order_items(parts, Order::size, 0), expected);
+    const std::vector<Copy> expected{{4, 0}, {3, 0}, {2, 0}, {1, 0}, {0, 0}, {5, 0}};
+    EXPECT_EQ(order_copies(parts, Order::size, 0), expected);
     for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-        const auto items = order_items(parts, Order::random, seed);
-        EXPECT_TRUE(std::equal(items.begin(), items.begin() + 3, expected.begin()));
-        EXPECT_EQ(items.back(), expected.back());
+        const auto copies = order_copies(parts, Order::random, seed);
+        EXPECT_TRUE(std::equal(copies.begin(), copies.begin() + 3, expected.begin()));
+        EXPECT_EQ(copies.back(), expected.back());
     }
 }
 
@@ -48,8 +48,8 @@ TEST(Order, VolumeAndMixedPutTheDenserFirst) {
     // Boxes 10, 30, 10, 20; solid volumes 9, 2, 1, 8; geometric means 9.5, 7.7, 3.2, 12.6.
     const std::vector<PartSize> parts{
         {0, 1, 10, 0, "", 9}, {1, 1, 30, 0, "", 2}, {2, 2, 10, 0, "", 1}, {3, 1, 20, 0, "", 8}};
-    EXPECT_EQ(order_items(parts, Order::volume, 0), (std::vector<PackItem>{{0, 0}, {3, 0}, {1, 0}, {2, 0}, {2, 1}}));
-    EXPECT_EQ(order_items(parts, Order::mixed, 0), (std::vector<PackItem>{{3, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}}));
+    EXPECT_EQ(order_copies(parts, Order::volume, 0), (std::vector<Copy>{{0, 0}, {3, 0}, {1, 0}, {2, 0}, {2, 1}}));
+    EXPECT_EQ(order_copies(parts, Order::mixed, 0), (std::vector<Copy>{{3, 0}, {0, 0}, {1, 0}, {2, 0}, {2, 1}}));
 }
 
 TEST(Order, RanksAreThoseOfPriorityAndDueDate) {
@@ -58,18 +58,18 @@ TEST(Order, RanksAreThoseOfPriorityAndDueDate) {
 }
 
 TEST(Order, PerturbedGoesNotFarAndPassesNoOtherRank) {
-    std::vector<PackItem> items;
+    std::vector<Copy> copies;
     std::vector<int> ranks;
     for (int part = 0; part < 100; ++part) {
-        items.push_back({part, 0});
+        copies.push_back({part, 0});
         ranks.push_back(part < 30 ? 0 : 1);
     }
     RandomStream random(7), again(7);
-    const auto other = perturbed(items, ranks, random);
-    EXPECT_EQ(other, perturbed(items, ranks, again));
-    EXPECT_NE(other, perturbed(items, ranks, random));
-    EXPECT_NE(other, items);
-    EXPECT_TRUE(std::is_permutation(other.begin(), other.end(), items.begin(), items.end()));
+    const auto other = perturbed(copies, ranks, random);
+    EXPECT_EQ(other, perturbed(copies, ranks, again));
+    EXPECT_NE(other, perturbed(copies, ranks, random));
+    EXPECT_NE(other, copies);
+    EXPECT_TRUE(std::is_permutation(other.begin(), other.end(), copies.begin(), copies.end()));
     for (int i = 0; i < 100; ++i) {
         EXPECT_LE(std::abs(other[static_cast<std::size_t>(i)].part - i), 20);
         EXPECT_EQ(other[static_cast<std::size_t>(i)].part < 30, i < 30);

@@ -1,22 +1,22 @@
-#include "packing/packing_score.hpp"
+#include "packing/order/packing_score.hpp"
 
 #include <gtest/gtest.h>
 
 namespace spectralpack {
 namespace {
 
-PlacedItem at(int part, int copy, double z) {
-    PlacedItem placed;
-    placed.item = {part, copy};
+PlacedCopy at(int part, int copy, double z) {
+    PlacedCopy placed;
+    placed.copy = {part, copy};
     placed.offset.z = z;
     return placed;
 }
 
 const PackingMeasures kMeasures{[](int part) { return part == 0 ? 10.0 : 0.1; },
-                                [](const PlacedItem& placed) { return placed.offset.z + 1; }};
-const std::vector<PackItem> kItems{{0, 0}, {1, 0}, {1, 1}, {1, 2}};
+                                [](const PlacedCopy& placed) { return placed.offset.z + 1; }};
+const std::vector<Copy> kItems{{0, 0}, {1, 0}, {1, 1}, {1, 2}};
 
-using Placed = std::vector<PlacedItem>;
+using Placed = std::vector<PlacedCopy>;
 
 TEST(PackingScore, MatterPlacedComesBeforeTraysAndHeight) {
     const Placed all{at(0, 0, 0), at(1, 0, 1), at(1, 1, 2), at(1, 2, 3)}, low{at(0, 0, 0), at(1, 0, 0)},

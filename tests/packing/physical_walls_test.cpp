@@ -1,9 +1,9 @@
-#include "packing/physical_walls.hpp"
+#include "packing/containers/physical_walls.hpp"
 
 #include <gtest/gtest.h>
 
 #include "packing/first_fit.hpp"
-#include "packing/reachable_search.hpp"
+#include "packing/interlocking/reachable_search.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "support/shapes.hpp"
 

@@ -1,4 +1,4 @@
-#include "packing/reachable_search.hpp"
+#include "packing/interlocking/reachable_search.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "packing/shape_store.hpp"
+#include "packing/tray/shape_store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 namespace spectralpack {
 namespace {
 
-std::vector<PackItem> one_each(int parts) {
-    std::vector<PackItem> items;
+std::vector<Copy> one_each(int parts) {
+    std::vector<Copy> copies;
     for (int part = 0; part < parts; ++part) {
-        items.push_back({part, 0});
+        copies.push_back({part, 0});
     }
-    return items;
+    return copies;
 }
 
 std::shared_ptr<const Shape> box_part(int part, int side, std::atomic<int>& made) {

@@ -1,11 +1,11 @@
-#include "packing/unlinked_search.hpp"
+#include "packing/interlocking/unlinked_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include "disassembly/scenes.hpp"
 #include "packing/best_admitted.hpp"
+#include "packing/job/tray_filler.hpp"
 #include "packing/mesh_parts.hpp"
-#include "packing/tray_filler.hpp"
 #include "search/brute_force.hpp"
 #include "search/plain_region.hpp"
 
@@ -84,7 +84,7 @@ TEST(LinkSample, IsRowsSpreadOverTheSolidWholeForSmallOnes) {
 FilledTray chest_and_cube(Links links) {
     const MeshParts parts{{merged(chest_mesh(26, 2, true), placed(frame_mesh(26, 11, 2), {0, 0, 24})), cube_mesh(14)}};
     ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
-    FillSetup setup;
+    FillOptions setup;
     setup.tray.size = {60, 26, 26};
     setup.tray.voxel_size = 1;
     setup.container.size = {60, 26, 26};
@@ -92,11 +92,10 @@ FilledTray chest_and_cube(Links links) {
     setup.links = links;
     setup.left = setup.to_put_back = [](int, int) {};
     const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
-    TrayFiller filler(
-        setup, *search, [&](int part) { return parts.scaled(part); }, Workers(1));
+    TrayFiller filler(setup, {*search, shapes, Workers(1)}, [&](int part) { return parts.scaled(part); });
     FilledTray result;
     filler.fill(
-        {0, {{0, 0}, {1, 0}}, false, 0}, shapes, [](std::size_t) {}, {}, result);
+        {0, {{0, 0}, {1, 0}}, false, 0}, [](std::size_t) {}, result);
     EXPECT_EQ(result.placed.size(), 2u);
     EXPECT_TRUE(result.plan && result.plan->complete);
     return result;

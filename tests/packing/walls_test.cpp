@@ -1,4 +1,4 @@
-#include "packing/walls.hpp"
+#include "packing/containers/walls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,16 +80,16 @@ TEST(Walls, AKeepOutMeshTakesItsSolid) {
 
 TEST(Walls, SurfacesFaceTheFreeSide) {
     const Container container{{8, 8, 8}, standing(test::cube_mesh(8)), {{Box{{1, 1, 1}, {2, 2, 2}}}}};
-    const std::vector<StandingCopy> walls = wall_surfaces(container, 0.5);
+    const std::vector<PlacedSurface> walls = wall_surfaces(container, 0.5);
     ASSERT_EQ(walls.size(), 2u);
-    for (const StandingCopy& wall : walls) {
+    for (const PlacedSurface& wall : walls) {
         EXPECT_TRUE(wall.wall);
         EXPECT_EQ(wall.gap, 0.5);
         EXPECT_TRUE(wall.surface->faces_outwards());
     }
     // A copy in the middle is 3 mm from the container's side and not inside its "material".
     Refiner refiner({{8, 8, 8}, 0, 4, 3});
-    for (const StandingCopy& wall : walls) {
+    for (const PlacedSurface& wall : walls) {
         refiner.add(wall);
     }
     const auto cube = std::make_shared<const Bvh>(test::cube_mesh(2));

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
 #include "geometry/mesh_distance.hpp"
+#include "spectralpack/error.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -115,7 +115,7 @@ TEST(Refiner, MakesUpForAStartThatIsALittleTooNearWhereThereIsRoom) {
     const auto brick = surface(kBrick);
     Refiner refiner({{90, 90, 90}, 0, 4, 3});
     refiner.add({brick, {0, 0, 0}, 0.2});
-    const StandingCopy near{brick, {20.2 - 3e-4, 2, 1}, 0.2};
+    const PlacedSurface near{brick, {20.2 - 3e-4, 2, 1}, 0.2};
     const Refined freed = refiner.refine(near, {0, 0, 0});
     EXPECT_EQ(freed.shortfall, 0);
     EXPECT_GE(refiner.clearance({brick, freed.offset, 0.2}, 1), 0.2 - 1e-9);
@@ -166,7 +166,7 @@ std::vector<Mesh> shapes() {
 }
 
 /// Scatters copies that keep their gaps, refines each, and returns where they end.
-std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations, const Workers& workers = Workers(1)) {
+std::vector<PlacedSurface> scatter(std::uint64_t seed, bool expectations, const Workers& workers = Workers(1)) {
     RandomStream random(seed);
     std::vector<std::shared_ptr<const Bvh>> surfaces;
     for (const Mesh& mesh : shapes()) {
@@ -175,16 +175,16 @@ std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations, const W
     const Vec3 size{80, 70, 60};
     const double wall_gap = 0.5, gaps[] = {0.2, 0.2, 1.1, 3};
     Refiner refiner({size, wall_gap, 4, 3});
-    std::vector<StandingCopy> standing;
+    std::vector<PlacedSurface> standing;
     int moved = 0;
     for (int tries = 0; tries < 300 && standing.size() < 40; ++tries) {
-        StandingCopy copy{surfaces[random.below(surfaces.size())], {}, gaps[random.below(4)]};
+        PlacedSurface copy{surfaces[random.below(surfaces.size())], {}, gaps[random.below(4)]};
         const Vec3 low = copy.surface->box().min, extent = copy.surface->box().size();
         for (int axis = 0; axis < 3; ++axis) {
             copy.offset[axis] = wall_gap - low[axis] + random.unit() * (size[axis] - 2 * wall_gap - extent[axis]);
         }
         bool free = true;
-        for (const StandingCopy& other : standing) {
+        for (const PlacedSurface& other : standing) {
             free = free && least_distance(*copy.surface, copy.offset, *other.surface, other.offset).distance >=
                                std::max(copy.gap, other.gap);
         }
@@ -203,7 +203,7 @@ std::vector<StandingCopy> scatter(std::uint64_t seed, bool expectations, const W
                 EXPECT_GE(box.min[axis], wall_gap - 1e-12);
                 EXPECT_LE(box.max[axis], size[axis] - wall_gap + 1e-12);
             }
-            for (const StandingCopy& other : standing) {
+            for (const PlacedSurface& other : standing) {
                 EXPECT_GE(least_distance(*copy.surface, copy.offset, *other.surface, other.offset).distance,
                           std::max(copy.gap, other.gap) - 1e-9);
             }
@@ -226,9 +226,9 @@ TEST(Refiner, KeepsEveryGapAmongShapesOfEveryKind) {
 TEST(Refiner, GivesTheSameForAnyNumberOfThreads) {
     const Workers three(3);
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
-        const std::vector<StandingCopy> one = scatter(seed, false);
+        const std::vector<PlacedSurface> one = scatter(seed, false);
         for (int again = 0; again < 3; ++again) {
-            const std::vector<StandingCopy> other = scatter(seed, false, three);
+            const std::vector<PlacedSurface> other = scatter(seed, false, three);
             ASSERT_EQ(one.size(), other.size());
             for (std::size_t i = 0; i < one.size(); ++i) {
                 EXPECT_EQ(one[i].offset, other[i].offset) << "seed " << seed << ", copy " << i;
@@ -238,12 +238,12 @@ TEST(Refiner, GivesTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Refiner, LeastGapIsThatOfTheNearestPairForAnyNumberOfThreads) {
-    Refiner refiner(RefineSetup{{80, 70, 60}});
-    const std::vector<StandingCopy> standing = scatter(3, false);
+    Refiner refiner(RefineOptions{{80, 70, 60}});
+    const std::vector<PlacedSurface> standing = scatter(3, false);
     double least = Box::kInfinity;
     for (std::size_t i = 0; i < standing.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            const StandingCopy &a = standing[i], &b = standing[k];
+            const PlacedSurface &a = standing[i], &b = standing[k];
             least = std::min(least, least_distance(*a.surface, a.offset, *b.surface, b.offset).distance);
         }
         refiner.add(standing[i]);

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
 #include "render/render.hpp"
+#include "spectralpack/error.hpp"
 #include "support/process.hpp"
 
 namespace spectralpack {

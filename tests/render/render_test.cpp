@@ -6,11 +6,11 @@
 #include <limits>
 #include <set>
 
-#include "core/error.hpp"
 #include "render/outline.hpp"
 #include "render/ray_scene.hpp"
 #include "render/stage.hpp"
 #include "scenes.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "model/orientation.hpp"
+#include "model/rotation_samples.hpp"
 #include "render/render.hpp"
+#include "spectralpack/orientations.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {
@@ -16,7 +17,7 @@ struct SmallScene {
     std::vector<std::shared_ptr<const Mesh>> meshes;
 
     int add_part(const Mesh& mesh) {
-        Part part;
+        PackedPart part;
         part.id = static_cast<int>(meshes.size());
         packing.parts.push_back(part);
         meshes.push_back(std::make_shared<const Mesh>(mesh));

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "core/error.hpp"
 #include "scenes.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "render/stage.hpp"
 #include "scenes.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

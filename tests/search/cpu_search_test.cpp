@@ -5,11 +5,11 @@
 
 #include "brute_force.hpp"
 #include "engines.hpp"
-#include "model/orientation.hpp"
 #include "random_scene.hpp"
 #include "search/cpu/cpu_search.hpp"
 #include "search/cpu/kernels.hpp"
 #include "search/verifying_search.hpp"
+#include "spectralpack/orientations.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {

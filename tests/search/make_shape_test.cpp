@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "model/orientation.hpp"
 #include "search/shape.hpp"
+#include "spectralpack/error.hpp"
+#include "spectralpack/orientations.hpp"
 #include "support/shapes.hpp"
 #include "voxel/split.hpp"
 

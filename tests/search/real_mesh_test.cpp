@@ -4,8 +4,8 @@
 
 #include "brute_force.hpp"
 #include "engines.hpp"
-#include "model/orientation.hpp"
 #include "search/verifying_search.hpp"
+#include "spectralpack/orientations.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack::test {

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "core/error.hpp"
 #include "random_scene.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack::test {

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "brute_force.hpp"
-#include "core/error.hpp"
 #include "random_scene.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack::test {
 namespace {

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -61,9 +62,11 @@ inline void limit(int resource, rlim_t most) {
     if (most > 0 && setrlimit(resource, &limits) != 0) _exit(125);
 }
 
-/// Runs `arguments` (the first is the program) and waits. When `interrupt_when` exists it is sent SIGINT as soon as
-/// that text appears on standard error.
-inline Ran run(const std::vector<std::string>& arguments, const std::string& interrupt_when = "",
+/// Whether the moment to interrupt a run has come; it is given what the run said on standard error so far.
+using Moment = std::function<bool(const std::string& err)>;
+
+/// Runs `arguments` (the first is the program) and waits. It is sent SIGINT once, when `interrupt_when` says so.
+inline Ran run(const std::vector<std::string>& arguments, const Moment& interrupt_when = {},
                const Limits& limits = {}) {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string(), err = (folder / "err").string();
@@ -82,9 +85,9 @@ inline Ran run(const std::vector<std::string>& arguments, const std::string& int
         _exit(127);
     }
     int status = 0;
-    bool interrupted = interrupt_when.empty();
+    bool interrupted = !interrupt_when;
     while (waitpid(child, &status, interrupted ? 0 : WNOHANG) == 0) {
-        if (read_text(err).find(interrupt_when) != std::string::npos) {
+        if (interrupt_when(read_text(err))) {
             kill(child, SIGINT);
             interrupted = true;
         }

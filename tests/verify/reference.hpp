@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometry/mesh.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack::test {
 

@@ -97,6 +97,8 @@ inline Cells random_cells(RandomStream& random, const Cell& size, double filling
 constexpr double kTolerance = 1e-3;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+inline Transform moved_by(const Vec3& step) { return {Mat3{}, step}; }
+
 /// Compares two meshes as they stand, posed after the fact so that poses are exercised.
 inline Relation compare_meshes(const Mesh& a, const Mesh& b, const Transform& pose_a = {}, const Transform& pose_b = {},
                                double bound = kFar) {

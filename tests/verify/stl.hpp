@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
-#include "geometry/mesh.hpp"
 #include "geometry/mesh_weld.hpp"
+#include "spectralpack/mesh.hpp"
 
 namespace spectralpack::test {
 

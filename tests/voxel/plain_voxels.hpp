@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "geometry/mesh.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "spectralpack/mesh.hpp"
 #include "voxel/bit_grid.hpp"
 
 namespace spectralpack::test {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "spectralpack/error.hpp"
 #include "support/sanitized.hpp"
 #include "voxel/voxelize.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "spectralpack/error.hpp"
 #include "support/sanitized.hpp"
 
 namespace spectralpack {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/error.hpp"
 #include "geometry/triangle_distance.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
+#include "spectralpack/error.hpp"
 #include "voxel/axis_turn.hpp"
 #include "voxel/box_distance.hpp"
 #include "voxel/voxelize.hpp"

@@ -1,4 +1,5 @@
 #include "search/cpu/crowd_tables.hpp"
+#include "core/checked.hpp"
 
 #include <algorithm>
 

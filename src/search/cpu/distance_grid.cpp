@@ -1,4 +1,5 @@
 #include "search/cpu/distance_grid.hpp"
+#include "core/checked.hpp"
 
 #include <bit>
 #include <limits>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "search/cost.hpp"
-#include "voxel/grid.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "voxel/grid.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

@@ -1,4 +1,5 @@
 #include "search/cpu/position_cache.hpp"
+#include "core/checked.hpp"
 
 #include <algorithm>
 #include <utility>

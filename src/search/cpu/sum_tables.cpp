@@ -1,10 +1,11 @@
 #include "search/cpu/sum_tables.hpp"
+#include "core/checked.hpp"
 
 #include <bit>
 #include <limits>
 
-#include "core/error.hpp"
 #include "search/cpu/kernels.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// How far a correlation computed by Fourier transforms can be from the integer that it is.
 
-#include "voxel/grid.hpp"
+#include "spectralpack/grid.hpp"
 
 namespace spectralpack {
 

@@ -1,3 +1,4 @@
+#include "core/checked.hpp"
 #include "search/reference/reference_search.hpp"
 #include "search/reference/transform.hpp"
 

@@ -5,22 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
 #include "search/reference/correlation.hpp"
 #include "search/reference/error_bound.hpp"
 #include "search/reference/tray_spectra.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
 
 template <class Real>
-class ReferenceSearch final : public PlacementSearch {
+class FourierSearch final : public ReferenceSearch {
   public:
-    ReferenceSearch(const ReferenceOptions& options, const Workers& workers) : options_(options), workers_(workers) {}
+    FourierSearch(const ReferenceOptions& options, const Workers& workers) : options_(options), workers_(workers) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override;
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override;
+    MetricFields metric_fields(const Tray& tray, const Shape& shape, int index) override;
     const char* name() const override { return "reference"; }
     std::int64_t memory() const override;
 
@@ -35,7 +36,9 @@ class ReferenceSearch final : public PlacementSearch {
     void make_lanes(int orientations, const Extent& tray);
     std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray, const OrientedShape& shape,
                                                      int index, const CostModel& model, const Admits& admits) const;
-    void find_free(Lane& lane, const OrientedShape& shape, int detail, const Extent& candidates) const;
+    void correlate_collisions(Lane& lane, const OrientedShape& shape, int detail) const;
+    void correlate_proximities(Lane& lane, const OrientedShape& shape) const;
+    void find_free(Lane& lane, const Extent& candidates) const;
     std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape, const VoxelIndex& q,
                                         const CostModel& model) const;
     void check_rounding(const Extent& grid, double norms, int terms) const;
@@ -67,7 +70,7 @@ VoxelIndex overhang_of(const Shape& shape, int detail) {
 }
 
 template <class Real>
-void ReferenceSearch<Real>::plan_for(const Tray& tray, const Shape& shape) {
+void FourierSearch<Real>::plan_for(const Tray& tray, const Shape& shape) {
     Extent grid = transform_extent(tray.extent(), overhang_of(shape, tray.detail()));
     if (plan_ && planned_tray_ == tray.extent()) {
         // Fixed grids and plans (appendix A.1): they only grow, when a wider gap turns up.
@@ -84,7 +87,7 @@ void ReferenceSearch<Real>::plan_for(const Tray& tray, const Shape& shape) {
 }
 
 template <class Real>
-void ReferenceSearch<Real>::make_lanes(int orientations, const Extent& tray) {
+void FourierSearch<Real>::make_lanes(int orientations, const Extent& tray) {
     const int most = options_.lanes > 0 ? options_.lanes : workers_.threads();
     while (static_cast<int>(lanes_.size()) < std::min(most, orientations)) {
         lanes_.push_back({FourierBuffer<Real>(plan_->grid()), FourierBuffer<Real>(plan_->grid()), BitGrid(tray)});
@@ -93,8 +96,8 @@ void ReferenceSearch<Real>::make_lanes(int orientations, const Extent& tray) {
 
 /// Algorithm 1.
 template <class Real>
-SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
-                                                   const StopToken& stop) {
+SearchResult FourierSearch<Real>::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
+                                                 const StopToken& stop) {
     const int orientations = static_cast<int>(shape.orientations.size());
     plan_for(tray, shape);
     spectra_.update(tray, *plan_);
@@ -125,25 +128,20 @@ SearchResult ReferenceSearch<Real>::best_placement(const Tray& tray, const Shape
 }
 
 template <class Real>
-std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(Lane& lane, const Tray& tray,
-                                                                        const OrientedShape& shape, int index,
-                                                                        const CostModel& model,
-                                                                        const Admits& admits) const {
+std::optional<BestPlacement> FourierSearch<Real>::best_of_orientation(Lane& lane, const Tray& tray,
+                                                                      const OrientedShape& shape, int index,
+                                                                      const CostModel& model,
+                                                                      const Admits& admits) const {
     // Circular correlations tell of every displacement; those where the object clips out of the
     // tray are discarded (appendix A.1).
     const Extent count = tray.candidates(shape.reach);
     if (count.empty()) return std::nullopt;
-    find_free(lane, shape, tray.detail(), count);
-
-    // Equation (4): rho = IFFT(conj(FFT(s_A)) FFT(phi)).
-    lane.sum.clear();
-    add_correlation(lane.sum, lane.a, spectra_.phi_spectrum().buffer);
-    plan_->inverse(lane.sum);
-    const Extent& grid = plan_->grid();
-    check_rounding(grid, norm_of_bits(*shape.solid) * spectra_.phi_spectrum().norm, 1);
+    correlate_collisions(lane, shape, tray.detail());
+    find_free(lane, count);
+    correlate_proximities(lane, shape);
 
     // Equation (6), ties to the least (z, y, x).
-    const double scale = 1 / static_cast<double>(grid.count());
+    const double scale = 1 / static_cast<double>(plan_->grid().count());
     std::optional<BestPlacement> best;
     for (int z = 0; z < count.z; ++z) {
         if (!model.allows(index, z)) continue;
@@ -162,11 +160,9 @@ std::optional<BestPlacement> ReferenceSearch<Real>::best_of_orientation(Lane& la
     return best;
 }
 
-/// Sets lane.free where zeta = 0 among the candidates (equation 2) and leaves A's spectrum in
-/// lane.a.
+/// Equation (2): leaves zeta, times the number of cells, in lane.sum and A's spectrum in lane.a.
 template <class Real>
-void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, int detail,
-                                      const Extent& candidates) const {
+void FourierSearch<Real>::correlate_collisions(Lane& lane, const OrientedShape& shape, int detail) const {
     double norms = 0;
     int terms = 0;
     const auto collide = [&](const BitGrid& a, const TraySpectrum<Real>& omega) {
@@ -205,10 +201,23 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
         collide(*shape.solid, *spectra_.objects(c, 0));
     }
     plan_->inverse(lane.sum);
-    const Extent& grid = plan_->grid();
-    check_rounding(grid, norms, terms);
+    check_rounding(plan_->grid(), norms, terms);
+}
 
-    const Real half = static_cast<Real>(0.5 * static_cast<double>(grid.count()));
+/// Equation (4): rho = IFFT(conj(FFT(s_A)) FFT(phi)), times the number of cells, in lane.sum; A's spectrum is in
+/// lane.a.
+template <class Real>
+void FourierSearch<Real>::correlate_proximities(Lane& lane, const OrientedShape& shape) const {
+    lane.sum.clear();
+    add_correlation(lane.sum, lane.a, spectra_.phi_spectrum().buffer);
+    plan_->inverse(lane.sum);
+    check_rounding(plan_->grid(), norm_of_bits(*shape.solid) * spectra_.phi_spectrum().norm, 1);
+}
+
+/// Sets lane.free where zeta = 0 among the candidates.
+template <class Real>
+void FourierSearch<Real>::find_free(Lane& lane, const Extent& candidates) const {
+    const Real half = static_cast<Real>(0.5 * static_cast<double>(plan_->grid().count()));
     lane.free.fill(false);
     for (int z = 0; z < candidates.z; ++z) {
         for (int y = 0; y < candidates.y; ++y) {
@@ -221,11 +230,41 @@ void ReferenceSearch<Real>::find_free(Lane& lane, const OrientedShape& shape, in
     }
 }
 
+template <class Real>
+MetricFields FourierSearch<Real>::metric_fields(const Tray& tray, const Shape& shape, int index) {
+    plan_for(tray, shape);
+    spectra_.update(tray, *plan_);
+    make_lanes(1, tray.extent());
+    Lane& lane = lanes_.front();
+    const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
+    const Extent count = tray.candidates(oriented.reach);
+    const double scale = 1 / static_cast<double>(plan_->grid().count());
+    const auto rounded = [&] {
+        Grid<std::int64_t> field(count);
+        for (int z = 0; z < count.z; ++z) {
+            for (int y = 0; y < count.y; ++y) {
+                const Real* row = lane.sum.row(y, z);
+                for (int x = 0; x < count.x; ++x) {
+                    // To the nearest; neither is ever negative.
+                    field.at(x, y, z) = static_cast<std::int64_t>(row[x] * scale + 0.5);
+                }
+            }
+        }
+        return field;
+    };
+    MetricFields fields;
+    correlate_collisions(lane, oriented, tray.detail());
+    fields.collision = rounded();
+    correlate_proximities(lane, oriented);
+    fields.proximity = rounded();
+    return fields;
+}
+
 /// Section 3.2's discrete gradient needs sigma beside the winner, also where it collides or
 /// overhangs.
 template <class Real>
-std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, const OrientedShape& shape,
-                                                           const VoxelIndex& q, const CostModel& model) const {
+std::array<Cost, 6> FourierSearch<Real>::neighbour_costs(const Tray& tray, const OrientedShape& shape,
+                                                         const VoxelIndex& q, const CostModel& model) const {
     const BitGrid& solid = *shape.solid;
     const Extent& a = solid.extent();
     std::array<Cost, 6> costs;
@@ -250,8 +289,8 @@ std::array<Cost, 6> ReferenceSearch<Real>::neighbour_costs(const Tray& tray, con
 
 /// Section 4.1: a correlation padded with the object's size, so that every displacement is its own.
 template <class Real>
-FreePositions ReferenceSearch<Real>::free_positions(const Tray& tray, const Shape& shape, int index,
-                                                    const FreeQuery& query) {
+FreePositions FourierSearch<Real>::free_positions(const Tray& tray, const Shape& shape, int index,
+                                                  const FreeQuery& query) {
     const BitGrid& a = *shape.orientations[static_cast<std::size_t>(index)].solid;
     const Extent& n = tray.extent();
     const VoxelIndex more{a.extent().x - 1, a.extent().y - 1, a.extent().z - 1};
@@ -288,7 +327,7 @@ FreePositions ReferenceSearch<Real>::free_positions(const Tray& tray, const Shap
 }
 
 template <class Real>
-void ReferenceSearch<Real>::check_rounding(const Extent& grid, double norms, int terms) const {
+void FourierSearch<Real>::check_rounding(const Extent& grid, double norms, int terms) const {
     if (options_.single_precision) return;
     const double bound = correlation_error_bound(grid, norms, terms, 0x1p-53);
     if (bound < 0.5) return;
@@ -297,7 +336,7 @@ void ReferenceSearch<Real>::check_rounding(const Extent& grid, double norms, int
 }
 
 template <class Real>
-std::int64_t ReferenceSearch<Real>::memory() const {
+std::int64_t FourierSearch<Real>::memory() const {
     if (!plan_) return 0;
     std::int64_t bytes = spectra_.bytes(plan_->grid());
     for (const Lane& lane : lanes_) {
@@ -308,9 +347,9 @@ std::int64_t ReferenceSearch<Real>::memory() const {
 
 }  // namespace
 
-std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers) {
-    if (options.single_precision) return std::make_unique<ReferenceSearch<float>>(options, workers);
-    return std::make_unique<ReferenceSearch<double>>(options, workers);
+std::unique_ptr<ReferenceSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers) {
+    if (options.single_precision) return std::make_unique<FourierSearch<float>>(options, workers);
+    return std::make_unique<FourierSearch<double>>(options, workers);
 }
 
 }  // namespace spectralpack

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "search/metric_fields.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {
@@ -21,6 +22,12 @@ struct ReferenceOptions {
     int lanes = 0;
 };
 
+class ReferenceSearch : public PlacementSearch {
+  public:
+    /// Whole fields (equations 2 and 4) of orientation `index` of the shape. Throws as best_placement() does.
+    virtual MetricFields metric_fields(const Tray& tray, const Shape& shape, int index) = 0;
+};
+
 /// Per orientation one forward and two inverse transforms; one more forward for each distinct A+g,
 /// g > 0, that some object asks for. A transform has the tray's extent plus the overhang of A+g, so
 /// that nothing wraps onto the tray, rounded up to transform_extent(). Exact: zeta and rho
@@ -28,7 +35,7 @@ struct ReferenceOptions {
 /// tell them apart (correlation_error_bound() reaches 0.5), and where there is no memory. Results
 /// do not depend on the number of workers or lanes. What is kept of a tray is for the last one
 /// only.
-std::unique_ptr<PlacementSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers);
+std::unique_ptr<ReferenceSearch> make_reference_search(const ReferenceOptions& options, const Workers& workers);
 
 /// What decides the memory of a reference engine.
 struct ReferenceMemory {

@@ -1,11 +1,12 @@
 #include "search/reference/transform.hpp"
+#include "core/checked.hpp"
 
 #include <fftw3.h>
 
 #include <algorithm>
 #include <mutex>
 
-#include "core/error.hpp"
+#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -20,6 +21,8 @@ std::mutex& planner() {
 template <class Real>
 struct Fftw;
 
+// FFTW's functions by names of ours.
+// NOLINTBEGIN(readability-identifier-naming)
 template <>
 struct Fftw<double> {
     using Complex = fftw_complex;
@@ -45,6 +48,7 @@ struct Fftw<float> {
     static constexpr auto inverse = fftwf_execute_dft_c2r;
     static constexpr auto destroy = fftwf_destroy_plan;
 };
+// NOLINTEND(readability-identifier-naming)
 
 template <class Real>
 typename Fftw<Real>::Complex* fftw_spectrum(FourierBuffer<Real>& buffer) {

@@ -1,0 +1,15 @@
+# The libraries that spectralpack links: this build finds them with this file, and so does a project that links a static
+# spectralpack, in which they are not contained.
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+find_dependency(TBB)
+find_dependency(Qhull)
+find_dependency(fmt)
+find_dependency(EXPAT)
+find_dependency(embree 3)
+find_dependency(PNG)
+find_dependency(fcl)
+find_dependency(hwy)
+find_dependency(meshoptimizer)
+find_dependency(PkgConfig)
+pkg_check_modules(LIBZIP REQUIRED QUIET IMPORTED_TARGET libzip)

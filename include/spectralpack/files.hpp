@@ -1,0 +1,57 @@
+#pragma once
+/// Files in and out: what a user names as input, packings on disk, reports. Everything else works in memory.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spectralpack/error.hpp"
+#include "spectralpack/job.hpp"
+#include "spectralpack/packing.hpp"
+
+namespace spectralpack {
+
+struct ExpandedInputs {
+    std::vector<Part> parts;
+    std::vector<InputError> unusable;  ///< named inputs that are missing or unreadable
+    std::optional<JobSettings> job;    ///< what a job file among them says besides its parts
+};
+
+/// Each argument is a mesh file, FILE:COUNT, FILE:COUNT@SCALE, a folder of meshes (searched through, sorted
+/// bytewise), a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty) or a
+/// job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
+/// count or scale that is not positive and for what a job file asks for and is not built, InputError for a job
+/// file that cannot be read: what it says of the others is not known then.
+ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const std::filesystem::path& mesh_dir);
+
+/// Reads a packing file and the meshes it names. Throws InputError naming what is missing or wrong.
+Scene load_scene(const std::filesystem::path& packing_file);
+
+/// The container of a packing, to pack into again.
+ContainerSource container_source(const Packing& packing);
+
+/// The packing file's text, with mesh paths as they are.
+std::string packing_json(const Scene& scene);
+
+/// `text` as a string of JSON; bytes that are not UTF-8 become U+FFFD.
+std::string json_string(const std::string& text);
+
+/// Endings that write_output() knows, for messages: ".json .3mf .stl .csv .png".
+bool is_output_file(const std::filesystem::path& path);
+const char* output_endings();
+
+/// Writes the packing as its ending says: .json .3mf .stl .csv .png. Each file whole or not at all. Of several trays,
+/// a .json holds all; the others are one file for each tray ("build-1.3mf" for "build.3mf", counted from 1) and the one
+/// named, which shows all side by side. Returns what was written.
+std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads);
+
+/// Endings that write_report() knows: .html .csv.
+bool is_report_file(const std::filesystem::path& path);
+
+/// A report for people: a page with pictures and figures (.html), or a table of the parts (.csv). With the material's
+/// density in g/cm^3 it has masses. Whole or not at all.
+void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
+                  int threads);
+
+}  // namespace spectralpack

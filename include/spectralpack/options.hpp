@@ -1,0 +1,67 @@
+#pragma once
+/// Every option of `pack`, with its default. The single place where defaults stand.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "spectralpack/geometry.hpp"
+
+namespace spectralpack {
+
+enum class Interlock { off, place, post };
+
+/// Which copies of a set that hold each other are taken out first, before it is seen who may stay after all. smallest:
+/// the paper's rule, the smallest boxes until they exceed a tenth of all; lightest: the one with the least material;
+/// thinnest: the one with the least material for its box (cages, rings and springs rather than what is in them).
+enum class TakeOut { smallest, lightest, thinnest };
+/// Whether copies may be placed that cannot be drawn apart even by themselves, like links of a chain: what then holds
+/// each other is found afterwards and taken out, as in the paper.
+enum class Links { allow, avoid };
+enum class Order { size, input, random, volume, mixed };
+enum class EngineKind { automatic, cpu, cuda, reference };
+enum class HeightReference { bottom, top };
+enum class Minimise { none, box };
+
+struct VerifyWith {
+    EngineKind engine = EngineKind::reference;
+    int sample = 0;  ///< about how many placements to verify, chosen by seed; 0: every one
+
+    bool operator==(const VerifyWith&) const = default;
+};
+
+struct PackOptions {
+    Vec3 tray{480, 245, 200};  ///< container size, mm
+    int trays = 1;             ///< containers to fill, at most; 0: as many as it takes
+    /// Of several trays one is full once so many parts found no place in it; 0: never before all were tried.
+    int try_per_tray = 1000;
+    std::optional<std::string> printer;        ///< preset that other values come from; kept for the record
+    double voxel = 2;                          ///< dx, mm
+    int detail = 2;                            ///< s: collisions between copies are decided on voxels of dx / s
+    std::string rotations = "90";              ///< model/orientation.hpp
+    double gap = 0.2;                          ///< least distance between two copies, mm
+    double wall_gap = 0;                       ///< least distance to the container, mm
+    bool refine = true;                        ///< continuous refinement (section 3.2)
+    Interlock interlock = Interlock::post;     ///< section 4
+    Links links = Links::avoid;                ///< with Interlock::post
+    TakeOut take_out = TakeOut::thinnest;      ///< the same
+    std::optional<double> ray_spacing;         ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
+    std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
+    std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
+    bool open_height = false;  ///< least height; the tray's z is the reference height (0: its longer side)
+    Minimise minimise = Minimise::none;
+    bool fill = false;                     ///< as many copies as fit, in the shares that the counts give
+    std::optional<double> max_density;     ///< share of the container that copies may take
+    std::optional<double> max_layer_fill;  ///< share of a layer's area that cross-sections may take
+    Order order = Order::size;
+    int restarts = 1;  ///< orders to pack in, of which the best is kept
+    int beam = 1;      ///< states that a beam search over orders keeps; 1: none
+    EngineKind engine = EngineKind::automatic;
+    int threads = 0;  ///< 0: all the machine has
+    std::uint64_t seed = 0;
+    std::int64_t memory = 0;  ///< bytes the run may use; 0: what the machine has free
+    std::optional<VerifyWith> verify_with;
+    std::optional<double> time_limit;  ///< seconds; kept for the record, the caller holds the clock
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,173 @@
+#pragma once
+/// A packing: what the packing file holds (docs/format.md). Values without behaviour. Millimetres, seconds, bytes;
+/// the container's lower corner is the origin.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spectralpack/disassembly.hpp"
+#include "spectralpack/geometry.hpp"
+#include "spectralpack/mesh.hpp"
+#include "spectralpack/options.hpp"
+#include "spectralpack/orientations.hpp"
+
+namespace spectralpack {
+
+/// A mesh that is not packed: a container or a keep-out.
+struct StandingMesh {
+    std::string file;     ///< usable from the working directory; relative to the packing file once that is written
+    Transform transform;  ///< from the file's own coordinates to the container's; holds the unit
+    std::shared_ptr<const Mesh> surface = nullptr;  ///< in the container's coordinates; null where not loaded
+};
+
+/// Room that stays empty: a box, or a mesh and its box.
+struct KeepOut {
+    Box box;
+    std::optional<StandingMesh> mesh = {};
+};
+
+/// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
+struct Container {
+    Vec3 size;  ///< with open height, z is the height reached
+    std::optional<StandingMesh> mesh = {};
+    std::vector<KeepOut> keep_out = {};
+    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
+    bool open_height = false;  ///< no wall above
+};
+
+/// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.
+inline double volume_of(const Container& container) {
+    if (container.mesh && container.mesh->surface) return signed_volume(*container.mesh->surface);
+    return container.size.x * container.size.y * container.size.z;
+}
+
+/// One input mesh with a count and its constraints, as the packing file records it. A copy is one instance of it.
+struct PackedPart {
+    int id = 0;                         ///< position in Packing::parts
+    std::string name;                   ///< for people; part number in a 3MF
+    std::string mesh;                   ///< path of the mesh file; relative to the packing file once that is written
+    std::optional<std::string> object;  ///< 3MF: id of the object in the file
+    std::optional<Transform> item_transform;  ///< 3MF: the build item's, in the file's unit
+    int count = 1;
+    int share = 0;  ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
+    double scale = 1;
+    double unit = 1;                   ///< millimetres per unit of the mesh file
+    double gap = 0;                    ///< mm
+    PartOrientations orientations;     ///< those it may take
+    double volume = 0;                 ///< signed volume of one scaled copy, mm^3
+    std::vector<std::string> repairs;  ///< what was mended on loading, in words
+
+    /// From the mesh as loaded to millimetres.
+    double to_mm() const { return unit * scale; }
+};
+
+struct Placement {
+    int part = 0;         ///< index into Packing::parts
+    int copy = 0;         ///< 0 .. count - 1 of that part
+    int orientation = 0;  ///< index in the orientation set
+    bool fixed = false;
+    Transform transform;  ///< from the mesh file's own coordinates to the container's; holds unit and scale
+};
+
+/// Cross-section area per horizontal layer, mm^2, from the floor up.
+struct Layers {
+    double thickness = 0;
+    std::vector<double> area;
+};
+
+struct TrayPacking {
+    std::vector<Placement> placements;  ///< in the order they were placed
+    double density = 0;                 ///< signed volumes / container volume
+    double density_bounding_box = 0;
+    Box bounding_box;   ///< of the placed meshes; empty without placements
+    double height = 0;  ///< top of the bounding box
+    Layers layers;
+    std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
+};
+
+enum class UnplacedReason { tray_full, too_large, interlocked, unusable, stopped };
+
+/// For people.
+inline const char* in_words(UnplacedReason reason) {
+    switch (reason) {
+        case UnplacedReason::tray_full:
+            return "no free place left";
+        case UnplacedReason::too_large:
+            return "too large";
+        case UnplacedReason::interlocked:
+            return "interlocked";
+        case UnplacedReason::unusable:
+            return "unusable";
+        case UnplacedReason::stopped:
+            return "not tried";
+    }
+    return "";
+}
+
+struct Unplaced {
+    int part = 0;
+    int copy = 0;
+    UnplacedReason reason = UnplacedReason::tray_full;
+    std::string detail;
+};
+
+struct PhaseSeconds {
+    double total = 0, load = 0, voxelize = 0, search = 0, refine = 0, disassemble = 0, reinsert = 0;
+};
+
+struct Metrics {
+    std::int64_t copies = 0;
+    std::int64_t placed = 0;
+    double density = 0;             ///< over all trays
+    std::optional<double> min_gap;  ///< measured, mm; none where it was not measured
+    PhaseSeconds seconds;
+    std::optional<InterlockCounts> interlock;  ///< over all trays; none where interlocking was not looked at
+    std::int64_t searches = 0;                 ///< copies searched for, skipped copies not counted
+    std::int64_t verified = 0;                 ///< placements answered alike by the verifying engine
+    int orders = 1;                            ///< packed in, of which the best was kept
+    std::int64_t peak_memory = 0;
+    std::string engine;
+    int threads = 0;
+};
+
+struct Packing {
+    std::string program;     ///< "spectralpack 0.1.0"
+    std::string input_hash;  ///< of meshes, counts and options: equal inputs, equal placements
+    Container container;
+    PackOptions options;
+    std::vector<PackedPart> parts;
+    std::vector<TrayPacking> trays;
+    std::vector<Unplaced> unplaced;
+    Metrics metrics;
+};
+
+/// What the plans of all trays come to.
+struct PlansOverview {
+    bool planned = true;   ///< every tray has a plan
+    bool complete = true;  ///< that takes out all copies
+    std::size_t steps = 0;
+};
+
+inline PlansOverview plans_of(const Packing& packing) {
+    PlansOverview plans;
+    for (const TrayPacking& tray : packing.trays) {
+        plans.planned = plans.planned && tray.disassembly;
+        plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
+        plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+    }
+    return plans;
+}
+
+/// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.
+using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
+
+/// A packing with the meshes it places.
+struct Scene {
+    Packing packing;
+    PartMeshes meshes;  ///< by part; null for parts without placements
+};
+
+}  // namespace spectralpack

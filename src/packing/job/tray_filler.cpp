@@ -1,0 +1,177 @@
+#include "packing/job/tray_filler.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "packing/containers/walls.hpp"
+#include "packing/interlocking/reachable_search.hpp"
+#include "packing/tray/measure.hpp"
+#include "voxel/voxelize.hpp"
+
+namespace spectralpack {
+namespace {
+
+// Section 3.2: moves of at most two voxels along an axis, three rounds of x, y and z.
+constexpr double kLongestMove = 2;
+constexpr int kRefineRounds = 3;
+
+CapOptions cap_options(const FillOptions& options) {
+    const Container& container = options.container;
+    CapOptions caps;
+    caps.density = options.max_density;
+    caps.layer_fill = options.max_layer_fill;
+    caps.volume = volume_of(container);
+    caps.base = container.size.x * container.size.y;
+    if (container.mesh) caps.sections = section_areas(*container.mesh->surface, options.tray.voxel_size);
+    caps.wall_gap = options.wall_gap;
+    caps.voxel_size = options.tray.voxel_size;
+    return caps;
+}
+
+}  // namespace
+
+TrayFiller::TrayFiller(FillOptions options, const PackContext& context, PartSurfaces::PartOf part_of)
+    : options_(std::move(options)), context_(context), unlinked_(context.search), part_of_(std::move(part_of)) {
+    if (options_.container.physical && options_.interlock != Interlock::off) {
+        physical_ =
+            physical_walls(options_.container, finest_setup(options_.tray), options_.wall_gap, context_.workers);
+    }
+    if (options_.refine) walls_ = wall_surfaces(options_.container, options_.wall_gap);
+    for (const FixedCopy& copy : options_.fixed) {
+        trays_with_fixed_ = std::max(trays_with_fixed_, copy.tray + 1);
+    }
+}
+
+std::vector<Body> TrayFiller::stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const {
+    std::vector<Body> standing;
+    for (const FixedCopy& copy : options_.fixed) {
+        if (copy.tray != number) continue;
+        const Mesh mesh = transformed(*copy.mesh, copy.transform);
+        standing.push_back(stand_fixed(mesh, copy.gap, tray, options_.wall_gap, context_.workers));
+        if (refinement) refinement->stand({standing.back().surface, {}, copy.gap});
+        if (caps) caps->add_fixed(mesh);
+    }
+    return standing;
+}
+
+template <class Pack>
+void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack) {
+    Tray tray(options_.tray);
+    const double dx = options_.tray.voxel_size;
+    const int detail = options_.tray.detail;
+    PartSurfaces surfaces(part_of_, context_.workers);
+    std::optional<Caps> caps;
+    if (options_.max_density || options_.max_layer_fill) {
+        caps.emplace(cap_options(options_),
+                     CapParts{[&](int part) { return surfaces.part(part).volume; },
+                              [&](int part, int orientation) { return surfaces.turned_mesh(part, orientation); }});
+    }
+    std::unique_ptr<Refinement> refinement;
+    if (options_.refine) {
+        refinement = std::make_unique<Refinement>(
+            RefineOptions{options_.container.size, options_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
+            surfaces,
+            [&](int part, int orientation, const Vec3& offset) {
+                return !caps || caps->may_stand(part, orientation, offset);
+            },
+            context_.workers);
+    }
+    if (refinement) {
+        for (const PlacedSurface& wall : walls_) {
+            refinement->stand(wall);
+        }
+    }
+    std::vector<Body> fixed = stand_fixed_copies(wanted.number, tray, refinement.get(), caps ? &*caps : nullptr);
+    double refining = 0;
+    const Settle settle = [&](const Copy& copy, const Shape& shape, const BestPlacement& best) {
+        if (!refinement) return settle_on_grid(shape, best, dx, detail, options_.wall_gap);
+        Settled settled = refinement->settle(copy, shape, best);
+        refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
+        return settled;
+    };
+    ReachableSearch reachable(context_.search, physical_ ? &*physical_ : nullptr);
+    PlacementSearch& search = options_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable)
+                              : avoids_links()                       ? static_cast<PlacementSearch&>(unlinked_)
+                                                                     : context_.search;
+    const auto with = [&](PlacementSearch& asked) {
+        return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer},
+                           wanted.number,
+                           options_.model,
+                           {caps ? &*caps : nullptr, options_.most_layers, wanted.give_up_after},
+                           settle};
+    };
+    if (context_.observer) context_.observer->tray_begun(wanted.number);
+    pack(tray, with(search));
+    if (options_.interlock != Interlock::off) {
+        search.forget();  // planning takes memory of its own
+        UntangleOptions options = untangle_options(wanted, result);
+        options.surfaces = &surfaces;
+        options.fixed = std::move(fixed);
+        make_removable(tray, with(context_.search), options, result);
+    }
+    if (!refinement) return;
+    const std::optional<double> gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
+    if (gap && *gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
+}
+
+UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const FilledTray& result) {
+    UntangleOptions options;
+    options.voxel_size = options_.tray.voxel_size;
+    options.wall_gap = options_.wall_gap;
+    options.ray_spacing = options_.ray_spacing;
+    options.walls = physical_ ? &*physical_ : nullptr;
+    if (avoids_links()) options.best = &unlinked_;
+    options.take_out = options_.take_out;
+    options.measure_gap = options_.refine;
+    options.order = wanted.copies;
+    if (!wanted.next) options.waiting = result.left_over;
+    options.waiting_had_no_room = options_.interlock == Interlock::post;
+    options.left = options_.left;
+    options.to_put_back = options_.to_put_back;
+    return options;
+}
+
+void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options,
+                                FilledTray& result) {
+    Untangled untangled = untangle(tray, result.placed, context, options);
+    result.plan = std::move(untangled.plan);
+    result.interlocked = std::move(untangled.interlocked);
+    result.report = untangled.report;
+    untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
+}
+
+void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result) {
+    context_.shapes.start_tray(wanted.copies);
+    fill_one(wanted, result, [&](Tray& tray, const TrayContext& context) {
+        if (options_.beam) {
+            pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
+        } else {
+            pack_greedily(tray, context, wanted.copies, copy_done, result);
+        }
+    });
+    if (context_.observer) context_.observer->tray_finished();
+}
+
+void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result) {
+    std::vector<Copy> copies;
+    for (const PartShare& share : shares) {
+        copies.push_back({share.part, 0});
+    }
+    context_.shapes.start_tray(copies);
+    fill_one({}, result,
+             [&](Tray& tray, const TrayContext& context) { pack_in_shares(tray, context, shares, copy_done, result); });
+    std::map<int, int> counts;  // by part: what was interlocked left gaps in their numbers
+    bool renumbered = false;
+    for (PlacedCopy& placed : result.placed) {
+        const int number = counts[placed.copy.part]++;
+        renumbered = std::exchange(placed.copy.number, number) != number || renumbered;
+    }
+    result.interlocked.clear();
+    if (!context_.observer) return;
+    if (renumbered) tell_anew(*context_.observer, 0, result.placed);
+    context_.observer->tray_finished();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,69 @@
+#include "packing/job/trays.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace spectralpack {
+std::int64_t TraysResult::searches() const {
+    std::int64_t sum = 0;
+    for (const FilledTray& tray : trays) {
+        sum += tray.searches;
+    }
+    return sum;
+}
+
+std::int64_t TraysResult::placed() const {
+    std::size_t sum = 0;
+    for (const FilledTray& tray : trays) {
+        sum += tray.placed.size();
+    }
+    return static_cast<std::int64_t>(sum);
+}
+
+void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
+                const TrayCopyDone& copy_done, TraysResult& result) {
+    const StopToken& stop = filler.context().stop;
+    const bool several = limit.trays != 1;
+    std::vector<Copy> remaining = copies;
+    bool stopped = false;
+    do {
+        const auto index = result.trays.size();
+        const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
+        const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
+        FilledTray& tray = result.trays.emplace_back();
+        try {
+            filler.fill(
+                wanted, [&](std::size_t done) { copy_done(tray, done); }, tray);
+        } catch (...) {
+            result.left_over = tray.left_over;
+            throw;
+        }
+        std::set<Copy> placed;
+        for (const PlacedCopy& copy : tray.placed) {
+            placed.insert(copy.copy);
+        }
+        remaining = without(remaining, placed);
+        stopped = stop.stopped();
+        // What a next tray would have been tried for has not been tried to the end.
+        result.left_over = stopped && next ? std::vector<Copy>{} : without(tray.left_over, placed);
+        const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());
+        if (several && empty && !remaining.empty() && !stopped) {
+            result.trays.pop_back();
+            result.stuck = true;
+        }
+    } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
+             !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));
+    if (!stopped && !result.stuck) result.left_over = remaining;  // with what is interlocked
+}
+
+void tell_of(const TraysResult& result, int told, TrayObserver& observer) {
+    const int trays = static_cast<int>(result.trays.size());
+    for (int number = 0; number < std::max(trays, told); ++number) {
+        tell_anew(observer, number,
+                  number < trays ? result.trays[static_cast<std::size_t>(number)].placed : std::vector<PlacedCopy>{});
+        observer.tray_finished();
+    }
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,58 @@
+#pragma once
+/// Packs a job into trays, as often as strategies ask for it.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/parallel.hpp"
+#include "packing/job/packing_job.hpp"
+#include "spectralpack/events.hpp"
+
+namespace spectralpack {
+
+using TellProgress = std::function<void(const Progress&)>;
+
+/// One packing of the job.
+struct PackingPass {
+    const std::vector<Copy>& copies;  ///< the job's, in the order to try
+    const FillOptions& fill;
+    StopToken stop;
+    TellProgress tell;                 ///< Phase::search
+    TrayObserver* observer = nullptr;  ///< null: nobody is told
+};
+
+class TraysPacker {
+  public:
+    /// `job` and `engine`, which answers all that is asked, outlive it.
+    TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers);
+
+    const PackingJob& job() const { return job_; }
+    const Workers& workers() const { return workers_; }
+
+    /// `result` is filled as it goes, so that it holds what was done when an exception leaves this function.
+    void pack(const PackingPass& pass, TraysResult& result);
+
+    /// From now on the voxels of all parts are held from one packing to the next.
+    void keep_shapes() { keeps_shapes_ = true; }
+
+    /// Spent in all packings, for the record.
+    struct Seconds {
+        double voxelize = 0, refine = 0;
+        double untangle = 0;  ///< also of packings that were given up
+    };
+    const Seconds& seconds() const { return seconds_; }
+
+  private:
+    std::shared_ptr<const Shape> shape_of(int part, int count, const TraySetup& tray, const Workers& workers);
+
+    const PackingJob& job_;
+    PlacementSearch& engine_;
+    Workers workers_;
+    std::vector<std::uint64_t> shape_ids_;            // by part
+    std::vector<std::shared_ptr<const Shape>> kept_;  // by part
+    bool keeps_shapes_ = false;
+    Seconds seconds_;
+};
+
+}  // namespace spectralpack

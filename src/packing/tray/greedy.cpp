@@ -1,0 +1,155 @@
+#include "packing/tray/greedy.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "packing/tray/open_height.hpp"
+#include "spectralpack/error.hpp"
+
+namespace spectralpack {
+namespace {
+
+void grow(Tray& tray, int enough, int most_layers) {
+    const int layers = tray.extent().z;
+    int wanted = std::max(enough, layers + layers / 2);
+    if (most_layers > 0) {
+        wanted = std::min(wanted, most_layers);
+        if (wanted < enough || wanted <= layers) {
+            throw ResourceError(
+                "the packing grows beyond the height that memory allows; a larger base, coarser "
+                "voxels or more memory would help");
+        }
+    }
+    tray = grown(tray, wanted);
+}
+
+/// Places one copy after another.
+class Placer {
+  public:
+    enum class Outcome { placed, no_place, stopped };
+
+    Placer(Tray& tray, const TrayContext& context, GreedyResult& result)
+        : tray_(tray), context_(context), result_(result) {}
+
+    template <class ShapeOf>
+    Outcome place(const Copy& copy, const ShapeOf& shape_of) {
+        if (context_.stop.stopped()) return Outcome::stopped;
+        Caps* const caps = context_.limits.caps;
+        if (caps) {
+            const std::string why = caps->why_not(copy.part);
+            if (!why.empty()) {
+                result_.why[copy.part] = why;
+                return Outcome::no_place;
+            }
+        }
+        const Shape& shape = shape_of();
+        const SearchResult found = find_place(tray_, context_.search, context_, copy, shape);
+        if (found.stopped) return Outcome::stopped;
+        ++result_.searches;
+        if (!found.best) {
+            const std::string why = caps ? caps->no_layer_left() : "";
+            if (!why.empty()) result_.why[copy.part] = why;
+            return Outcome::no_place;
+        }
+        const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
+        Settled settled = context_.settle(copy, shape, *found.best);
+        const ObjectId object = tray_.add(std::move(settled.object));
+        if (caps) caps->add(copy.part, oriented.orientation, settled.offset);
+        result_.placed.push_back(
+            {copy, oriented.orientation, found.best->position, settled.offset, object, found.best->cost});
+        if (context_.observer) context_.observer->copy_placed(result_.placed.back());
+        return Outcome::placed;
+    }
+
+  private:
+    Tray& tray_;
+    const TrayContext& context_;
+    GreedyResult& result_;
+};
+
+}  // namespace
+
+SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                        const Shape& shape) {
+    Caps* const caps = context.limits.caps;
+    for (;;) {
+        CostModel allowed = context.model;
+        if (caps) allowed.allowed = caps->allowed(copy.part, shape, tray.extent().z);
+        SearchResult found = search.best_placement(tray, shape, allowed, context.stop);
+        if (found.stopped || tray.setup().ceiling == Ceiling::closed) return found;
+        if (found.best && holds_in_any_grid(tray, shape, allowed, *found.best)) return found;
+        const int enough = layers_on_top(tray, shape);
+        if (!found.best && tray.extent().z >= enough) return found;
+        grow(tray, enough, context.limits.most_layers);
+    }
+}
+
+void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,
+                   GreedyResult& result) {
+    ShapeStore& shapes = context.shapes;
+    Placer placer(tray, context, result);
+    std::unordered_set<int> hopeless;  // parts that found no place
+    const auto most_hopeless = static_cast<std::size_t>(context.limits.give_up_after);
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        if (most_hopeless > 0 && hopeless.size() >= most_hopeless) return;
+        const Copy& copy = copies[i];
+        bool placed = false;
+        if (hopeless.contains(copy.part)) {
+            result.left_over.push_back(copy);
+        } else {
+            const auto outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
+            if (outcome == Placer::Outcome::stopped) {
+                result.untried.assign(copies.begin() + static_cast<std::ptrdiff_t>(i), copies.end());
+                return;
+            }
+            placed = outcome == Placer::Outcome::placed;
+            if (!placed) {
+                hopeless.insert(copy.part);
+                result.left_over.push_back(copy);
+            }
+        }
+        shapes.release(i, placed);
+        copy_done(i + 1);
+    }
+}
+
+void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
+                    const CopyDone& copy_done, GreedyResult& result) {
+    ShapeStore& shapes = context.shapes;
+    struct Candidate {
+        std::size_t index;  // in `shares`
+        int placed = 0;
+    };
+    std::vector<Candidate> open;  // parts that still find a place
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        open.push_back({i});
+    }
+    Placer placer(tray, context, result);
+    while (!open.empty()) {
+        std::int64_t placed = 0, all = 0;
+        for (const Candidate& part : open) {
+            placed += part.placed;
+            all += shares[part.index].share;
+        }
+        // What a part lacks once there is one copy more: share / all * (placed + 1) - its own, times `all`.
+        const auto lacks = [&](const Candidate& part) {
+            return static_cast<double>(shares[part.index].share) * static_cast<double>(placed + 1) -
+                   static_cast<double>(part.placed) * static_cast<double>(all);
+        };
+        const auto next = std::max_element(open.begin(), open.end(),
+                                           [&](const Candidate& a, const Candidate& b) { return lacks(a) < lacks(b); });
+        const auto outcome = placer.place({shares[next->index].part, next->placed},
+                                          [&]() -> const Shape& { return shapes.at(next->index); });
+        if (outcome == Placer::Outcome::stopped) return;
+        if (outcome == Placer::Outcome::placed) {
+            ++next->placed;
+        } else {
+            shapes.release(next->index, true);
+            open.erase(next);
+        }
+        copy_done(result.placed.size());
+    }
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,53 @@
+#pragma once
+/// Greedy packing (Algorithm 2): copies in order, each at its best placement among those already placed.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "packing/tray/context.hpp"
+
+namespace spectralpack {
+
+/// Called after each copy with how many are done.
+using CopyDone = std::function<void(std::size_t copies_done)>;
+
+struct GreedyResult {
+    std::vector<PlacedCopy> placed;  ///< in the order placed
+    std::vector<Copy> left_over;     ///< no free candidate was left for them, in the order tried
+    std::vector<Copy> untried;       ///< the stop token came first
+    std::int64_t searches = 0;       ///< copies really searched for
+    std::map<int, std::string> why;  ///< by part, of what a cap left over
+};
+
+/// The best placement that `search` finds for `shape`, of `copy`, within the limits. Under an open ceiling `tray` is
+/// replaced by a higher one while a place above its grid could be the best (packing/tray/open_height.hpp); throws
+/// ResourceError where that takes more than most_layers.
+SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                        const Shape& shape);
+
+/// Packs `copies` into `tray` on top of what stands there; the shapes have been told of them (start_tray). A copy whose
+/// part has already found no place is left over without a search: the tray only fills up. `result` is filled as it
+/// goes, so that it holds what was done when an exception (out of memory, two engines that disagree) leaves this
+/// function.
+/// Under an open ceiling `tray` is replaced by a higher one whenever a place above its grid could be the best
+/// (packing/tray/open_height.hpp), so that its height to begin with does not matter and no copy that fits the base is
+/// left over; throws ResourceError where that takes more than most_layers.
+void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,
+                   GreedyResult& result);
+
+/// A part and how many of its copies there should be for so many of the others'.
+struct PartShare {
+    int part = 0;
+    int share = 1;
+};
+
+/// As many copies as find a place: each time one of the part that lacks most of its share among the parts that still
+/// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part. The
+/// shapes have been told of one copy a part, in the order of `shares`. Nothing is left over.
+void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
+                    const CopyDone& copy_done, GreedyResult& result);
+
+}  // namespace spectralpack

@@ -1,0 +1,49 @@
+#pragma once
+/// Continuous refinement (section 3.2) as a step of packing: each copy slides off the grid towards its neighbours,
+/// and the tray then holds the voxels of the mesh where it really stands.
+
+#include <functional>
+#include <optional>
+
+#include "core/parallel.hpp"
+#include "packing/tray/part_surfaces.hpp"
+#include "packing/tray/placed_copy.hpp"
+#include "refine/refiner.hpp"
+
+namespace spectralpack {
+
+/// Whether a copy of the part may stand in an orientation with its turned mesh moved by `offset`.
+using MayStand = std::function<bool(int part, int orientation, const Vec3& offset)>;
+
+class Refinement {
+  public:
+    /// One per tray, which starts empty; `voxel_size` in mm and `detail` are the tray's. A copy stays on the grid where
+    /// it may not stand refined.
+    Refinement(const RefineOptions& options, double voxel_size, int detail, PartSurfaces& surfaces, MayStand may_stand,
+               const Workers& workers);
+
+    /// What already stands in the tray: a fixed copy, a wall.
+    void stand(PlacedSurface obstacle) { refiner_.add(std::move(obstacle)); }
+
+    Settled settle(const Copy& copy, const Shape& shape, const BestPlacement& best);
+
+    /// Least distance between the meshes of two copies, mm; none with fewer than two.
+    std::optional<double> least_gap() const { return refiner_.least_gap(workers_); }
+
+    double seconds() const { return seconds_; }  ///< spent in settle(), for the record
+
+  private:
+    RefineOptions options_;
+    double voxel_size_;
+    int detail_;
+    PartSurfaces& surfaces_;
+    MayStand may_stand_;
+    Workers workers_;
+    Refiner refiner_;
+    TurnedPart last_{-1, 0};  // whose mesh that is: copies of a part mostly come one after the other
+    Mesh mesh_;
+    bool closed_ = false;  // it is, in whatever orientation
+    double seconds_ = 0;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,117 @@
+/// Fixed copies, and builds that are topped up.
+
+#include <algorithm>
+
+#include "cli/whole_job.hpp"
+
+namespace spectralpack::test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class StandingCopies : public WholeJob {};
+
+TEST_F(StandingCopies, TopsUpABuildWithoutTouchingIt) {
+    ASSERT_EQ(pack({at("slab.stl") + ":2", "--tray", "40x40x30"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    const json old = read_json(folder_ / "old.json");
+    const Ran ran = pack({at("cube.stl") + ":20", "--onto", at("old.json")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const json packing = build();
+    EXPECT_EQ(packing["container"]["size"], json({40, 40, 30}));
+    EXPECT_EQ(packing["parts"].size(), 2u);
+    EXPECT_EQ(packing["parts"][0]["name"], "slab");
+    const json& placements = packing["trays"][0]["placements"];
+    ASSERT_EQ(placements.size(), 18u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_TRUE(placements[i]["fixed"]);
+        EXPECT_EQ(placements[i]["transform"], old["trays"][0]["placements"][i]["transform"]);
+    }
+    EXPECT_FALSE(placements[2]["fixed"]);
+    EXPECT_NEAR(packing["trays"][0]["density"], 1, 1e-9);
+    EXPECT_EQ(packing["metrics"]["placed"], 18);
+    EXPECT_EQ(packing["unplaced"].size(), 4u);
+    expect_sound();
+    // And once more, in two trays now.
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    ASSERT_EQ(pack({at("cube.stl") + ":4", "--onto", at("old.json"), "--trays", "all"}).status, 0);
+    EXPECT_EQ(build()["trays"].size(), 2u);
+    EXPECT_EQ(build()["trays"][0]["placements"].size(), 18u);
+    expect_sound();
+}
+
+TEST_F(StandingCopies, FixedCopiesAreObstacles) {
+    json job{
+        {"format", "spectralpack/job"},
+        {"version", 1},
+        {"container", {{"size", {40, 40, 10}}}},
+        {"gap", 0},
+        {"fixed", {{{"mesh", "cube.stl"}, {"transform", {{0, -1, 0, 25}, {1, 0, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}}},
+        {"parts", {{{"mesh", "cube.stl"}, {"count", 16}}}},
+        {"options", {{"output", "build.json"}, {"refine", true}}}};
+    std::ofstream(at("job.json")) << job;
+    const Ran ran = spectralpack({"pack", at("job.json")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const json packing = build();
+    EXPECT_TRUE(packing["trays"][0]["placements"][0]["fixed"]);
+    EXPECT_EQ(packing["trays"][0]["placements"][0]["transform"], job["fixed"][0]["transform"]);
+    EXPECT_EQ(packing["trays"][0]["placements"].size(), 13u);  // 5 mm off the grid of cubes
+    expect_sound();
+
+    job["fixed"].push_back(
+        {{"mesh", "cube.stl"}, {"transform", {{1, 0, 0, 20}, {0, 1, 0, 15}, {0, 0, 1, 0}, {0, 0, 0, 1}}}});
+    std::ofstream(at("job.json")) << job;
+    const Ran overlap = spectralpack({"pack", at("job.json")});
+    EXPECT_EQ(overlap.status, 3);
+    EXPECT_TRUE(names(overlap.err, {"cube", 0, 1})) << "both that overlap";
+
+    job["fixed"][1]["transform"][0][3] = 35;
+    std::ofstream(at("job.json")) << job;
+    const Ran outside = spectralpack({"pack", at("job.json")});
+    EXPECT_EQ(outside.status, 3);
+    EXPECT_TRUE(names(outside.err, {"cube", 1, 5, "x"})) << "which, how far, and where";
+
+    job["fixed"][1]["transform"][0] = {-1, 0, 0, 40};
+    std::ofstream(at("job.json")) << job;
+    const Ran mirror = spectralpack({"pack", at("job.json")});
+    EXPECT_EQ(mirror.status, 3);
+    EXPECT_TRUE(names(mirror.err, {"job.json", "fixed[1]", "mirror"}));
+}
+
+TEST_F(StandingCopies, CapsCountFixedCopies) {
+    ASSERT_EQ(pack({at("slab.stl"), "--tray", "40x40x40"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");  // a quarter of it
+    ASSERT_EQ(pack({at("cube.stl") + ":30", "--onto", at("old.json"), "--max-density", "0.35"}).status, 0);
+    EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 6u);
+    EXPECT_NEAR(build()["metrics"]["density"], 0.25 + 6 / 64.0, 1e-9);
+    ASSERT_EQ(pack({at("cube.stl") + ":60", "--onto", at("old.json"), "--max-layer-fill", "0.5", "--no-refine"}).status,
+              0);
+    EXPECT_EQ(build()["trays"][0]["placements"].size(), 1 + 3 * 8u) << "the layers of the slab are full";
+    expect_sound();
+}
+
+TEST_F(StandingCopies, WithoutACeilingOnTopOfWhatStands) {
+    stl("pole.stl", box_mesh({0, 0, 0}, {10, 10, 90}));
+    ASSERT_EQ(pack({at("pole.stl"), at("slab.stl"), "--tray", "50x40x100", "--rotations", "none"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    for (const char* at_top : {"top", "bottom"}) {
+        const Ran ran = pack({at("cube.stl") + ":40", "--onto", at("old.json"), "--tray", "50x40", "--open-height",
+                              "--height-at", at_top, "--verify-with", "reference:5"});
+        ASSERT_EQ(ran.status, 0) << ran.err;
+        const json packing = build();
+        EXPECT_EQ(packing["trays"][0]["placements"].size(), 42u);
+        EXPECT_TRUE(packing["trays"][0]["placements"][0]["fixed"]);
+        EXPECT_EQ(packing["container"]["size"], json({50, 40, 90})) << "as high as the pole";
+        double top = 0;
+        for (std::size_t i = 2; i < 42; ++i) {
+            top = std::max(top, packing["trays"][0]["placements"][i]["transform"][2][3].get<double>());
+        }
+        EXPECT_LE(top, 30) << "beside the pole and on the slab";
+        expect_sound();
+    }
+    EXPECT_EQ(pack({at("cube.stl"), "--onto", at("old.json"), "--tray", "50x40", "--minimise", "box"}).status, 2);
+}
+
+}  // namespace
+}  // namespace spectralpack::test
