@@ -7,9 +7,9 @@
 
 #include "core/random.hpp"
 #include "search/cpu/cpu_search.hpp"
-#include "search/cpu/depths.hpp"
-#include "search/cpu/plan.hpp"
-#include "search/cpu/tray_tables.hpp"
+#include "search/cpu/shapes/depths.hpp"
+#include "search/cpu/shapes/orientation_lists.hpp"
+#include "search/cpu/tables/tray_tables.hpp"
 
 namespace {
 

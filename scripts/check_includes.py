@@ -19,6 +19,9 @@ MODEL_VALUES = ["check", "disassembly", "job", "job_settings", "names", "option_
 
 BASE = ["core", "values"]
 MODEL = ["model", "model values"]
+# The folders of the fast engine, each of which may include those before it.
+CPU = ["search/cpu/tuning.hpp", "search/cpu/tables", "search/cpu/shapes", "search/cpu/scan", "search/cpu/free",
+       "search/cpu"]
 ALLOWED = {
     "core": ["values"],
     "geometry": BASE,
@@ -29,13 +32,13 @@ ALLOWED = {
     "verify": BASE + ["geometry"] + MODEL,  # judges the rest, so it shares nothing with it
     "search": BASE + ["geometry", "voxel"],
     "search/reference": BASE + ["geometry", "voxel", "search"],
-    "search/cpu": BASE + ["geometry", "voxel", "search"],
+    **{room: BASE + ["geometry", "voxel", "search"] + CPU[:i] for i, room in enumerate(CPU)},
     "search/cuda": BASE + ["geometry", "voxel", "search"],
     "refine": BASE + ["geometry", *MODEL, "voxel", "search"],
     "disassembly": BASE + ["geometry", *MODEL, "voxel", "search"],
     "packing": BASE + ["geometry", *MODEL, "voxel", "search", "refine", "disassembly"],
     "api": BASE + ["geometry", *MODEL, "formats", "voxel", "render", "verify", "search",
-                   "search/reference", "search/cpu", "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
+                   "search/reference", *CPU, "search/cuda", "refine", "disassembly", "packing", "spectralpack"],
     # Beside the product: on its public face, and on the rooms that all others stand on.
     "tools": BASE + ["geometry", "formats", "model values", "spectralpack", "tools face"],
     "values": [],
@@ -49,7 +52,7 @@ ALLOWED = {
 LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"tbb/": ["core"],
     r"fftw3": ["search/reference"],
-    r"hwy/": ["search/cpu"],
+    r"hwy/": CPU,
     r"cuda|cufft": ["search/cuda"],
     r"embree|png\.h": ["render"],
     r"fcl/": ["verify"],
@@ -70,7 +73,9 @@ def room_of(path):
         return "values" if path.stem in VALUES else "model values" if path.stem in MODEL_VALUES else "spectralpack"
     if parts[0] == "apps":
         return parts[1]
-    if parts[1] == "search" and parts[2] in ("reference", "cpu", "cuda"):
+    if parts[1:3] == ("search", "cpu"):
+        return next(room for room in CPU if "/".join(parts[1:]).startswith(room))
+    if parts[1] == "search" and parts[2] in ("reference", "cuda"):
         return f"search/{parts[2]}"
     return parts[1]
 

@@ -20,8 +20,8 @@ struct OrientedShape {
     Vec3 corner;          ///< of voxel (0,0,0), in the turned mesh's coordinates, mm
     LazyGrid solid;       ///< A
     /// A+g, in voxels of dx / s, against the objects of each gap class of the tray, where g = max(own
-    /// gap, the class's gap); for g = 0 the unwidened voxels with offset 0. One per class, in the
-    /// tray's order; equal g share one grid.
+    /// gap, the class's gap); for g = 0 the unwidened voxels with offset 0. Each holds the unwidened voxels. One per
+    /// class, in the tray's order; equal g share one grid.
     std::vector<WidenedVoxels> widened;
     /// The unwidened voxels of dx / s; with s = 1 it may be none, `solid` being the same. A is the voxels of dx that it
     /// reaches into.

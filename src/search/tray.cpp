@@ -148,7 +148,7 @@ ObjectId Tray::add(TrayObject object) {
     unite(occupied_[static_cast<std::size_t>(object.gap_class)], *object.solid, object.position);
     unite_parts(object);
     objects_.push_back({std::move(object), true});
-    journal_.push_back({version() + 1, id, true});
+    changes_.push_back({version() + 1, id, true});
     return id;
 }
 
@@ -171,7 +171,7 @@ void Tray::remove(ObjectId id) {
             unite_parts(entry.object);
         }
     }
-    journal_.push_back({version() + 1, id, false});
+    changes_.push_back({version() + 1, id, false});
 }
 
 const TrayObject* Tray::find(ObjectId id) const {

@@ -1,6 +1,6 @@
 #pragma once
 /// The state every engine searches in: one container's worth of voxels and what stands in it. The
-/// tray keeps occupancy only and a journal of its changes; engines keep whatever they derive from
+/// tray keeps occupancy only and a list of its changes; engines keep whatever they derive from
 /// it and catch up.
 ///
 /// Two occupancies (docs/conventions.md):
@@ -63,7 +63,7 @@ TraySetup finest_setup(TraySetup setup);
 /// An object of such a tray.
 TrayObject on_finest(TrayObject object);
 
-/// One entry of the journal: object `id` was added or removed when the version became `version`.
+/// A change: object `id` was added or removed when the version became `version`.
 struct TrayChange {
     std::uint64_t version = 0;
     ObjectId id = 0;
@@ -138,9 +138,9 @@ class Tray {
     std::uint64_t instance() const { return identity_.value(); }
     /// Ends with the tray, for engines that keep what they derived from it no longer.
     std::weak_ptr<const void> life() const { return identity_.life(); }
-    std::uint64_t version() const { return journal_.size(); }  ///< grows by one per change
+    std::uint64_t version() const { return changes_.size(); }  ///< grows by one per change
     /// Changes in order; entry i made version i + 1.
-    const std::vector<TrayChange>& journal() const { return journal_; }
+    const std::vector<TrayChange>& changes() const { return changes_; }
 
   private:
     struct Entry {
@@ -157,7 +157,7 @@ class Tray {
     std::vector<BitGrid> occupied_;
     std::vector<BitGrid> parts_;  // by gap class and part; none with s = 1
     std::vector<Entry> objects_;
-    std::vector<TrayChange> journal_;
+    std::vector<TrayChange> changes_;
 };
 
 }  // namespace spectralpack

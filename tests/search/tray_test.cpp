@@ -230,14 +230,14 @@ TEST(Tray, JournalTellsEveryChange) {
     const ObjectId second = tray.add({box({1, 2, 1}), {1, 1, 1}, 0, true});
     tray.remove(first);
     EXPECT_EQ(tray.version(), 3u);
-    ASSERT_EQ(tray.journal().size(), 3u);
+    ASSERT_EQ(tray.changes().size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(tray.journal()[i].version, i + 1);
+        EXPECT_EQ(tray.changes()[i].version, i + 1);
     }
-    EXPECT_EQ(tray.journal()[1].id, second);
-    EXPECT_TRUE(tray.journal()[1].added);
-    EXPECT_EQ(tray.journal()[2].id, first);
-    EXPECT_FALSE(tray.journal()[2].added);
+    EXPECT_EQ(tray.changes()[1].id, second);
+    EXPECT_TRUE(tray.changes()[1].added);
+    EXPECT_EQ(tray.changes()[2].id, first);
+    EXPECT_FALSE(tray.changes()[2].added);
 
     EXPECT_EQ(tray.find(first), nullptr);
     EXPECT_EQ(tray.object(first).position, (VoxelIndex{0, 0, 0}));  // still known

@@ -108,11 +108,11 @@ const Tray& ReachableSearch::finest(const Tray& tray) {
         if (walls_) finest_->add(walls_->part.object);
         followed_ = tray.instance();
     }
-    // Ids are given in the order of the journal; the walls come first.
+    // Ids are given in the order of the changes; the walls come first.
     const int first = walls_ ? 1 : 0;
     for (auto i = static_cast<std::size_t>(finest_->version()) - static_cast<std::size_t>(first);
-         i < tray.journal().size(); ++i) {
-        const TrayChange& change = tray.journal()[i];
+         i < tray.changes().size(); ++i) {
+        const TrayChange& change = tray.changes()[i];
         if (!change.added) {
             finest_->remove(change.id + first);
             continue;
@@ -124,19 +124,19 @@ const Tray& ReachableSearch::finest(const Tray& tray) {
 }
 
 const Outlines& ReachableSearch::outlines(const Tray& fine) {
-    const std::vector<TrayChange>& journal = fine.journal();
-    const auto known = [&] { return journal.begin() + static_cast<std::ptrdiff_t>(outlined_version_); };
+    const std::vector<TrayChange>& changes = fine.changes();
+    const auto known = [&] { return changes.begin() + static_cast<std::ptrdiff_t>(outlined_version_); };
     const auto removed = [](const TrayChange& change) { return !change.added; };
-    if (!outlines_ || outlined_ != fine.instance() || std::any_of(known(), journal.end(), removed)) {
+    if (!outlines_ || outlined_ != fine.instance() || std::any_of(known(), changes.end(), removed)) {
         outlines_.emplace(fine.omega_move(whole(fine.extent()), std::nullopt));
         outlined_ = fine.instance();
     } else {
-        for (auto change = known(); change != journal.end(); ++change) {
+        for (auto change = known(); change != changes.end(); ++change) {
             const TrayObject& object = fine.object(change->id);
             outlines_->join(Outlines(*object.solid), object.position);
         }
     }
-    outlined_version_ = journal.size();
+    outlined_version_ = changes.size();
     return *outlines_;
 }
 

@@ -2,48 +2,20 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "core/heap.hpp"
-#include "search/cpu/free_tiles.hpp"
-#include "search/cpu/orientation_search.hpp"
+#include "search/cpu/free/free_positions.hpp"
+#include "search/cpu/scan/orientation_search.hpp"
+#include "search/cpu/scan/proximity.hpp"
+#include "search/cpu/shape_cache.hpp"
+#include "search/cpu/shapes/shape_runs.hpp"
+#include "search/cpu/tuning.hpp"
 
 namespace spectralpack {
 namespace {
-
-/// Quads are asked about solids of that many runs at most. With more of them a sum is what takes the time, and a bound
-/// takes more loads than rho itself does to pass the limit.
-constexpr std::size_t kFewRuns = 128;
-constexpr int kThin = 28;  // voxels, along some axis
-constexpr int kManyCopies = 100;
-// Brick layers: what tables hold of few stays in the caches for all orientations. Fewer where tasks begun later may be
-// spared.
-constexpr int kLayersPerTask = 4, kLayersPerTaskInOrder = 2;
-
-/// True of a solid that, where it fits in closely, is near to something all over.
-bool is_thin(const Shape& shape) {
-    return std::ranges::all_of(shape.orientations, [](const OrientedShape& oriented) {
-        const Extent& a = oriented.solid.extent();
-        return std::min({a.x, a.y, a.z}) <= kThin;
-    });
-}
-
-/// Around the candidates of orientation `index` that shape.only_near speaks of.
-std::vector<VoxelBox> candidates_near(const Shape& shape, std::size_t index, int detail) {
-    const Extent& a = shape.orientations[index].solid.extent();
-    const int beyond = overhang(shape, detail);
-    std::vector<VoxelBox> candidates;
-    for (const VoxelBox& box : shape.only_near) {
-        candidates.push_back({box.lo - VoxelIndex{a.x - 1 + beyond, a.y - 1 + beyond, a.z - 1 + beyond},
-                              box.hi + VoxelIndex{beyond, beyond, beyond}});
-    }
-    return candidates;
-}
 
 class CpuSearch final : public PlacementSearch {
   public:
@@ -51,205 +23,86 @@ class CpuSearch final : public PlacementSearch {
         : options_(options),
           workers_(workers),
           tables_(options.large_from, options.bytes),
-          positions_(options.cache_memory) {}
+          shapes_(options.cache_memory) {}
 
     SearchResult best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                 const StopToken& stop) override {
         if (stop.stopped()) return {std::nullopt, true};
-        if (dilated_ && dilated_->tray_is_gone()) dilated_ = nullptr;
-        std::vector<OrientationRuns> runs = follow(tray, shape);
-        PositionCache::Entry& entry = positions_.at(shape, tray, tables_, model, workers_);
-        if (!runs.empty()) entry.runs = std::move(runs);
-        SearchContext context{tables_, rooms_, model, tray.reference_layers(), nullptr, {}};
-        const std::vector<bool> open = open_orientations(shape, tray, entry);
-        make_runs_of(shape, tray.detail(), open, tables_.frame(), entry.runs);
-        const bool by_quads = tables_.narrow() && tables_.all_near() && have_few(entry.runs);
-        std::vector<OrientationTask> searches;
-        workers_.for_each(2, [&](std::int64_t i) {
-            if (i == 0) searches = plan_searches(shape, open, entry, context);
-            if (i == 1 && by_quads) tables_.follow_quads(workers_);
-        });
-        if (by_quads) context.quads = &tables_.quads();
-        sow(entry.seeds, searches);
-        if (!search_all(searches, context, stop)) return {std::nullopt, true};
+        free_.drop_gone();
+        const int margin = overhang(shape, tray.detail());
+        tables_.follow(tray, margin, workers_);
+        ShapeCache::Entry& known = shapes_.at(shape, tray, tables_, model, workers_);
+        const std::vector<bool> open = open_orientations(shape, margin, known.states);
+        make_missing_runs(shape, tray.detail(), open, tables_, workers_, known.runs);
+        shapes_.make_lists(known, open, tables_, workers_);
 
-        const std::optional<Placed> best = context.incumbent.get();
-        if (!shape.is_once()) entry.seeds = seeds_after(context.incumbent, entry.seeds);
+        SearchContext context{tables_, model, tray.reference_layers(), nullptr, {}};
+        if (tables_.in_bytes() && have_few(known.runs)) {
+            tables_.follow_quads(workers_);
+            context.quads = &tables_.quads();
+        }
+        std::vector<OrientationTask> searches = searches_of(shape, open, known, context);
+        offer(known.seeds, searches);
+        if (!search_all(searches, context, stop)) return {std::nullopt, true};
+        if (!shape.is_once()) known.seeds = seeds_after(context.incumbent, known.seeds);
+        const std::optional<ScoredPosition> best = context.incumbent.get();
         if (!best) return {};
         const auto winner = static_cast<std::size_t>(best->index);
-        return {with_neighbours(*best, entry.runs[winner].solid, shape.orientations[winner].solid.extent().z, context),
+        return {BestPlacement{
+                    best->index, best->position, best->proximity, best->cost,
+                    neighbours_of(best->position, known.runs[winner].solid, shape.orientations[winner].solid.extent().z,
+                                  tables_, model, tray.reference_layers())},
                 false};
     }
 
     FreePositions free_positions(const Tray& tray, const Shape& shape, int index, const FreeQuery& query) override {
-        FreeTiles tiles(tray, dilated(tray), query, shape.orientations[static_cast<std::size_t>(index)].solid.share());
-        FreePositions result{tiles.origin(), BitGrid(tiles.extent())};
-        const Extent& e = tiles.extent();
-        FreeTiles::Rows all;
-        all.fill(~std::uint64_t{0});
-        for (int z = 0; z < e.z; ++z) {
-            for (int y = 0; y < e.y; y += FreeTiles::kRows) {
-                for (int i = 0; i < result.free.words_per_row(); ++i) {
-                    const FreeTiles::Told told = tiles.tell(i, y / FreeTiles::kRows, z, all);
-                    for (int row = y; row < std::min(e.y, y + FreeTiles::kRows); ++row) {
-                        result.free.row(row, z)[i] = told.free[static_cast<std::size_t>(row - y)];
-                    }
-                }
-            }
-        }
-        return result;
+        return free_.all(tray, shape.orientations[static_cast<std::size_t>(index)].solid.share(), query);
     }
-
     std::unique_ptr<FreeTileReader> free_tiles(const Tray& tray, std::shared_ptr<const BitGrid> solid,
                                                const FreeQuery& query) override {
-        std::shared_ptr<DilatedLayers> layers = query.for_readers ? dilated_for_readers(tray) : dilated(tray);
-        return std::make_unique<FreeTiles>(tray, std::move(layers), query, std::move(solid));
+        return free_.tiles(tray, std::move(solid), query);
     }
 
     const char* name() const override { return "cpu"; }
-    std::int64_t memory() const override {
-        std::int64_t bytes = tables_.bytes() + positions_.bytes() + rooms_.bytes();
-        if (dilated_) bytes += dilated_->bytes();
-        return bytes;
-    }
+    std::int64_t memory() const override { return tables_.bytes() + shapes_.bytes() + free_.bytes(); }
     void forget() override {
         tables_ = TrayTables(options_.large_from, options_.bytes);
-        positions_ = PositionCache(options_.cache_memory);
-        rooms_.clear();
-        dilated_ = nullptr;
+        shapes_ = ShapeCache(options_.cache_memory);
+        free_.forget();
         give_back_freed();
     }
 
   private:
-    /// covers_solid() of the shape, which takes a walk over all its voxels; told once for all its copies.
-    bool covered(const Shape& shape) {
-        const auto [known, unknown] = covered_.try_emplace(shape.id, false);
-        if (unknown) known->second = covers_solid(shape);
-        return known->second;
-    }
-
-    /// Brings the tables to the tray's version. As that alone leaves threads idle, the runs of a new part are made
-    /// meanwhile and returned: none where there may be some already, or where the tables start afresh.
-    std::vector<OrientationRuns> follow(const Tray& tray, const Shape& shape) {
-        const int margin = overhang(shape, tray.detail());
-        const bool apart = covered(shape) && tray.detail() == 1;
-        // Sums of what is near rule out the open later than others do, but copy after copy they have less to follow,
-        // and fewer bounds change.
-        const bool near = shape.copies >= kManyCopies && is_thin(shape);
-        std::vector<OrientationRuns> runs;
-        if (positions_.knows(shape) || !shape.only_near.empty() || !tables_.only_adds(tray, margin, apart)) {
-            tables_.follow(tray, margin, apart, near, workers_);
-            return runs;
-        }
-        runs.resize(shape.orientations.size());
-        std::vector<bool> open;
-        for (const OrientedShape& oriented : shape.orientations) {
-            open.push_back(!tray.candidates(oriented.reach).empty());
-        }
-        workers_.for_each(2, [&, frame = tables_.frame()](std::int64_t i) {
-            if (i == 0) tables_.follow(tray, margin, apart, near, workers_);
-            if (i == 1) make_runs_of(shape, tray.detail(), open, frame, runs);
-        });
-        return runs;
-    }
-
-    /// Which orientations have candidates left.
-    static std::vector<bool> open_orientations(const Shape& shape, const Tray& tray, PositionCache::Entry& entry) {
-        std::vector<bool> open(shape.orientations.size());
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            if (!shape.only_near.empty()) entry.states[i].leave_only(candidates_near(shape, i, tray.detail()));
-            open[i] = !entry.states[i].all_dead();
-        }
-        return open;
-    }
-
-    /// Makes the runs of open orientations that have none yet: of those that follow by turns, of one from its voxels
-    /// and of the others from it; those that are reversed first, each with what follows by exchanging its axes.
-    void make_runs_of(const Shape& shape, int detail, const std::vector<bool>& open, const TrayTables::Frame& frame,
-                      std::vector<OrientationRuns>& runs) {
-        const bool deep = detail == 1 ? frame.apart : covered(shape);
-        const std::size_t count = shape.orientations.size();
-        const auto from = [&](std::size_t i) { return static_cast<std::size_t>(shape.orientations[i].turned_from); };
-        const std::vector<OrientedShape>& all = shape.orientations;
-        std::vector<bool> wanted(count, false);  // with what they follow from
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!open[i]) continue;
-            for (std::size_t k = i; runs[k].of_class.empty(); k = from(k)) {
-                wanted[k] = true;
-                if (!all[k].is_turned()) break;
-            }
-        }
-        if (std::ranges::none_of(wanted, std::identity{})) return;  // as for nearly all copies
-        std::vector<std::optional<Depths>> depths(count);           // of those that others are reversed from
-        for (std::size_t i = 0; i < count; ++i) {
-            if (!wanted[i] || all[i].is_exchanged()) continue;
-            if (!all[i].is_turned()) {
-                runs[i] = make_runs(all[i], detail, deep, frame, workers_, &depths[i]);
-            } else if (!depths[from(i)]) {
-                depths[from(i)] = depths_of(all[from(i)], runs[from(i)].solid, detail, deep);
-            }
-        }
-        const auto turn = [&](std::size_t i) {
-            runs[i] = turned(runs[from(i)], all[i].turn, all[from(i)].solid.extent(), detail, depths[from(i)], frame);
-        };
-        workers_.for_each(static_cast<std::int64_t>(count), [&](std::int64_t i) {
-            const auto first = static_cast<std::size_t>(i);
-            if (all[first].is_exchanged()) return;
-            if (wanted[first] && all[first].is_turned()) turn(first);
-            for (std::size_t k = first + 1; k < count; ++k) {
-                if (wanted[k] && all[k].is_exchanged() && from(k) == first) turn(k);
-            }
-        });
+    /// True when quads are worth asking.
+    static bool have_few(const std::vector<OrientationRuns>& runs) {
+        return std::ranges::all_of(runs,
+                                   [](const OrientationRuns& of) { return of.solid.runs.size() <= tuning::kFewRuns; });
     }
 
     /// A task for each open orientation.
-    std::vector<OrientationTask> plan_searches(const Shape& shape, const std::vector<bool>& open,
-                                               PositionCache::Entry& entry, SearchContext& context) {
-        const bool as_planned =
-            entry.planned_classes == tables_.occupied_classes() && entry.planned_narrow == tables_.narrow();
-        entry.planned_narrow = tables_.narrow();
-        entry.planned_classes = tables_.occupied_classes();
-        if (!as_planned) std::ranges::fill(entry.plans, OrientationPlan());
-        std::vector<std::size_t> unplanned;
-        for (std::size_t k = 0; k < open.size(); ++k) {
-            if (open[k] && entry.plans[k].fine.loads.empty()) unplanned.push_back(k);
-        }
-        workers_.for_each(std::ssize(unplanned), [&](std::int64_t i) {
-            const std::size_t k = unplanned[static_cast<std::size_t>(i)];
-            entry.plans[k] = make_plan(entry.runs[k], tables_);
-        });
+    static std::vector<OrientationTask> searches_of(const Shape& shape, const std::vector<bool>& open,
+                                                    ShapeCache::Entry& known, SearchContext& context) {
         std::vector<OrientationTask> searches;
-        for (std::size_t k = 0; k < open.size(); ++k) {
-            if (!open[k]) continue;
-            searches.push_back(make_task(context, entry.states[k], entry.runs[k], entry.plans[k], static_cast<int>(k),
-                                         shape.orientations[k], entry.hits > 0, shape.admits));
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            if (!open[i]) continue;
+            searches.push_back({.context = context,
+                                .state = known.states[i],
+                                .runs = known.runs[i],
+                                .lists = known.lists[i],
+                                .index = static_cast<int>(i),
+                                .layers = shape.orientations[i].solid.extent().z,
+                                .for_copy = known.hits > 0,
+                                .admits = shape.admits ? &shape.admits : nullptr});
         }
-        positions_.count(entry);
         return searches;
     }
 
-    /// True when quads are worth asking.
-    static bool have_few(const std::vector<OrientationRuns>& runs) {
-        return std::ranges::all_of(runs, [](const OrientationRuns& of) { return of.solid.runs.size() <= kFewRuns; });
-    }
-
     /// Offers the seeds that are still free, so that there is something to beat from the start.
-    static void sow(const std::vector<Placed>& seeds, std::vector<OrientationTask>& searches) {
-        for (const Placed& seed : seeds) {
+    static void offer(const std::vector<ScoredPosition>& seeds, std::vector<OrientationTask>& searches) {
+        for (const ScoredPosition& seed : seeds) {
             const auto search = std::ranges::find(searches, seed.index, &OrientationTask::index);
             if (search != searches.end()) search_position(*search, seed.position);
         }
-    }
-
-    /// Places that the next copy may take: those that lost in this search, then earlier ones.
-    static std::vector<Placed> seeds_after(const Incumbent& incumbent, const std::vector<Placed>& before) {
-        std::vector<Placed> seeds = incumbent.beaten();
-        for (const Placed& seed : before) {
-            if (seeds.size() >= Incumbent::kMostBeaten) break;
-            const auto same = [&](const Placed& s) { return s.index == seed.index && s.position == seed.position; };
-            if (std::ranges::none_of(seeds, same)) seeds.push_back(seed);
-        }
-        return seeds;
     }
 
     /// Searches brick layer after brick layer of all orientations, as far up as the answer can lie: with a steep height
@@ -282,7 +135,7 @@ class CpuSearch final : public PlacementSearch {
     /// if it cannot.
     int top_for(const OrientationTask& search, int searched, const SearchContext& context) const {
         const int count = search.state.count().z;
-        const std::optional<Placed> best = context.incumbent.get();
+        const std::optional<ScoredPosition> best = context.incumbent.get();
         if (kBrickZ * searched >= count) return 0;
         if (!best) return std::max(2 * tables_.top(), search.layers + kBrickZ - 1);
         // The cost grows with height.
@@ -306,7 +159,7 @@ class CpuSearch final : public PlacementSearch {
         const auto height = [&](int layer) {
             return height_penalty_at(context.model, kBrickZ * layer, context.reference_layers);
         };
-        return height(end) - height(begin) > static_cast<double>(search.solid.voxels);
+        return height(end) - height(begin) > static_cast<double>(search.runs.solid.voxels);
     }
 
     /// The brick layers from `begin` to `end` of each orientation. False: stopped.
@@ -324,10 +177,10 @@ class CpuSearch final : public PlacementSearch {
             in_order = in_order || is_steep(searches[i], begin[i], end[i]);
         }
         // Those that read the same sums one after the other.
-        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i].solid.axis; });
+        std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i].runs.solid.axis; });
         std::vector<Task> tasks;
         const int most = searches.empty() ? 0 : *std::ranges::max_element(end);
-        const int layers = in_order ? kLayersPerTaskInOrder : kLayersPerTask;
+        const int layers = in_order ? tuning::kLayersPerTaskInOrder : tuning::kLayersPerTask;
         for (int first = 0; first < most; first += layers) {
             for (const std::size_t i : order) {
                 const int from = std::max(begin[i], first), to = std::min(end[i], first + layers);
@@ -351,50 +204,11 @@ class CpuSearch final : public PlacementSearch {
         return !stopped;
     }
 
-    /// Those of the tray asked about last.
-    std::shared_ptr<DilatedLayers> dilated(const Tray& tray) {
-        if (dilated_ && dilated_->instance() == tray.instance()) {
-            dilated_->follow(tray);
-        } else {
-            dilated_ = nullptr;  // makes room first
-            dilated_ = std::make_shared<DilatedLayers>(tray);
-        }
-        return dilated_;
-    }
-
-    /// Those that readers of the tray as it is have, or new ones.
-    std::shared_ptr<DilatedLayers> dilated_for_readers(const Tray& tray) {
-        const auto known = lent_.find(tray.instance());
-        if (known != lent_.end()) {
-            std::shared_ptr<DilatedLayers> layers = known->second.lock();
-            if (layers && layers->version() == tray.version()) return layers;
-        }
-        std::erase_if(lent_, [](const auto& lent) { return lent.second.expired(); });
-        auto layers = std::make_shared<DilatedLayers>(tray);
-        lent_[tray.instance()] = layers;
-        return layers;
-    }
-
-    BestPlacement with_neighbours(const Placed& best, const Runs& solid, int layers,
-                                  const SearchContext& context) const {
-        BestPlacement result{best.index, best.position, best.proximity, best.cost, {}};
-        for (int i = 0; i < 6; ++i) {
-            VoxelIndex q = best.position;
-            q[i / 2] += i % 2 == 0 ? -1 : 1;
-            result.neighbours[static_cast<std::size_t>(i)] =
-                cost_of(context.model, q.z, layers, context.reference_layers, proximity_at(tables_, solid, q));
-        }
-        return result;
-    }
-
     CpuOptions options_;
     Workers workers_;
     TrayTables tables_;
-    PositionCache positions_;
-    PassRooms rooms_;
-    std::unordered_map<std::uint64_t, bool> covered_;  // by the shape's id
-    std::shared_ptr<DilatedLayers> dilated_;
-    std::map<std::uint64_t, std::weak_ptr<DilatedLayers>> lent_;  // by the tray's instance
+    ShapeCache shapes_;
+    FreePositionSearch free_;
 };
 
 }  // namespace

@@ -1,0 +1,279 @@
+#include "search/cpu/tables/tray_tables.hpp"
+
+#include <algorithm>
+
+#include "search/cpu/tuning.hpp"
+#include "spectralpack/error.hpp"
+
+namespace spectralpack {
+namespace {
+
+BitTables tables_for(const Tray& tray, int margin) {
+    const bool walls = !tray.blocked().extent().empty();
+    return BitTables(bit_layout(tray.extent(), margin, tray.detail(), tray.gap_classes(), walls));
+}
+
+template <class T>
+Sums<T> make_sums(const Extent& grid, bool disjoint, const Workers& workers) {
+    Sums<T> sums;
+    workers.for_each(2, [&](std::int64_t i) {  // the system takes its time to find so much memory
+        if (i == 0) sums.exact = {grid, SumLayout::kVoxel, false};
+        if (i == 1) sums.coarse = {grid, SumLayout::kBlock, disjoint};
+    });
+    return sums;
+}
+
+void refresh_layer(BitTables& bits, CrowdTables& crowd, int layer, const std::vector<const BitGrid*>& parts,
+                   const VoxelBox& changed, const Workers& workers) {
+    bits.refresh(layer, parts, changed);
+    crowd.refresh(bits, layer, changed, workers);
+}
+
+/// Brings the layers of a gap class up to date after a change within `changed`.
+void refresh_class(BitTables& bits, CrowdTables& crowd, const Tray& tray, int gap_class, const VoxelBox& changed,
+                   const Workers& workers) {
+    std::vector<const BitGrid*> parts;
+    for (int part = 0; part < part_count(tray.detail()); ++part) {
+        parts.push_back(&tray.occupied_part(gap_class, part));
+    }
+    refresh_layer(bits, crowd, gap_class, parts, changed, workers);
+    if (tray.detail() == 1) return;
+    refresh_layer(bits, crowd, tray.gap_classes() + gap_class, {&tray.occupied(gap_class)}, changed, workers);
+}
+
+/// Fills empty tables.
+void fill(BitTables& bits, CrowdTables& crowd, const Tray& tray, const Workers& workers) {
+    for (int c = 0; c < tray.gap_classes(); ++c) {
+        if (!tray.occupied(c).none()) refresh_class(bits, crowd, tray, c, whole(tray.extent()), workers);
+    }
+    if (tray.blocked().extent().empty() || tray.blocked().none()) return;
+    refresh_layer(bits, crowd, bits.layers() - 1, {&tray.blocked()}, whole(tray.extent()), workers);
+}
+
+/// One more than the highest layer that holds anything.
+int layers_used(const BitGrid& grid) {
+    const std::vector<BitGrid::Word>& words = grid.words();
+    const auto last = std::find_if(words.rbegin(), words.rend(), [](BitGrid::Word word) { return word != 0; });
+    const std::int64_t in_layer = static_cast<std::int64_t>(grid.words_per_row()) * grid.extent().y;
+    return static_cast<int>((words.rend() - last + in_layer - 1) / in_layer);
+}
+
+bool any_removed(const Tray& tray, std::uint64_t since) {
+    for (std::uint64_t v = since; v < tray.version(); ++v) {
+        if (!tray.changes()[v].added) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+BitLayout bit_layout(const Extent& tray, int margin, int detail, int gap_classes, bool walls) {
+    return {tray, margin, detail, gap_classes, (detail > 1 ? gap_classes : 0) + (walls ? 1 : 0)};
+}
+
+void TrayTables::note_occupied(const Tray& tray) {
+    class_used_.clear();
+    for (int c = 0; c < tray.gap_classes(); ++c) {
+        class_used_.push_back(!tray.occupied(c).none());
+    }
+    walls_ = !tray.blocked().none();
+}
+
+/// phi right wherever sums below layer `top` or minima of blocks that begin there look, and neighbours of what is
+/// found.
+void TrayTables::raise_phi(int top, const Workers& workers) {
+    const int before = phi_.top();
+    constexpr int kBeyond = kBlock - 1;
+    phi_.raise((top + kBeyond + kBlock - 1) / kBlock * kBlock, workers);
+    const Extent& n = phi_.extent();
+    minima_.update(phi_, {{0, 0, before}, {n.x, n.y, phi_.top()}}, workers);
+}
+
+void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
+    const Extent& n = tray.extent();
+    phi_ = DistanceGrid(n, tray.setup().ceiling);
+    minima_ = BlockMinima(n, kBlock);
+    raise_phi(std::max(top_, layers_used(tray.omega_place())), workers);
+    phi_.add(tray.omega_place(), {}, workers);
+    ChangedLayers all(n.z);
+    all.add({{0, 0, 0}, {n.x, n.y, phi_.top()}});
+    note(all);
+    update_from_phi(all.hull(), workers);
+    ++epoch_;
+    epoch_start_ = tray.version();
+    changes_.clear();
+}
+
+void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
+    const Extent& n = tray.extent();
+    // What there was goes first.
+    bits_ = {};
+    crowd_ = {};
+    words_.reset();
+    bytes_.reset();
+    quads_.reset();
+    top_ = 0;
+    minima_ = {};
+    phi_ = {};
+    large_ = n.count() >= large_from_;
+    disjoint_ = tray.detail() == 1;
+    // Bits and distances have nothing to do with each other.
+    workers.for_each(2, [&](std::int64_t i) {
+        if (i == 0) {
+            bits_ = tables_for(tray, margin);
+            crowd_ = large_ ? CrowdTables(bits_) : CrowdTables();
+            fill(bits_, crowd_, tray, workers);
+        } else {
+            rebuild_phi(tray, workers);
+        }
+    });
+    instance_ = tray.instance();
+}
+
+void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
+    for (std::uint64_t v = version_; v < tray.version(); ++v) {
+        const TrayObject& object = tray.object(tray.changes()[v].id);
+        refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
+    }
+}
+
+void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
+    if (any_removed(tray, version_)) {
+        rebuild_phi(tray, workers);
+        return;
+    }
+    VoxelBox all;
+    for (std::uint64_t v = version_; v < tray.version(); ++v) {
+        const TrayObject& object = tray.object(tray.changes()[v].id);
+        raise_phi(object.box().hi.z, workers);
+        const ChangedLayers changed = phi_.add(*object.solid, object.position, workers);
+        changes_.push_back(changed.hull());
+        note(changed);
+        all = hull(all, changed.hull());
+    }
+    update_from_phi(all, workers);
+}
+
+void TrayTables::note(const ChangedLayers& changed) {
+    if (words_) words_->note(changed);
+    if (bytes_) bytes_->note(changed);
+    if (quads_) quads_->note(changed);
+    quads_follow_ = false;
+}
+
+/// What depends on phi, after it changed within `changed`.
+void TrayTables::update_from_phi(const VoxelBox& changed, const Workers& workers) {
+    workers.for_each(2, [&](std::int64_t i) {
+        if (i == 0) choose_sums(workers);
+        if (i == 1) minima_.update(phi_, changed, workers);
+    });
+}
+
+/// Once phi is small enough for bytes it stays so until an object is removed.
+void TrayTables::choose_sums(const Workers& workers) {
+    in_bytes_ = may_use_bytes_ && phi_.most() <= SumTables<std::uint8_t>::kMostPooled;
+    if (in_bytes_) {
+        words_.reset();
+        if (!bytes_) bytes_ = make_sums<std::uint8_t>(phi_.extent(), disjoint_, workers);
+    } else {
+        bytes_.reset();
+        quads_.reset();
+        quads_follow_ = false;
+        if (!words_) words_ = make_sums<std::uint16_t>(phi_.extent(), disjoint_, workers);
+    }
+    follow_sums(workers);
+}
+
+void TrayTables::follow_sums(const Workers& workers) {
+    if (in_bytes_) {
+        bytes_->follow(phi_, top_, workers);
+    } else {
+        words_->follow(phi_, top_, workers);
+    }
+}
+
+void TrayTables::follow_quads(const Workers& workers) {
+    if (!quads_) quads_.emplace(phi_.extent(), SumLayout::kQuad, disjoint_);
+    quads_->follow(phi_, top_, workers);
+    quads_follow_ = true;
+}
+
+void TrayTables::raise(int top, const Workers& workers) {
+    top_ = std::max(top_, std::min(top, phi_.extent().z));
+    raise_phi(top_, workers);
+    follow_sums(workers);
+    if (quads_follow_) follow_quads(workers);
+}
+
+bool TrayTables::starts_afresh(const Tray& tray, int margin) const {
+    return tray.instance() != instance_ || margin > bits_.margin() || tray.version() < version_ ||
+           tray.version() - version_ > tuning::kRebuildAfter;
+}
+
+void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
+    const bool afresh = starts_afresh(tray, margin);
+    if (afresh) {
+        rebuild(tray, std::max(margin, bits_.margin()), workers);
+    } else if (tray.version() > version_) {
+        workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
+    } else {
+        choose_sums(workers);
+    }
+    if (version_ != tray.version() || afresh) note_occupied(tray);
+    version_ = tray.version();
+#ifndef NDEBUG
+    if (version_ % 16 == 0 || afresh) check(tray);
+#endif
+}
+
+VoxelBox TrayTables::changed_since(std::uint64_t since) const {
+    VoxelBox changed;
+    for (std::uint64_t v = std::max(since, epoch_start_); v < version_; ++v) {
+        changed = hull(changed, changes_[v - epoch_start_]);
+    }
+    return changed;
+}
+
+std::int64_t TrayTables::bytes() const {
+    return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() + (words_ ? words_->bytes() : 0) +
+           (bytes_ ? bytes_->bytes() : 0) + (quads_ ? quads_->bytes() : 0);
+}
+
+void TrayTables::check(const Tray& tray) const {
+    const auto require = [](bool equal, const char* what) {
+        if (!equal) throw InternalError(std::string("the engine's ") + what + " went wrong");
+    };
+    const Extent& n = tray.extent();
+    const Grid<std::int32_t> phi = manhattan_distance(tray.omega_place(), tray.setup().ceiling);
+    int most = 0;
+    for (int z = 0; z < n.z; ++z) {
+        for (int y = 0; y < n.y; ++y) {
+            for (int x = 0; x < n.x; ++x) {
+                if (z < phi_.top()) require(phi_.at(x, y, z) == phi.at(x, y, z), "distance field");
+                most = std::max(most, phi.at(x, y, z));
+            }
+        }
+    }
+    require(phi_.top() < n.z ? most <= phi_.most() : most == phi_.most(), "greatest distance");
+    const Workers one(1);
+    visit_sums([&]<class T>(const Sums<T>& kept) {
+        Sums<T> sums = make_sums<T>(n, disjoint_, one);
+        sums.follow(phi_, top_, one);
+        require(sums.same_sums(kept), "prefix sums");
+    });
+    if (quads_follow_) {
+        SumTables<std::uint8_t> quads(n, SumLayout::kQuad, disjoint_);
+        quads.follow(phi_, top_, one);
+        require(quads.same_sums(*quads_), "prefix sums over quads");
+    }
+    BlockMinima minima(n, kBlock);
+    minima.update(phi_, {{0, 0, 0}, {n.x, n.y, phi_.top()}}, one);
+    require(minima == minima_, "block minima");
+    BitTables bits = tables_for(tray, bits_.margin());
+    CrowdTables crowd = large_ ? CrowdTables(bits) : CrowdTables();
+    fill(bits, crowd, tray, one);
+    require(bits == bits_, "bit tables");
+    require(crowd == crowd_, "crowd tables");
+}
+
+}  // namespace spectralpack
