@@ -14,36 +14,36 @@ namespace {
 
 class Builder {
   public:
-    explicit Builder(const Mesh& mesh) : order_(mesh.triangles.size()) {
-        std::iota(order_.begin(), order_.end(), 0u);
-        centres_.reserve(order_.size());
+    explicit Builder(const Mesh& mesh) : order(mesh.triangles.size()) {
+        std::iota(order.begin(), order.end(), 0u);
+        centres_.reserve(order.size());
         for (const Triangle& t : mesh.triangles) {
             // Three times the centroid: only comparisons are made with it.
             centres_.push_back(mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]);
         }
-        if (!order_.empty()) split(0, order_.size());
+        if (!order.empty()) split(0, order.size());
     }
 
-    std::vector<std::uint32_t> order_;
-    std::vector<Bvh::Node> nodes_;
+    std::vector<std::uint32_t> order;
+    std::vector<Bvh::Node> nodes;
 
   private:
     void split(std::size_t begin, std::size_t end) {
-        const std::size_t self = nodes_.size();
-        nodes_.emplace_back();
+        const std::size_t self = nodes.size();
+        nodes.emplace_back();
         if (end - begin <= Bvh::kLeafTriangles) {
-            nodes_[self].first = static_cast<std::uint32_t>(begin);
-            nodes_[self].count = static_cast<std::uint32_t>(end - begin);
+            nodes[self].first = static_cast<std::uint32_t>(begin);
+            nodes[self].count = static_cast<std::uint32_t>(end - begin);
             return;
         }
         Box box;
         for (std::size_t i = begin; i < end; ++i) {
-            box.add(centres_[order_[i]]);
+            box.add(centres_[order[i]]);
         }
         const Vec3 size = box.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::size_t middle = begin + (end - begin) / 2;
-        const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+        const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
         std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
             const double ca = centres_[a][axis], cb = centres_[b][axis];
             return ca != cb ? ca < cb : a < b;
@@ -51,7 +51,7 @@ class Builder {
         // Which triangles go left is now certain, their order is up to the library: sort the leaves
         // below.
         split(begin, middle);
-        nodes_[self].first = static_cast<std::uint32_t>(nodes_.size());
+        nodes[self].first = static_cast<std::uint32_t>(nodes.size());
         split(middle, end);
     }
 
@@ -68,14 +68,14 @@ float at_most(double x) {
 
 Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
     Builder builder(mesh);
-    nodes_ = std::move(builder.nodes_);
+    nodes_ = std::move(builder.nodes);
     for (const Node& node : nodes_) {
-        const auto first = builder.order_.begin() + node.first;
+        const auto first = builder.order.begin() + node.first;
         if (node.leaf()) std::sort(first, first + node.count);
     }
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());
-    for (const std::uint32_t i : builder.order_) {
+    for (const std::uint32_t i : builder.order) {
         triangles.push_back(mesh.triangles[i]);
     }
     triangles_ = std::make_shared<const std::vector<Triangle>>(std::move(triangles));

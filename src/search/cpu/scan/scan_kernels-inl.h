@@ -211,15 +211,15 @@ HWY_INLINE void PruneTiles(const std::uint64_t* HWY_RESTRICT tile, std::ptrdiff_
     }
 }
 
-/// Of each of kCount vectors of N numbers the bits of its lanes, where lane k of vector w stands for bit
-/// w / kPer * kPer * N + kPer * k + w % kPer.
-template <std::size_t kPer, std::size_t kCount, std::size_t N>
+/// Of each of kCount vectors of kNumbers numbers the bits of its lanes, where lane k of vector w stands for bit
+/// w / kPer * kPer * kNumbers + kPer * k + w % kPer.
+template <std::size_t kPer, std::size_t kCount, std::size_t kNumbers>
 struct LaneBits {
-    alignas(64) std::uint32_t bits[kCount][N];
+    alignas(64) std::uint32_t bits[kCount][kNumbers];
     constexpr LaneBits() : bits() {
         for (std::size_t w = 0; w < kCount; ++w) {
-            for (std::size_t k = 0; k < N; ++k) {
-                bits[w][k] = 1u << (w / kPer * kPer * N + kPer * k + w % kPer);
+            for (std::size_t k = 0; k < kNumbers; ++k) {
+                bits[w][k] = 1u << (w / kPer * kPer * kNumbers + kPer * k + w % kPer);
             }
         }
     }
