@@ -60,7 +60,7 @@ install(FILES ${PROJECT_BINARY_DIR}/share/spectralpackConfig.cmake
         DESTINATION ${package_dir} COMPONENT development)
 
 # The pkg-config file. A static library brings its needs along, which then are everybody's.
-set(pkgconfig_needs "-lfmt -lexpat -lzip -lembree3 -lpng16 -lfcl -lccd -lhwy -ltbb -lqhull_r -lmeshoptimizer -pthread")
+set(pkgconfig_needs "-lfmt -lexpat -lzip -lembree3 -lpng16 -lfcl -lccd -lhwy -ltbb -lqhull_r -pthread")
 if(BUILD_SHARED_LIBS)
     set(pkgconfig_private "${pkgconfig_needs}")
     set(pkgconfig_needs "")

@@ -14,7 +14,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Public headers that any room may include.
 VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop"]
 # Those that speak of jobs and packings: for the rooms that know the model.
-MODEL_VALUES = ["check", "disassembly", "job", "options", "orientations", "packing", "printers", "render"]
+MODEL_VALUES = ["check", "disassembly", "job", "job_settings", "names", "option_table", "options", "orientations", "packing",
+                "printers", "render"]
 
 BASE = ["core", "values"]
 MODEL = ["model", "model values"]
@@ -45,6 +46,7 @@ ALLOWED = {
     "spectralpack": ["values", "model values"],
     "tools face": ["values", "model values", "spectralpack"],
     "cli": ["values", "model values", "spectralpack", "tools face"],
+    "docs": ["values", "model values", "spectralpack", "cli"],  # apps/docs
 }
 
 LIBRARIES = {  # pattern of the header -> the rooms that may see it
@@ -57,7 +59,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
     r"meshoptimizer": ["tools"],
     r"xxhash": ["api"],
-    r"CLI/": ["cli"],
+    r"CLI/": ["cli", "docs"],
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
@@ -80,7 +82,7 @@ def room_of(path):
 
 def target_of(header, here):
     """The room a quoted or <spectralpack/...> header belongs to; None for the room's own neighbours."""
-    for base in (ROOT / "src", ROOT / "include"):
+    for base in (ROOT / "src", ROOT / "include", ROOT / "apps"):
         if (base / header).exists():
             return room_of(base / header)
     return None if (here.parent / header).exists() else "?"

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 namespace spectralpack::cli {
 
@@ -10,6 +11,9 @@ struct Command {
     CLI::App* app;
     std::function<int()> run;  ///< returns the exit status
 };
+
+/// Gives the application its name, its help and all commands.
+std::vector<Command> add_commands(CLI::App& app);
 
 Command add_pack_command(CLI::App& app);
 Command add_bench_command(CLI::App& app);
@@ -19,5 +23,6 @@ Command add_inspect_command(CLI::App& app);
 Command add_prepare_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_plan_command(CLI::App& app);
+Command add_help_command(CLI::App& app);
 
 }  // namespace spectralpack::cli

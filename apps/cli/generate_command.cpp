@@ -23,12 +23,9 @@ struct GenerateArguments {
 constexpr double kTray = 480.0 * 245 * 200;
 
 tools::GeneratedSet set_of(const std::string& name) {
-    std::string known;
-    for (const tools::GeneratedSet set : tools::generated_sets()) {
-        if (name == to_string(set)) return set;
-        known += (known.empty() ? "" : ", ") + std::string(to_string(set));
-    }
-    throw UsageError(fmt::format("there is no set '{}'; one of {}", printable(name), known));
+    if (const auto set = from_string<tools::GeneratedSet>(name)) return *set;
+    throw UsageError(fmt::format("there is no set '{}'; one of {}", printable(name),
+                                 fmt::join(words_of<tools::GeneratedSet>(), ", ")));
 }
 
 int run_generate(GenerateArguments arguments) {

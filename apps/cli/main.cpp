@@ -52,15 +52,8 @@ std::string not_understood(const CLI::App& app) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Packs 3D parts densely into a build volume, without collisions.", "spectralpack"};
-    app.set_version_flag("--version", "spectralpack " SPECTRALPACK_VERSION);
-    app.require_subcommand(1);
-    app.footer(
-        "Try: spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 -o build.3mf -o build.png\n"
-        "'spectralpack COMMAND --help' explains a command.");
-    const std::array commands{add_pack_command(app),    add_bench_command(app),    add_check_command(app),
-                              add_plan_command(app),    add_generate_command(app), add_inspect_command(app),
-                              add_prepare_command(app), add_render_command(app)};
+    CLI::App app;
+    const std::vector<Command> commands = add_commands(app);
 
     if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
         return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);

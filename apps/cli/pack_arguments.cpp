@@ -2,57 +2,52 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
 
-#include "choose.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
 namespace {
 
-const std::map<std::string, EngineKind> kEngines{{"auto", EngineKind::automatic},
-                                                 {"cpu", EngineKind::cpu},
-                                                 {"cuda", EngineKind::cuda},
-                                                 {"reference", EngineKind::reference}};
+constexpr std::size_t kHelpWidth = 90;
 
-VerifyWith parse_verify(const std::string& text) {
-    const auto colon = text.find(':');
-    VerifyWith verify{choose(kEngines, text.substr(0, colon), "--verify-with"), 0};
-    if (colon != std::string::npos) {
-        const std::string sample = text.substr(colon + 1);
-        std::size_t used = 0;
-        try {
-            verify.sample = std::stoi(sample, &used);
-        } catch (const std::exception&) {
-            used = 0;
-        }
-        if (used != sample.size() || verify.sample <= 0) {
-            throw UsageError("--verify-with takes an engine and a number of placements, like reference:300");
-        }
-    }
-    return verify;
+std::string help_line(const Option& option) {
+    const std::string by_default = default_text(option);
+    return wrapped(std::string(option.line) + (by_default.empty() ? "" : fmt::format(" [{}]", by_default)), kHelpWidth);
 }
 
-template <class T>
-void assign(T& to, const std::optional<T>& given) {
-    if (given) to = *given;
+void add_option(CLI::App& app, const Option& option, PackArguments& arguments) {
+    const auto take = [&given = arguments.given, name = option.name](const std::vector<std::string>& texts) {
+        given[name] = texts;
+    };
+    const std::string name = fmt::format("--{}", option.name), group(title_of(option.group));
+    if (option.type == OptionType::flag) {
+        app.add_flag_callback(
+               name, [take] { take({"true"}); }, help_line(option))
+            ->group(group);
+        if (option.off_line.empty()) return;
+        app.add_flag_callback(
+               fmt::format("--no-{}", option.name), [take] { take({"false"}); }, std::string(option.off_line))
+            ->group(group);
+        return;
+    }
+    const std::string names = option.letter ? fmt::format("-{},{}", option.letter, name) : name;
+    CLI::Option* added = nullptr;
+    if (option.type == OptionType::files) {
+        added = app.add_option_function<std::vector<std::string>>(names, take, help_line(option));
+        added->take_all()->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    } else {
+        added = app.add_option_function<std::string>(
+            names, [take](const std::string& text) { take({text}); }, help_line(option));
+    }
+    added->type_name(std::string(option.placeholder))->group(group);
 }
 
-double parse_height_penalty(const std::string& text) {
-    std::size_t used = 0;
-    double penalty = 0;
-    try {
-        penalty = std::stod(text, &used);
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    if (used == 0 || used != text.size()) {
-        throw UsageError("--height-penalty takes 'auto' or a number, not '" + text + "'");
-    }
-    return penalty;
+OptionValue value_of(const Option& option, const std::vector<std::string>& texts) {
+    if (option.type != OptionType::files) return parse_value(option, texts.front());
+    require_accepted(option, texts);
+    return texts;
 }
 
 const Printer& known_printer(const std::string& name) {
@@ -61,16 +56,6 @@ const Printer& known_printer(const std::string& name) {
         throw UsageError(fmt::format("--printer {}: not known; --printer list names those that are", name));
     }
     return *printer;
-}
-
-int parse_trays(const std::string& text) {
-    if (text == "all") return 0;
-    int trays = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), trays);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || trays < 1) {
-        throw UsageError(fmt::format("--trays takes a number of containers or all, not '{}'", text));
-    }
-    return trays;
 }
 
 /// x0,y0,z0,x1,y1,z1, or a mesh file.
@@ -94,92 +79,37 @@ KeepOutSource parse_keep_out(const std::string& text) {
     return {{corner[0], corner[1]}};
 }
 
-/// Two sides are a base, for packings without a ceiling.
-Vec3 parse_tray(const std::string& text) {
-    const bool base = std::count_if(text.begin(), text.end(), [](char c) { return c == 'x' || c == 'X'; }) == 1;
-    if (!base) return parse_size(text, "--tray");
-    try {
-        Vec3 size = parse_size(text + "x1", "--tray");
-        size.z = 0;
-        return size;
-    } catch (const UsageError&) {
-        throw UsageError(fmt::format("--tray takes lengths in mm like 480x245x200 or 480x245, not '{}'", text));
-    }
-}
-
 }  // namespace
 
-PackOptions override_options(PackOptions options, const PackArguments& a) {
-    if (a.printer) apply(known_printer(*a.printer), options);
-    if (a.tray) options.tray = parse_tray(*a.tray);
-    if (a.trays) options.trays = parse_trays(*a.trays);
-    assign(options.try_per_tray, a.try_per_tray);
-    assign(options.gap, a.gap);
-    assign(options.wall_gap, a.wall_gap);
-    assign(options.voxel, a.voxel);
-    assign(options.detail, a.detail);
-    assign(options.rotations, a.rotations);
-    assign(options.seed, a.seed);
-    assign(options.threads, a.threads);
-    if (a.refine || a.no_refine) options.refine = !a.no_refine;
-    if (a.interlock) {
-        options.interlock =
-            choose<Interlock>({{"off", Interlock::off}, {"post", Interlock::post}, {"place", Interlock::place}},
-                              *a.interlock, "--interlock");
+void add_pack_options(CLI::App& app, PackArguments& arguments) {
+    app.add_option("PART", arguments.parts, "what to pack");
+    for (const Option& option : option_table()) {
+        add_option(app, option, arguments);
     }
-    if (a.links) {
-        options.links = choose<Links>({{"allow", Links::allow}, {"avoid", Links::avoid}}, *a.links, "--links");
-    }
-    if (a.take_out) {
-        options.take_out = choose<TakeOut>(
-            {{"smallest", TakeOut::smallest}, {"lightest", TakeOut::lightest}, {"thinnest", TakeOut::thinnest}},
-            *a.take_out, "--take-out");
-    }
-    if (a.ray_spacing) options.ray_spacing = a.ray_spacing;
-    if (a.height_penalty) {
-        options.height_penalty.reset();
-        if (*a.height_penalty != "auto") options.height_penalty = parse_height_penalty(*a.height_penalty);
-    }
-    if (a.height_at) {
-        options.height_at = choose<HeightReference>(
-            {{"bottom", HeightReference::bottom}, {"top", HeightReference::top}}, *a.height_at, "--height-at");
-    }
-    options.open_height = options.open_height || a.open_height;
-    if (a.minimise) {
-        options.minimise =
-            choose<Minimise>({{"none", Minimise::none}, {"box", Minimise::box}}, *a.minimise, "--minimise");
-    }
-    options.fill = options.fill || a.fill;
-    if (a.max_density) options.max_density = a.max_density;
-    if (a.max_layer_fill) options.max_layer_fill = a.max_layer_fill;
-    if (a.order) {
-        options.order = choose<Order>({{"size", Order::size},
-                                       {"volume", Order::volume},
-                                       {"mixed", Order::mixed},
-                                       {"input", Order::input},
-                                       {"random", Order::random}},
-                                      *a.order, "--order");
-    }
-    assign(options.restarts, a.restarts);
-    assign(options.beam, a.beam);
-    if (a.engine) options.engine = choose(kEngines, *a.engine, "--engine");
-    if (a.memory) options.memory = parse_bytes(*a.memory, "--memory");
-    if (a.verify_with) options.verify_with = parse_verify(*a.verify_with);
-    if (a.time_limit) options.time_limit = a.time_limit;
-    return options;
 }
 
-void settle_container(const PackArguments& a, const JobSettings& file, Job& job) {
-    job.container = file.container;
-    if (a.container) {
-        job.container.mesh = MeshSource{*a.container, "--container"};
-    } else if (a.tray || a.printer) {
+JobSettings override_settings(JobSettings settings, const PackArguments& arguments) {
+    if (arguments.has("printer")) apply(known_printer(arguments.text("printer")), settings.options);
+    for (const Option& option : option_table()) {
+        if (!arguments.has(option.name) || option.name == "printer") continue;
+        const OptionValue value = value_of(option, arguments.given.at(option.name));
+        if (option.in_pack.set) option.in_pack.set(settings.options, value);
+        if (option.in_job.set) option.in_job.set(settings, value);
+    }
+    return settings;
+}
+
+void settle_container(const PackArguments& arguments, const JobSettings& settings, Job& job) {
+    const bool box = arguments.has("tray") || arguments.has("printer");
+    job.container = settings.container;
+    if (arguments.has("container")) {
+        job.container.mesh = MeshSource{arguments.text("container"), "--container"};
+    } else if (box) {
         job.container.mesh.reset();
     }
-    const auto onto = a.onto ? a.onto : file.onto;
-    if (onto) {
-        job.onto = load_scene(*onto);
-        if (!a.container && !a.tray && !a.printer && !file.sized) {
+    if (settings.onto) {
+        job.onto = load_scene(*settings.onto);
+        if (!arguments.has("container") && !box && !settings.sized) {
             job.options.tray = job.onto->packing.container.size;
             ContainerSource same = container_source(job.onto->packing);
             same.keep_out.insert(same.keep_out.end(), job.container.keep_out.begin(), job.container.keep_out.end());
@@ -187,10 +117,12 @@ void settle_container(const PackArguments& a, const JobSettings& file, Job& job)
             job.container = std::move(same);
         }
     }
-    for (const std::string& keep_out : a.keep_out) {
-        job.container.keep_out.push_back(parse_keep_out(keep_out));
+    if (arguments.has("keep-out")) {
+        for (const std::string& keep_out : arguments.given.at("keep-out")) {
+            job.container.keep_out.push_back(parse_keep_out(keep_out));
+        }
     }
-    job.container.physical = job.container.physical || a.physical;
+    job.container.physical = job.container.physical || arguments.has("physical");
 }
 
 }  // namespace spectralpack::cli

@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 
-#include "choose.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
@@ -29,17 +27,7 @@ void print_printers() {
         "material and machine. --tray, --gap and --wall-gap override them.\n");
 }
 
-/// Everything that is to be done, from the command line and the job file.
-struct Settings {
-    Job job;
-    std::vector<std::string> outputs;
-    std::optional<std::string> report;
-    std::optional<double> material_density;
-    ProgressStyle progress = ProgressStyle::automatic;
-    bool dry_run = false, json = false, skip_unusable = false, require_all = false;
-};
-
-void check_files(const Settings& settings) {
+void check_files(const JobSettings& settings) {
     for (const std::string& output : settings.outputs) {
         require_output(output);
     }
@@ -49,20 +37,16 @@ void check_files(const Settings& settings) {
         }
         require_writable(*settings.report, "--report");
     }
-    const auto& density = settings.material_density;
-    if (density && (!(*density > 0) || !std::isfinite(*density))) {
-        throw UsageError("--material-density must be a positive number");
-    }
 }
 
 /// Nothing that is read is written over: a part would be lost, or the last build, lying among the parts, packed as one.
-void spare_inputs(const Settings& settings, const PackArguments& arguments) {
-    std::vector<std::string> inputs = files_of(settings.job.container);
+void spare_inputs(const Job& job, const JobSettings& settings, const PackArguments& arguments) {
+    std::vector<std::string> inputs = files_of(job.container);
     inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
-    for (const Part& part : settings.job.parts) {
+    for (const Part& part : job.parts) {
         inputs.push_back(part.mesh.file());
     }
-    for (const FixedSource& fixed : settings.job.fixed) {
+    for (const FixedSource& fixed : job.fixed) {
         inputs.push_back(fixed.mesh.file);
     }
     for (const std::string& output : settings.outputs) {
@@ -71,23 +55,10 @@ void spare_inputs(const Settings& settings, const PackArguments& arguments) {
     if (settings.report) require_no_input(*settings.report, "--report", inputs);
 }
 
-/// Checks what can be checked before any work: words, endings, folders.
-Settings settle(const PackArguments& a, const JobSettings& file) {
-    Settings settings;
-    settings.job.options = override_options(file.options, a);
-    settings.job.unit = a.unit ? parse_unit(*a.unit) : file.unit.value_or(1);
-    settings.outputs = a.outputs.empty() ? file.outputs : a.outputs;
-    settings.report = a.report ? a.report : file.report;
-    settings.material_density = a.material_density ? a.material_density : file.material_density;
-    settings.progress = choose<ProgressStyle>({{"auto", ProgressStyle::automatic},
-                                               {"bar", ProgressStyle::bar},
-                                               {"json", ProgressStyle::json},
-                                               {"none", ProgressStyle::none}},
-                                              a.progress.value_or(file.progress.value_or("auto")), "--progress");
-    settings.dry_run = a.dry_run || file.dry_run.value_or(false);
-    settings.json = a.json || file.json.value_or(false);
-    settings.skip_unusable = a.skip_unusable || file.skip_unusable.value_or(false);
-    settings.require_all = a.require_all || file.require_all.value_or(false);
+/// What the command line and the job file ask for, as far as it can be checked before any work: words, endings,
+/// folders.
+JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
+    JobSettings settings = override_settings(file, arguments);
     check_files(settings);
     return settings;
 }
@@ -99,12 +70,12 @@ void report_unusable(const std::vector<InputError>& unusable, ProgressDisplay& d
 }
 
 /// Writes every output; one that fails does not keep the others from being written.
-std::vector<std::string> write_outputs(const Scene& scene, const Settings& settings, ProgressDisplay& display,
+std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display,
                                        int& status) {
     std::vector<std::string> written;
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings.outputs.size() + (settings.report ? 1 : 0));
-    const int threads = settings.job.options.threads;
+    const int threads = settings.options.threads;
     const auto write = [&](const auto& action) {
         try {
             action();
@@ -134,18 +105,19 @@ std::vector<std::string> write_outputs(const Scene& scene, const Settings& setti
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
-int run_estimate(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
-    const Estimate planned = estimate(settings.job, {&display});
+int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
+    const Estimate planned = estimate(job, {&display});
     display.finish();
     report_unusable(planned.unusable, display);
     unusable = unusable || !planned.unusable.empty();
-    print_estimate(planned, settings.job.options, probe_time(settings.job, kProbeSeconds, interrupts.token()));
+    print_estimate(planned, job.options, probe_time(job, kProbeSeconds, interrupts.token()));
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
-int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
+int run_job(const Job& job, const JobSettings& settings, ProgressDisplay& display, const Interrupts& interrupts,
+            bool& unusable) {
     int status = kDone;
-    const PackResult result = pack(settings.job, {&display, interrupts.token()});
+    const PackResult result = pack(job, {&display, interrupts.token()});
     report_unusable(result.unusable, display);
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
@@ -158,39 +130,44 @@ int run_job(const Settings& settings, ProgressDisplay& display, const Interrupts
     const Scene scene{result.packing, result.meshes};
     const auto written = write_outputs(scene, settings, display, status);
     display.finish();
-    if (settings.json) {
+    if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
     } else {
         print_summary(result, written, !settings.outputs.empty());
     }
     if (status != kDone) return status;
     if (result.stopped == StopReason::cancelled) return kInterrupted;
-    return settings.require_all && !result.packing.unplaced.empty() ? kLeftOver : kDone;
+    return settings.require_all.value_or(false) && !result.packing.unplaced.empty() ? kLeftOver : kDone;
 }
 
 int run_pack(const PackArguments& arguments) {
-    if (arguments.printer == "list") {
+    if (arguments.text("printer") == "list") {
         print_printers();
         return kDone;
     }
     if (arguments.parts.empty()) throw UsageError("PART is required: name what to pack");
     settle(arguments, {});  // so that wrong usage is told before files are looked at
-    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.mesh_dir);
-    Settings settings = settle(arguments, inputs.job.value_or(JobSettings{}));
-    const Interrupts interrupts(settings.job.options.time_limit);
-    ProgressDisplay display(settings.progress);
+    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"));
+    const JobSettings settings = settle(arguments, inputs.job.value_or(JobSettings{}));
+    const Interrupts interrupts(settings.options.time_limit);
+    ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
     report_unusable(inputs.unusable, display);
     if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
-    settings.job.parts = inputs.parts;
-    settings.job.enough_orders = interrupts.half_time();
-    settle_container(arguments, inputs.job.value_or(JobSettings{}), settings.job);
-    settings.job.fixed = inputs.job ? inputs.job->fixed : std::vector<FixedSource>{};
-    spare_inputs(settings, arguments);
+    Job job;
+    job.parts = inputs.parts;
+    job.unit = in_mm(settings.unit.value_or(LengthUnit::mm));
+    job.options = settings.options;
+    job.fixed = settings.fixed;
+    job.enough_orders = interrupts.half_time();
+    settle_container(arguments, settings, job);
+    spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run ? run_estimate(settings, display, interrupts, unusable)
-                                        : run_job(settings, display, interrupts, unusable);
-    if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable) return kUnusableInput;
+    const int status = settings.dry_run.value_or(false) ? run_estimate(job, display, interrupts, unusable)
+                                                        : run_job(job, settings, display, interrupts, unusable);
+    if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable.value_or(false)) {
+        return kUnusableInput;
+    }
     return status;
 }
 

@@ -13,28 +13,6 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenFrames{100};
 constexpr int kBarWidth = 28;
 
-const char* phase_name(Phase phase) {
-    switch (phase) {
-        case Phase::load:
-            return "load";
-        case Phase::voxelize:
-            return "voxelize";
-        case Phase::search:
-            return "search";
-        case Phase::disassemble:
-            return "disassemble";
-        case Phase::reinsert:
-            return "reinsert";
-        case Phase::check:
-            return "check";
-        case Phase::render:
-            return "render";
-        case Phase::write:
-            return "write";
-    }
-    return "";
-}
-
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(style) {
@@ -66,7 +44,7 @@ void ProgressDisplay::on_progress(const Progress& progress) {
         fmt::print(stderr,
                    R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
                    "\n",
-                   phase_name(progress.phase), progress.done, progress.total,
+                   to_string(progress.phase), progress.done, progress.total,
                    progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
                    left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
     } else {
@@ -78,7 +56,7 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line = fmt::format("{:<11} [{}] {}/{}", phase_name(progress.phase), bar, progress.done, progress.total);
+    std::string line = fmt::format("{:<11} [{}] {}/{}", to_string(progress.phase), bar, progress.done, progress.total);
     if (progress.phase == Phase::search && progress.density) {
         line += fmt::format("  density {}", percent_text(*progress.density));
     }

@@ -12,8 +12,6 @@
 
 namespace spectralpack::cli {
 
-enum class ProgressStyle { automatic, bar, json, none };
-
 /// automatic: a bar where standard error is a terminal, else nothing.
 class ProgressDisplay : public Listener {
   public:

@@ -13,26 +13,15 @@ constexpr int kMaxPictureSide = 16384;
 }  // namespace
 
 Vec3 parse_size(const std::string& text, const char* option) {
-    Vec3 size;
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto parsed = std::from_chars(at, end, size[axis]);
-        const bool separated =
-            axis == 2 ? parsed.ptr == end : parsed.ptr != end && (*parsed.ptr == 'x' || *parsed.ptr == 'X');
-        if (parsed.ec != std::errc{} || !separated || !(size[axis] > 0) || !std::isfinite(size[axis])) {
-            throw UsageError(fmt::format("{} takes three lengths in mm like 480x245x200, not '{}'", option, text));
-        }
-        at = parsed.ptr + 1;
+    const auto size = spectralpack::parse_size(text);
+    if (!size || size->z == 0) {
+        throw UsageError(fmt::format("{} takes three lengths in mm like 480x245x200, not '{}'", option, text));
     }
-    return size;
+    return *size;
 }
 
 double parse_unit(const std::string& text) {
-    if (text == "mm") return 1;
-    if (text == "inch") return 25.4;
-    if (text == "m") return 1000;
-    throw UsageError(fmt::format("--unit takes one of inch, m, mm; not '{}'", text));
+    return in_mm(from_string<LengthUnit>(std::get<std::string>(parse_value(*find_option("unit"), text))).value());
 }
 
 void parse_picture_size(const std::string& text, RenderOptions& options) {
@@ -46,28 +35,6 @@ void parse_picture_size(const std::string& text, RenderOptions& options) {
     }
 }
 
-std::int64_t parse_bytes(const std::string& text, const char* option) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, value);
-    std::string unit(parsed.ptr, end);
-    if (!unit.empty() && (unit.back() == 'B' || unit.back() == 'b')) unit.pop_back();
-    double factor = 1;
-    if (!unit.empty()) {
-        const bool binary = unit.size() == 2 && unit[1] == 'i';
-        const auto power = std::string("KMGT").find(static_cast<char>(std::toupper(unit[0])));
-        if (power == std::string::npos || unit.size() > (binary ? 2u : 1u))
-            factor = 0;
-        else
-            factor = std::pow(binary ? 1024.0 : 1000.0, static_cast<double>(power + 1));
-    }
-    const double bytes = value * factor;
-    if (parsed.ec != std::errc{} || !(bytes >= 1) || bytes > 9e18) {
-        throw UsageError(fmt::format("{} takes a number of bytes like 500M or 2G, not '{}'", option, text));
-    }
-    return static_cast<std::int64_t>(bytes);
-}
-
 std::string printable(std::string text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
@@ -76,6 +43,18 @@ std::string printable(std::string text) {
         if (second && byte >= 0x80 && byte < 0xa0) text[i - 1] = text[i] = '?';  // U+0080 to U+009F
     }
     return text;
+}
+
+std::string wrapped(const std::string& text, std::size_t width) {
+    std::string lines;
+    std::size_t begin = 0;
+    while (text.size() - begin > width) {
+        const std::size_t space = text.rfind(' ', begin + width);
+        if (space == std::string::npos || space <= begin) break;  // a word longer than a line
+        lines += text.substr(begin, space - begin) + '\n';
+        begin = space + 1;
+    }
+    return lines + text.substr(begin);
 }
 
 std::string duration_text(double seconds) {

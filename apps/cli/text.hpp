@@ -17,11 +17,11 @@ double parse_unit(const std::string& text);
 /// "1600x1200" into the size of a picture. Throws UsageError naming --size.
 void parse_picture_size(const std::string& text, RenderOptions& options);
 
-/// "500M", "2G", "2GiB", "1000000" into bytes (K, M, G, T: powers of 1000; Ki, Mi, Gi, Ti: of 1024).
-std::int64_t parse_bytes(const std::string& text, const char* option);
-
 /// Text from files as it can go to a terminal: control characters as '?'.
 std::string printable(std::string text);
+
+/// `text` in lines of at most `width` characters, broken at spaces.
+std::string wrapped(const std::string& text, std::size_t width);
 
 std::string duration_text(double seconds);   ///< "0.42 s", "12.3 s", "4 min 05 s", "2 h 07 min"
 std::string bytes_text(std::int64_t bytes);  ///< "812 MB", "3.1 GB"

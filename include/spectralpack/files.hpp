@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "spectralpack/error.hpp"
-#include "spectralpack/job.hpp"
+#include "spectralpack/job_settings.hpp"
 #include "spectralpack/packing.hpp"
 
 namespace spectralpack {

@@ -9,6 +9,8 @@
 
 #include "spectralpack/check.hpp"
 #include "spectralpack/files.hpp"
+#include "spectralpack/names.hpp"
+#include "spectralpack/option_table.hpp"
 #include "spectralpack/pack.hpp"
 #include "spectralpack/plan.hpp"
 #include "spectralpack/printers.hpp"

@@ -5,31 +5,10 @@
 #include "formats/packing_file.hpp"
 #include "spectralpack/check.hpp"
 #include "spectralpack/files.hpp"
+#include "spectralpack/names.hpp"
 
 namespace spectralpack {
 namespace {
-
-const char* kind_word(FindingKind kind) {
-    switch (kind) {
-        case FindingKind::outside:
-            return "outside";
-        case FindingKind::overlap:
-            return "overlap";
-        case FindingKind::nested:
-            return "nested";
-        case FindingKind::gap:
-            return "gap";
-        case FindingKind::transform:
-            return "transform";
-        case FindingKind::density:
-            return "density";
-        case FindingKind::count:
-            return "count";
-        case FindingKind::plan:
-            return "plan";
-    }
-    return "";
-}
 
 /// "[a, b, c]" of texts that are JSON already.
 template <class List, class Text>
@@ -58,9 +37,9 @@ const char* interlocking_word(const CheckReport& report) {
 
 std::string check_report_json(const Scene& scene, const CheckReport& report) {
     const auto finding_text = [](const Finding& finding) {
-        return "{\"kind\": " + json_string(kind_word(finding.kind)) + ", \"tray\": " + std::to_string(finding.tray) +
-               ", \"placements\": " + int_list(finding.placements) + ", \"amount\": " + json_number(finding.amount) +
-               ", \"message\": " + json_string(finding.message) + "}";
+        return "{\"kind\": " + json_string(std::string(to_string(finding.kind))) +
+               ", \"tray\": " + std::to_string(finding.tray) + ", \"placements\": " + int_list(finding.placements) +
+               ", \"amount\": " + json_number(finding.amount) + ", \"message\": " + json_string(finding.message) + "}";
     };
     const auto plan_text = [](const std::optional<PlanReport>& plan) -> std::string {
         if (!plan) return "null";

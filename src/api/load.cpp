@@ -3,6 +3,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -11,6 +12,7 @@
 
 #include "api/fixed_copies.hpp"
 #include "formats/mesh_reader.hpp"
+#include "spectralpack/option_table.hpp"
 
 namespace spectralpack {
 namespace {
@@ -102,6 +104,31 @@ class Hash {
             XXH3_128bits_update(state_, &matrix, sizeof matrix);
         }
     }
+    /// In the bytes of the fields of PackOptions, an enum's being its position; -1 for none.
+    void add(const Option& option, const OptionValue& value) {
+        const bool none = std::holds_alternative<std::monostate>(value);
+        switch (option.type) {
+            case OptionType::flag:
+                return add(std::get<bool>(value));
+            case OptionType::integer:
+                return add(static_cast<int>(std::get<std::int64_t>(value)));
+            case OptionType::natural:
+                return add(std::get<std::uint64_t>(value));
+            case OptionType::number:
+                return add(none ? -1 : std::get<double>(value));
+            case OptionType::size:
+                return add(std::get<Vec3>(value));
+            case OptionType::word: {
+                const auto word =
+                    none ? option.words.end() : std::ranges::find(option.words, std::get<std::string>(value));
+                return add(none ? -1 : static_cast<int>(word - option.words.begin()));
+            }
+            case OptionType::rotations:
+                return add(std::get<std::string>(value));
+            default:
+                throw InternalError("the input hash holds no option like --" + std::string(option.name));
+        }
+    }
     std::string hex() const {
         const XXH128_hash_t hash = XXH3_128bits_digest(state_);
         char text[33];
@@ -113,6 +140,16 @@ class Hash {
   private:
     XXH3_state_t* state_;
 };
+
+/// Those that placements depend on.
+std::vector<const Option*> hashed_options() {
+    std::vector<const Option*> options;
+    for (const Option& option : option_table()) {
+        if (option.hash_place > 0) options.push_back(&option);
+    }
+    std::ranges::sort(options, {}, &Option::hash_place);
+    return options;
+}
 
 }  // namespace
 
@@ -234,28 +271,12 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
         if (keep_out.mesh) hash.add(*keep_out.mesh->surface);
     }
     hash.add(container.physical);
-    hash.add(options.tray);
-    for (const double value :
-         {options.voxel, options.wall_gap, options.height_penalty.value_or(-1), options.max_density.value_or(-1),
-          options.max_layer_fill.value_or(-1), options.ray_spacing.value_or(-1)}) {
-        hash.add(value);
+    PackOptions decisive = options;
+    if (options.trays == 1) decisive.try_per_tray = 0;
+    if (options.order != Order::random && options.restarts == 1) decisive.seed = 0;
+    for (const Option* option : hashed_options()) {
+        hash.add(*option, option->in_pack.get(decisive));
     }
-    hash.add(options.trays);
-    hash.add(options.trays == 1 ? 0 : options.try_per_tray);
-    hash.add(options.rotations);
-    hash.add(options.detail);
-    hash.add(options.refine);
-    hash.add(options.interlock);
-    hash.add(options.links);
-    hash.add(options.take_out);
-    hash.add(options.height_at ? static_cast<int>(*options.height_at) : -1);
-    hash.add(options.open_height);
-    hash.add(options.minimise);
-    hash.add(options.fill);
-    hash.add(options.order);
-    hash.add(options.restarts);
-    hash.add(options.beam);
-    hash.add(options.order == Order::random || options.restarts > 1 ? options.seed : 0);
     return hash.hex();
 }
 

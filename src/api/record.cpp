@@ -7,8 +7,8 @@
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/machine.hpp"
-#include "formats/packing_names.hpp"
 #include "packing/tray/measure.hpp"
+#include "spectralpack/names.hpp"
 
 namespace spectralpack {
 namespace {
@@ -102,7 +102,7 @@ Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& wo
     metrics.verified = run.verified;
     metrics.orders = run.orders;
     metrics.peak_memory = peak_memory();
-    metrics.engine = name_of(kEngineNames, run.plan.engine);
+    metrics.engine = to_string(run.plan.engine);
     metrics.threads = workers.threads();
     return metrics;
 }

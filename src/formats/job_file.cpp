@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr int kMostCopies = 10'000'000;
 
-constexpr Names<double, 3> kUnits{{{"mm", 1.0}, {"inch", 25.4}, {"m", 1000.0}}};
+/// Keys of the job that are options as well.
+constexpr std::pair<const char*, const char*> kJobKeys[] = {
+    {"trays", "trays"}, {"open_height", "open-height"}, {"gap", "gap"}, {"wall_gap", "wall-gap"}};
 
 class JobReader {
   public:
@@ -34,10 +36,13 @@ class JobReader {
                            "gap", "parts", "fixed", "options"});
         job_.settings.file = file_;
         if (const auto options = root_.find("options")) read_job_options(*options);
-        PackOptions& o = job_.settings.options;
-        if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of(kUnits);
-        if (const auto v = said_once("trays", "trays")) o.trays = trays_of(*v);
-        if (const auto v = said_once("open_height", "open-height")) o.open_height = v->boolean();
+        if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of<LengthUnit>();
+        for (const auto& [key, name] : kJobKeys) {
+            const Option& option = *find_option(name);
+            if (const auto v = said_once(key, name)) {
+                option.in_pack.set(job_.settings.options, read_value(*v, option));
+            }
+        }
         if (const auto v = root_.find("container")) read_container(*v);
         if (const auto v = root_.find("keep_out")) {
             v->for_each([&](const Node& node) { read_keep_out(node); });
@@ -45,8 +50,6 @@ class JobReader {
         if (const auto v = root_.find("fixed")) {
             v->for_each([&](const Node& node) { read_fixed(node); });
         }
-        if (const auto v = said_once("gap", "gap")) o.gap = v->number_from(0);
-        if (const auto v = said_once("wall_gap", "wall-gap")) o.wall_gap = v->number_from(0);
         root_.at("parts").for_each([&](const Node& node) { read_part(node); });
         return std::move(job_);
     }
@@ -74,7 +77,7 @@ class JobReader {
     MeshSource mesh_source(const Node& node) const {
         MeshSource source{path_of(node.at("mesh")), file_ + " " + node.path()};
         if (const auto v = node.find("transform")) source.transform = transform_of(*v);
-        if (const auto v = node.find("unit")) source.unit = v->one_of(kUnits);
+        if (const auto v = node.find("unit")) source.unit = in_mm(v->one_of<LengthUnit>());
         return source;
     }
 
@@ -99,13 +102,6 @@ class JobReader {
         job_.settings.fixed.push_back(std::move(source));
     }
 
-    /// Two sides are a base, for packings without a ceiling.
-    static Vec3 size_of(const Node& node) {
-        if (node.size() == 2) return {node.element(0).positive(), node.element(1).positive(), 0};
-        node.expect_size(3);
-        return {node.element(0).positive(), node.element(1).positive(), node.element(2).positive()};
-    }
-
     /// A key of the job that is an option as well.
     std::optional<Node> said_once(const char* key, const char* option) const {
         const auto node = root_.find(key);
@@ -117,43 +113,31 @@ class JobReader {
     }
 
     void read_job_options(const Node& node) {
-        node.expect_keys(
-            {"tray",           "trays",         "gap",         "try-per-tray", "printer",          "onto",
-             "wall-gap",       "voxel",         "rotations",   "refine",       "interlock",        "order",
-             "height-penalty", "height-at",     "seed",        "engine",       "threads",          "memory",
-             "verify-with",    "time-limit",    "unit",        "output",       "report",           "progress",
-             "dry-run",        "skip-unusable", "require-all", "json",         "material-density", "detail",
-             "take-out",       "open-height",   "minimise",    "fill",         "max-density",      "max-layer-fill",
-             "restarts",       "beam",          "links",       "ray-spacing"});
-        JobSettings& s = job_.settings;
+        std::vector<std::string_view> known;
+        for (const Option& option : option_table()) {
+            if (option.in_pack.set || option.in_job.set) known.push_back(option.name);
+        }
+        node.expect_keys(known);
         if (const auto v = node.find("printer")) use_printer(*v);
-        read_options(node, s.options);
-        if (const auto v = node.find("tray")) {
-            s.options.tray = size_of(*v);
-            s.sized = true;
+        if (node.find("tray")) job_.settings.sized = true;
+        if (const auto v = node.find("unit"); v && root_.find("unit")) v->fail("is said twice: also as unit");
+        read_options(node, job_.settings.options);
+        for (const Option& option : option_table()) {
+            if (!option.in_job.set) continue;
+            if (const auto v = node.find(option.name))
+                option.in_job.set(job_.settings, from_here(read_value(*v, option), option));
         }
-        if (const auto v = node.find("onto")) s.onto = path_of(*v);
-        if (const auto v = node.find("unit")) {
-            if (root_.find("unit")) v->fail("is said twice: also as unit");
-            s.unit = v->one_of(kUnits);
-        }
-        if (const auto v = node.find("output")) {
-            if (v->is_text()) {
-                s.outputs.push_back(path_of(*v));
-            } else {
-                v->for_each([&](const Node& output) { s.outputs.push_back(path_of(output)); });
+    }
+
+    /// Paths as they are from the working directory.
+    OptionValue from_here(OptionValue value, const Option& option) const {
+        if (option.type == OptionType::file) return (folder_ / std::get<std::string>(value)).string();
+        if (option.type == OptionType::files) {
+            for (std::string& path : std::get<std::vector<std::string>>(value)) {
+                path = (folder_ / path).string();
             }
         }
-        if (const auto v = node.find("report")) s.report = path_of(*v);
-        if (const auto v = node.find("material-density")) s.material_density = v->positive();
-        if (const auto v = node.find("progress")) s.progress = v->one_of(kProgressNames);
-        const std::pair<const char*, std::optional<bool>*> flags[] = {{"dry-run", &s.dry_run},
-                                                                      {"json", &s.json},
-                                                                      {"skip-unusable", &s.skip_unusable},
-                                                                      {"require-all", &s.require_all}};
-        for (const auto& [key, flag] : flags) {
-            if (const auto v = node.find(key)) *flag = v->boolean();
-        }
+        return value;
     }
 
     /// What the job says itself is read later and overrides the printer's values.
@@ -204,9 +188,6 @@ class JobReader {
         }
         return (folder_ / text).string();
     }
-
-    static constexpr Names<std::string_view, 4> kProgressNames{
-        {{"auto", "auto"}, {"bar", "bar"}, {"json", "json"}, {"none", "none"}}};
 
     std::string file_;
     fs::path folder_;

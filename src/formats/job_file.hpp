@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spectralpack/job.hpp"
+#include "spectralpack/job_settings.hpp"
 
 namespace spectralpack {
 

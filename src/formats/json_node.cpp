@@ -14,11 +14,11 @@ std::string parse_cause(const nlohmann::json::exception& error) {
 
 }  // namespace
 
-void Node::expect_keys(std::initializer_list<std::string_view> known) const {
+void Node::expect_keys(const std::vector<std::string_view>& known) const {
     if (!value_.is_object()) fail("must be an object");
     for (const auto& [key, value] : value_.items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            Node(file_, value, path_.empty() ? key : path_ + "." + key).fail("is not a known key");
+            Node(file_, value, path_to(key)).fail("is not a known key");
         }
     }
 }
@@ -26,6 +26,15 @@ void Node::expect_keys(std::initializer_list<std::string_view> known) const {
 Vec3 vector_of(const Node& node) {
     node.expect_size(3);
     return {node.element(0).number(), node.element(1).number(), node.element(2).number()};
+}
+
+Vec3 size_of(const Node& node) {
+    if (node.size() != 2) node.expect_size(3);
+    Vec3 size;
+    for (std::size_t axis = 0; axis < node.size(); ++axis) {
+        size[static_cast<int>(axis)] = node.element(axis).positive();
+    }
+    return size;
 }
 
 Box box_of(const Node& node) {

@@ -3,17 +3,17 @@
 /// that it is about.
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "formats/packing_names.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/geometry.hpp"
+#include "spectralpack/names.hpp"
 
 namespace spectralpack {
 
@@ -24,16 +24,16 @@ class Node {
         : file_(file), value_(value), path_(std::move(path)) {}
 
     /// The value of `key`; none where it is missing or null.
-    std::optional<Node> find(const char* key) const {
+    std::optional<Node> find(std::string_view key) const {
         if (!value_.is_object()) fail("must be an object");
         const auto found = value_.find(key);
         if (found == value_.end() || found->is_null()) return std::nullopt;
-        return Node(file_, *found, path_.empty() ? key : path_ + "." + key);
+        return Node(file_, *found, path_to(key));
     }
 
-    Node at(const char* key) const {
+    Node at(std::string_view key) const {
         if (auto found = find(key)) return *std::move(found);
-        throw InputError(file_, path_.empty() ? key : path_ + "." + key, "is missing");
+        throw InputError(file_, path_to(key), "is missing");
     }
 
     std::size_t size() const {
@@ -57,7 +57,7 @@ class Node {
     }
 
     /// Refuses an object with any other key.
-    void expect_keys(std::initializer_list<std::string_view> known) const;
+    void expect_keys(const std::vector<std::string_view>& known) const;
 
     double number() const {
         if (!value_.is_number()) fail("must be a number");
@@ -75,13 +75,6 @@ class Node {
     double positive() const {
         const double value = number();
         if (!(value > 0)) fail("must be above 0");
-        return value;
-    }
-
-    /// Above 0, at most 1.
-    double share() const {
-        const double value = positive();
-        if (value > 1) fail("must be at most 1");
         return value;
     }
 
@@ -115,12 +108,13 @@ class Node {
 
     bool is_text() const { return value_.is_string(); }
 
-    template <class Value, std::size_t N>
-    Value one_of(const Names<Value, N>& names) const {
-        if (const auto value = value_of(names, text())) return *value;
+    /// The value that the word stands for.
+    template <Named Enum>
+    Enum one_of() const {
+        if (const auto value = from_string<Enum>(text())) return *value;
         std::string known;
-        for (const auto& [name, value] : names) {
-            known += (known.empty() ? "" : ", ") + std::string(name);
+        for (const std::string_view word : words_of<Enum>()) {
+            known += (known.empty() ? "" : ", ") + std::string(word);
         }
         fail("must be one of " + known);
     }
@@ -128,6 +122,8 @@ class Node {
     [[noreturn]] void fail(const std::string& cause) const { throw InputError(file_, path_, cause); }
 
   private:
+    std::string path_to(std::string_view key) const { return (path_.empty() ? "" : path_ + ".") + std::string(key); }
+
     const std::string& file_;
     const nlohmann::json& value_;
     std::string path_;
@@ -135,6 +131,9 @@ class Node {
 
 /// Three numbers.
 Vec3 vector_of(const Node& node);
+
+/// Three lengths above 0; two are a base, for packings without a ceiling: z is 0 then.
+Vec3 size_of(const Node& node);
 
 /// Two corners, the lower one first and no side flat.
 Box box_of(const Node& node);

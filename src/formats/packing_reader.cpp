@@ -4,7 +4,6 @@
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/packing_file.hpp"
-#include "formats/packing_names.hpp"
 #include "formats/part_orientations.hpp"
 #include "spectralpack/error.hpp"
 
@@ -219,7 +218,7 @@ class PackingReader {
         Unplaced unplaced;
         unplaced.part = part_of(node);
         if (const auto v = node.find("copy")) unplaced.copy = v->integer<int>(0);
-        if (const auto v = node.find("reason")) unplaced.reason = v->one_of(kReasonNames);
+        if (const auto v = node.find("reason")) unplaced.reason = v->one_of<UnplacedReason>();
         if (const auto v = node.find("detail")) unplaced.detail = v->text();
         packing_.unplaced.push_back(std::move(unplaced));
     }

@@ -3,9 +3,10 @@
 
 #include "core/atomic_file.hpp"
 #include "formats/packing_file.hpp"
-#include "formats/packing_names.hpp"
 #include "formats/part_orientations.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/names.hpp"
+#include "spectralpack/option_table.hpp"
 
 namespace spectralpack {
 namespace {
@@ -52,42 +53,27 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-Json options_json(const PackOptions& o) {
-    Json verify = nullptr;
-    if (o.verify_with) {
-        verify = std::string(name_of(kEngineNames, o.verify_with->engine)) +
-                 (o.verify_with->sample > 0 ? ":" + std::to_string(o.verify_with->sample) : "");
+Json plain_json(std::monostate) { return nullptr; }
+Json plain_json(const Vec3& size) { return vector_json(size); }
+template <class Plain>
+Json plain_json(const Plain& value) {
+    return value;
+}
+
+Json value_json(const Option& option, const OptionValue& value) {
+    if (std::holds_alternative<std::monostate>(value)) {
+        return option.none_word.empty() ? Json(nullptr) : Json(option.none_word);
     }
-    return {{"tray", vector_json(o.tray)},
-            {"trays", o.trays > 0 ? Json(o.trays) : Json("all")},
-            {"try-per-tray", o.try_per_tray},
-            {"printer", or_null(o.printer)},
-            {"voxel", o.voxel},
-            {"detail", o.detail},
-            {"rotations", o.rotations},
-            {"gap", o.gap},
-            {"wall-gap", o.wall_gap},
-            {"refine", o.refine},
-            {"interlock", name_of(kInterlockNames, o.interlock)},
-            {"links", name_of(kLinksNames, o.links)},
-            {"take-out", name_of(kTakeOutNames, o.take_out)},
-            {"ray-spacing", or_null(o.ray_spacing)},
-            {"height-penalty", o.height_penalty ? Json(*o.height_penalty) : Json("auto")},
-            {"height-at", name_of(kHeightNames, o.height_at.value_or(HeightReference::bottom))},
-            {"open-height", o.open_height},
-            {"minimise", name_of(kMinimiseNames, o.minimise)},
-            {"fill", o.fill},
-            {"max-density", or_null(o.max_density)},
-            {"max-layer-fill", or_null(o.max_layer_fill)},
-            {"order", name_of(kOrderNames, o.order)},
-            {"restarts", o.restarts},
-            {"beam", o.beam},
-            {"engine", name_of(kEngineNames, o.engine)},
-            {"threads", o.threads},
-            {"seed", o.seed},
-            {"memory", o.memory},
-            {"verify-with", verify},
-            {"time-limit", or_null(o.time_limit)}};
+    if (!option.zero_word.empty() && value == OptionValue(std::int64_t{0})) return option.zero_word;
+    return std::visit([](const auto& plain) { return plain_json(plain); }, value);
+}
+
+Json options_json(const PackOptions& options) {
+    Json json;
+    for (const Option& option : option_table()) {
+        if (option.in_pack.get) json[std::string(option.name)] = value_json(option, option.in_pack.get(options));
+    }
+    return json;
 }
 
 Json plan_json(const Disassembly& plan) {
@@ -140,7 +126,7 @@ class PackingWriter {
         for (const Unplaced& unplaced : packing_.unplaced) {
             root["unplaced"].push_back({{"part", unplaced.part},
                                         {"copy", unplaced.copy},
-                                        {"reason", name_of(kReasonNames, unplaced.reason)},
+                                        {"reason", to_string(unplaced.reason)},
                                         {"detail", unplaced.detail}});
         }
         return root;

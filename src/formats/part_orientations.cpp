@@ -1,6 +1,8 @@
 #include "formats/part_orientations.hpp"
-#include "model/rotation_samples.hpp"
 
+#include <utility>
+
+#include "model/rotation_samples.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
@@ -8,13 +10,19 @@ namespace {
 
 using Kind = PartOrientations::Kind;
 
-constexpr Names<Kind, 3> kWords{{{"any", Kind::any}, {"fixed", Kind::fixed}, {"upright", Kind::upright}}};
-constexpr Names<SignedAxis, 6> kAxes{{{"+x", {0, true}},
-                                      {"-x", {0, false}},
-                                      {"+y", {1, true}},
-                                      {"-y", {1, false}},
-                                      {"+z", {2, true}},
-                                      {"-z", {2, false}}}};
+/// "+x".
+std::string axis_text(const SignedAxis& axis) {
+    return {axis.positive ? '+' : '-', static_cast<char>('x' + axis.axis)};
+}
+
+SignedAxis axis_of(const Node& node) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const bool positive : {true, false}) {
+            if (node.text() == axis_text({axis, positive})) return {axis, positive};
+        }
+    }
+    node.fail("must be one of +x, -x, +y, -y, +z, -z");
+}
 
 double step_of(const Node& node) {
     const double step = node.positive();
@@ -44,7 +52,7 @@ Mat3 rotation_of(const Node& node) {
 PartOrientations part_orientations_of(const Node& node) {
     PartOrientations orientations;
     if (node.is_text()) {
-        orientations.kind = node.one_of(kWords);
+        orientations.kind = node.one_of<Kind>();
         return orientations;
     }
     node.expect_keys({"axes", "yaw", "matrices"});
@@ -52,7 +60,7 @@ PartOrientations part_orientations_of(const Node& node) {
     if (axes.has_value() == matrices.has_value()) node.fail("must have either axes or matrices");
     if (axes) {
         orientations.kind = Kind::axes;
-        axes->for_each([&](const Node& axis) { orientations.up.push_back(axis.one_of(kAxes)); });
+        axes->for_each([&](const Node& axis) { orientations.up.push_back(axis_of(axis)); });
         if (orientations.up.empty()) axes->fail("must name an axis");
         if (yaw) orientations.yaw = step_of(*yaw);
     } else {
@@ -69,7 +77,7 @@ nlohmann::ordered_json part_orientations_json(const PartOrientations& orientatio
     if (orientations.kind == Kind::axes) {
         Json axes = Json::array();
         for (const SignedAxis& axis : orientations.up) {
-            axes.push_back(name_of(kAxes, axis));
+            axes.push_back(axis_text(axis));
         }
         return {{"axes", std::move(axes)}, {"yaw", orientations.yaw ? Json(*orientations.yaw) : Json(nullptr)}};
     }
@@ -84,7 +92,7 @@ nlohmann::ordered_json part_orientations_json(const PartOrientations& orientatio
         }
         return {{"matrices", std::move(matrices)}};
     }
-    return name_of(kWords, orientations.kind);
+    return to_string(orientations.kind);
 }
 
 }  // namespace spectralpack

@@ -7,8 +7,8 @@
 #include <map>
 
 #include "formats/csv.hpp"
-#include "formats/packing_names.hpp"
 #include "formats/xml_text.hpp"
+#include "spectralpack/names.hpp"
 
 namespace spectralpack {
 namespace {
@@ -284,7 +284,7 @@ std::string report_csv(const Packing& packing, const ReportExtras& extras) {
         const PackedPart& part = packing.parts[i];
         std::string reasons;
         for (const auto& [reason, some] : outcomes[i].left_over) {
-            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies, name_of(kReasonNames, reason));
+            reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", some.copies, to_string(reason));
         }
         const std::string mass =
             extras.material_density

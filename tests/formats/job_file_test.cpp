@@ -50,10 +50,11 @@ TEST(JobFile, LeavesDefaultsWhereItIsSilent) {
     EXPECT_EQ(o.voxel, defaults.voxel);
     EXPECT_TRUE(file.settings.outputs.empty());
     ASSERT_EQ(file.parts.size(), 1u);
-    EXPECT_EQ(file.parts[0].mesh, "/jobs/week/a.stl");
+    EXPECT_EQ(file.parts[0].mesh.file(), "/jobs/week/a.stl");
     EXPECT_EQ(file.parts[0].count, 1);
     EXPECT_EQ(file.parts[0].scale, 1);
-    EXPECT_FALSE(file.parts[0].name || file.parts[0].gap);
+    EXPECT_TRUE(file.parts[0].name.empty());
+    EXPECT_FALSE(file.parts[0].gap);
 }
 
 TEST(JobFile, ReadsEveryKey) {
@@ -108,7 +109,7 @@ TEST(JobFile, ReadsEveryKey) {
                            {"max-layer-fill", 0.5}};
     const JobFile file = parsed(document);
     const JobSettings& s = file.settings;
-    EXPECT_EQ(s.unit, 25.4);
+    EXPECT_EQ(s.unit, LengthUnit::inch);
     EXPECT_EQ(s.options.tray, (Vec3{100, 80.5, 60}));
     EXPECT_EQ(s.options.trays, 0);
     EXPECT_EQ(s.options.try_per_tray, 30);
@@ -147,7 +148,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.time_limit, 2.5);
     EXPECT_EQ(s.outputs, std::vector<std::string>{"/jobs/week/b.json"});
     EXPECT_EQ(s.report, "/r/r.html");
-    EXPECT_EQ(s.progress, "none");
+    EXPECT_EQ(s.progress, ProgressStyle::none);
     EXPECT_EQ(s.dry_run, true);
     EXPECT_EQ(s.skip_unusable, true);
     EXPECT_EQ(s.require_all, true);

@@ -125,7 +125,7 @@ PackingJob random_job(RandomStream& random) {
 }
 
 TEST(TrayObserver, WhatItIsToldOfAddsUpToThePacking) {
-    int renumbered = 0, packed_anew = 0, put_back = 0, left_out = 0;
+    int renumbered = 0, put_back = 0, left_out = 0;
     for (std::uint64_t seed = 0; seed < test::trials<std::uint64_t>(60); ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
@@ -151,14 +151,13 @@ TEST(TrayObserver, WhatItIsToldOfAddsUpToThePacking) {
             packer.pack({job.copies, job.fill, stop.token(), tell, &told}, packed.trays);
         }
         told.expect_holds(packed.trays);
-        (job.in_shares ? renumbered : packed_anew) += told.anew();
+        if (job.in_shares) renumbered += told.anew();
         put_back += told.put_back();
         left_out += told.left_out();
     }
     // Of the scenes each case is in some; of a few of them it may be in none.
     if (test::kSanitized) return;
     EXPECT_GT(renumbered, 0);
-    EXPECT_GT(packed_anew, 0);
     EXPECT_GT(put_back, 0);
     EXPECT_GT(left_out, 0);
 }

@@ -34,7 +34,7 @@ class Interlocking : public testing::Test {
     }
 
     TrayContext context(const StopToken& stop = {}) {
-        return {{*search_, shapes_, Workers(1), stop}, 0, model_, {}, {}};
+        return {{*search_, shapes_, Workers(1), stop, observer_}, 0, model_, {}, {}};
     }
     Untangled untangle_all(const StopToken& stop = {}) { return untangle(tray_, placed_, context(stop), options_); }
 
@@ -60,6 +60,7 @@ class Interlocking : public testing::Test {
     PartSurfaces surfaces_{[this](int part) { return parts_.scaled(part); }, Workers(1)};
     UntangleOptions options_;
     CostModel model_;
+    TrayObserver* observer_ = nullptr;
     std::unique_ptr<PlacementSearch> search_;
 };
 
@@ -184,6 +185,21 @@ TEST_F(Interlocking, TriesTheNextBestPlaceWhereACopyDoesNotComeOutOfTheBest) {
     }
 }
 
+/// Which copies stand where, as told.
+struct Told final : TrayObserver {
+    void tray_begun(int) override {
+        ++begun;
+        at.clear();
+    }
+    void copy_placed(const PlacedCopy& placed) override { at[placed.copy] = placed.position; }
+    void copy_taken_out(const PlacedCopy& placed) override { at.erase(placed.copy); }
+    void copy_put_back(const PlacedCopy& placed) override { at[placed.copy] = placed.position; }
+    void tray_finished() override {}
+
+    std::map<Copy, VoxelIndex> at;
+    int begun = 0;
+};
+
 TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
     // Two linked frames, and a plate on the rest of the base: what is taken out finds a place only on top of them.
     tray_ = Tray(TraySetup{{36, 34, 20}, 1, 1, {0}, Ceiling::open, 0, {}, false});
@@ -192,7 +208,14 @@ TEST_F(Interlocking, WithoutACeilingPacksAnewRatherThanOnTop) {
     put(test::box_mesh({0, 0, 0}, {10, 34, 16}), 0, {26, 0, 0});
     model_ = {1e8, HeightAt::top};
     options_.order = {{0, 0}, {2, 0}, {1, 0}};
+    Told told;
+    observer_ = &told;
     const Untangled result = untangle_all();
+    EXPECT_EQ(told.begun, 1);
+    ASSERT_EQ(told.at.size(), placed_.size());
+    for (const PlacedCopy& placed : placed_) {
+        EXPECT_EQ(told.at[placed.copy], placed.position);
+    }
     EXPECT_EQ(result.report.counts.removed, 0);
     ASSERT_EQ(placed_.size(), 3u);
     expect_complete(result);

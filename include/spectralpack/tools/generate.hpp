@@ -11,6 +11,7 @@
 
 #include "spectralpack/events.hpp"
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/names.hpp"
 
 namespace spectralpack::tools {
 
@@ -25,9 +26,6 @@ enum class GeneratedSet {
 
 /// All of them, in the order above.
 std::span<const GeneratedSet> generated_sets();
-
-/// "pieces", "mixtures", "locks", "tori", "polyhedra", "letters".
-const char* to_string(GeneratedSet set);
 
 struct GenerateOptions {
     GeneratedSet set = GeneratedSet::pieces;
@@ -62,3 +60,10 @@ GeneratedFiles generate(const GenerateOptions& options, const std::filesystem::p
                         const Control& control = {});
 
 }  // namespace spectralpack::tools
+
+namespace spectralpack {
+
+template <>
+inline constexpr Words<6> kWords<tools::GeneratedSet>{"pieces", "mixtures", "locks", "tori", "polyhedra", "letters"};
+
+}  // namespace spectralpack

@@ -10,6 +10,7 @@
 #include "spectralpack/events.hpp"
 #include "spectralpack/files.hpp"
 #include "spectralpack/mesh_figures.hpp"
+#include "spectralpack/names.hpp"
 #include "spectralpack/packing.hpp"
 
 namespace spectralpack::tools {
@@ -20,9 +21,6 @@ enum class Facing {
     turned,        ///< outward, after some or all were turned on loading
     inconsistent,  ///< neighbours face opposite ways
 };
-
-/// "outward", "turned" or "inconsistent".
-const char* to_string(Facing facing);
 
 /// One object of a mesh file, as it would be packed: after the repairs that are safe.
 struct InspectedObject {
@@ -65,3 +63,10 @@ std::string inspection_json(const std::vector<InspectedFile>& files);
 Scene inspection_scene(const std::vector<InspectedFile>& files);
 
 }  // namespace spectralpack::tools
+
+namespace spectralpack {
+
+template <>
+inline constexpr Words<3> kWords<tools::Facing>{"outward", "turned", "inconsistent"};
+
+}  // namespace spectralpack

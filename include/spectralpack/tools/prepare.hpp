@@ -9,6 +9,7 @@
 
 #include "spectralpack/events.hpp"
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/names.hpp"
 #include "spectralpack/stop.hpp"
 
 namespace spectralpack::tools {
@@ -28,9 +29,6 @@ enum class Prepared {
     non_manifold,  ///< an edge has more than two facets
     no_volume,     ///< its signed volume is not positive
 };
-
-/// "kept", "unusable", "open", "inconsistent", "non-manifold", "no volume".
-const char* to_string(Prepared outcome);
 
 struct PreparedMesh {
     Prepared outcome = Prepared::kept;
@@ -71,3 +69,11 @@ PrepareSummary prepare(const std::filesystem::path& folder, const std::filesyste
                        const PrepareOptions& options, const Control& control = {});
 
 }  // namespace spectralpack::tools
+
+namespace spectralpack {
+
+template <>
+inline constexpr Words<6> kWords<tools::Prepared>{"kept",         "unusable",     "open",
+                                                  "inconsistent", "non-manifold", "no volume"};
+
+}  // namespace spectralpack

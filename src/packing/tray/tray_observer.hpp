@@ -8,9 +8,9 @@
 namespace spectralpack {
 
 /// All that is told from tray_begun() to tray_finished() is of that tray. Who applies the calls in order holds what the
-/// packing holds: the copies of each tray, in whatever order; also where an exception ends it. A tray may begin anew:
-/// what was told of it before is void. One that is told of and stays without copies may not be among the trays of the
-/// result. Exceptions that leave an observer end the packing.
+/// packing holds: the copies of each tray, in whatever order. A tray may begin anew: what was told of it before is
+/// void. One that is told of and stays without copies may not be among the trays of the result. Strategies that pack
+/// more than once tell of the packing that is kept. Exceptions that leave an observer end the packing.
 class TrayObserver {
   public:
     virtual ~TrayObserver() = default;

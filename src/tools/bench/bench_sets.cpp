@@ -100,7 +100,7 @@ SetOnDisk BenchSets::whole(const std::string& name) {
 }
 
 fs::path BenchSets::generated(GeneratedSet set, std::optional<int> copies) {
-    const std::string name = to_string(set);
+    const std::string name(to_string(set));
     const fs::path folder = folder_ / (copies ? fmt::format("{}-{}", name, *copies) : name);
     const fs::path file = folder / (name + ".csv");  // written last, so it is there only where all is
     if (fs::exists(file)) return file;

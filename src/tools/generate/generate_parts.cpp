@@ -213,22 +213,4 @@ std::span<const GeneratedSet> generated_sets() {
     return kSets;
 }
 
-const char* to_string(GeneratedSet set) {
-    switch (set) {
-        case GeneratedSet::pieces:
-            return "pieces";
-        case GeneratedSet::mixtures:
-            return "mixtures";
-        case GeneratedSet::locks:
-            return "locks";
-        case GeneratedSet::tori:
-            return "tori";
-        case GeneratedSet::polyhedra:
-            return "polyhedra";
-        case GeneratedSet::letters:
-            return "letters";
-    }
-    return "";
-}
-
 }  // namespace spectralpack::tools

@@ -105,16 +105,4 @@ Scene inspection_scene(const std::vector<InspectedFile>& files) {
     return scene;
 }
 
-const char* to_string(Facing facing) {
-    switch (facing) {
-        case Facing::outward:
-            return "outward";
-        case Facing::turned:
-            return "turned";
-        case Facing::inconsistent:
-            return "inconsistent";
-    }
-    return "";
-}
-
 }  // namespace spectralpack::tools

@@ -40,7 +40,7 @@ std::string object_json(const InspectedObject& object) {
            ", \"shells\": " + number(f.shells) + ", \"watertight\": " + flag(f.watertight()) +
            ", \"border\": {\"edges\": " + number(f.edges.border) + ", \"loops\": " + number(f.border_loops) +
            ", \"longest\": " + list_json(f.holes, hole) +
-           "}, \"orientation\": " + json_string(to_string(object.facing)) +
+           "}, \"orientation\": " + json_string(std::string(to_string(object.facing))) +
            ", \"misdirected\": {\"edges\": " + number(f.edges.misdirected) +
            ", \"place\": " + place_json(f.misdirected_place) +
            "}, \"non_manifold\": {\"edges\": " + number(f.edges.crowded) +

@@ -19,9 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Prepared kOutcomes[] = {Prepared::kept,         Prepared::unusable,     Prepared::open,
-                                  Prepared::inconsistent, Prepared::non_manifold, Prepared::no_volume};
-
 /// What the results depend on, besides the meshes.
 std::string settings_text(const PrepareOptions& options) {
     const PrepareRules& rules = options.rules;
@@ -63,7 +60,8 @@ class Preparation {
         for (const InputError& error : inputs.unusable) {
             const std::string name = fs::path(error.file()).lexically_relative(folder).string();
             if (name == "." || error.file() == folder.string()) throw error;
-            unusable_.push_back({name, 0, to_string(Prepared::unusable), error.cause(), "", 0, 0, {}, 0, 1, ""});
+            unusable_.push_back(
+                {name, 0, std::string(to_string(Prepared::unusable)), error.cause(), "", 0, 0, {}, 0, 1, ""});
         }
     }
 
@@ -96,7 +94,7 @@ class Preparation {
             loaded = read_meshes(folder_ / name, options_.unit);
         } catch (const InputError& error) {
             const std::string cause = error.place().empty() ? error.cause() : error.place() + ": " + error.cause();
-            file.rows.push_back({name, 0, to_string(Prepared::unusable), cause, "", 0, 0, {}, 0, 1, ""});
+            file.rows.push_back({name, 0, std::string(to_string(Prepared::unusable)), cause, "", 0, 0, {}, 0, 1, ""});
             return file;
         }
         for (std::size_t i = 0; i < loaded.size(); ++i) {
@@ -162,9 +160,7 @@ void write_results(const Preparation& preparation, const PrepareJournal& journal
         }
     }
     for (const PreparedRow& row : report) {
-        for (const Prepared outcome : kOutcomes) {
-            if (row.outcome == to_string(outcome)) ++summary.meshes[outcome];
-        }
+        if (const auto outcome = from_string<Prepared>(row.outcome)) ++summary.meshes[*outcome];
     }
     write_prepare_report(report, summary.report_file);
     write_set(set, summary.set_file);
@@ -220,24 +216,6 @@ PrepareSummary prepare(const fs::path& folder, const fs::path& output, const Pre
     summary.stopped = summary.done < summary.files ? stop.reason() : StopReason::none;
     write_results(preparation, journal, summary);
     return summary;
-}
-
-const char* to_string(Prepared outcome) {
-    switch (outcome) {
-        case Prepared::kept:
-            return "kept";
-        case Prepared::unusable:
-            return "unusable";
-        case Prepared::open:
-            return "open";
-        case Prepared::inconsistent:
-            return "inconsistent";
-        case Prepared::non_manifold:
-            return "non-manifold";
-        case Prepared::no_volume:
-            return "no volume";
-    }
-    return "";
 }
 
 }  // namespace spectralpack::tools

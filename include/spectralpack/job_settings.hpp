@@ -1,0 +1,38 @@
+#pragma once
+/// What a job file, or the command line of `pack`, says besides the parts.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spectralpack/job.hpp"
+#include "spectralpack/options.hpp"
+
+namespace spectralpack {
+
+enum class LengthUnit { mm, inch, m };
+
+constexpr double in_mm(LengthUnit unit) { return unit == LengthUnit::m ? 1000 : unit == LengthUnit::inch ? 25.4 : 1; }
+
+/// How the program tells of a run's progress. automatic: a bar on a terminal, nothing elsewhere.
+enum class ProgressStyle { automatic, bar, json, none };
+
+/// What a job file says besides its parts (docs/format.md). Where the file is silent: the options' defaults, and
+/// nothing for what is the program's own.
+struct JobSettings {
+    std::string file;                ///< the job file, for messages
+    std::optional<LengthUnit> unit;  ///< of mesh files that do not say theirs
+    PackOptions options;
+    bool sized = false;  ///< the file says how large the tray is, or by which printer
+    ContainerSource container;
+    std::vector<FixedSource> fixed;
+    std::optional<std::string> onto;  ///< a packing file, usable from the working directory
+
+    std::vector<std::string> outputs;        ///< usable from the working directory
+    std::optional<std::string> report;       ///< the same
+    std::optional<double> material_density;  ///< g/cm^3
+    std::optional<ProgressStyle> progress;
+    std::optional<bool> dry_run, json, skip_unusable, require_all;
+};
+
+}  // namespace spectralpack

@@ -1,0 +1,210 @@
+#include "model/options/entries.hpp"
+#include "spectralpack/printers.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Group = OptionGroup;
+using Type = OptionType;
+
+/// Their names, and "list".
+std::span<const std::string_view> printer_words() {
+    static const std::vector<std::string_view> words = [] {
+        std::vector<std::string_view> names{"list"};
+        for (const Printer& printer : printers()) {
+            names.push_back(printer.name);
+        }
+        return names;
+    }();
+    return words;
+}
+
+}  // namespace
+
+std::vector<Option> output_options() {
+    return {
+        kept_in<&JobSettings::outputs>(
+            {.name = "output",
+             .letter = 'o',
+             .group = Group::output,
+             .type = Type::files,
+             .placeholder = "FILE",
+             .line = "file to write, repeatable: .json .3mf .stl .csv .png",
+             .help = "The ending says what is written: .json the packing file with everything that is known, .3mf for "
+                     "slicers, .stl all copies merged, .csv a line with the transform of each copy, .png a picture. Of "
+                     "several trays, those but .json become one file for each tray and one with all of them. Files "
+                     "are written whole or not at all; an existing one is replaced.",
+             .examples = {"build.3mf", "build.json"}}),
+        kept_in<&JobSettings::report>(
+            {.name = "report",
+             .group = Group::output,
+             .type = Type::file,
+             .placeholder = "FILE",
+             .line = "report for people to write: .html (a page with pictures that prints well) or .csv",
+             .help = "The page shows each tray, densities, the area of each layer, the parts, and what was left over "
+                     "and why. The table has a line for each part.",
+             .examples = {"build.html"}}),
+        kept_in<&JobSettings::material_density>({.name = "material-density",
+                                                 .group = Group::output,
+                                                 .type = Type::number,
+                                                 .least = 0,
+                                                 .above = true,
+                                                 .placeholder = "G/CM3",
+                                                 .line = "g/cm3 of the material; the report then has masses",
+                                                 .examples = {"1.01"}}),
+    };
+}
+
+std::vector<Option> container_options() {
+    return {
+        kept_in<&PackOptions::tray>(
+            {.name = "tray",
+             .group = Group::container,
+             .type = Type::size,
+             .placeholder = "XxYxZ",
+             .line = "container in mm; with --open-height XxY will do",
+             .help = "Length, width and height of the box that is filled. Its lower corner is the origin, z points up. "
+                     "Without a ceiling the height is what heights are weighed by; where it is left out, the longer "
+                     "side of the base is.",
+             .examples = {"160x120x100", "300x200"},
+             .hash_place = 1}),
+        kept_in<&PackOptions::trays>(
+            {.name = "trays",
+             .group = Group::container,
+             .type = Type::integer,
+             .least = 1,
+             .most = kMostInt,
+             .zero_word = "all",
+             .placeholder = "N",
+             .line = "containers to fill, a number or all",
+             .help = "Trays are filled one after the other, each with what found no place in those before it. 'all' "
+                     "goes on until everything is placed or a tray stays empty.",
+             .examples = {"2", "all"},
+             .hash_place = 8}),
+        kept_in<&PackOptions::try_per_tray>(
+            {.name = "try-per-tray",
+             .group = Group::container,
+             .type = Type::integer,
+             .least = 0,
+             .most = kMostInt,
+             .placeholder = "N",
+             .line = "of several trays, one is full once so many parts found no place in it; 0: once all were tried",
+             .help = "Where many copies wait for later trays, not every one of them has to be tried in each: fewer "
+                     "tries are faster, more let small parts fill the gaps of early trays.",
+             .examples = {"500"},
+             .hash_place = 9}),
+        kept_in<&PackOptions::printer>(
+            {.name = "printer",
+             .group = Group::container,
+             .type = Type::text,
+             .words = printer_words(),
+             .placeholder = "NAME",
+             .line = "build volume and customary gaps of a printer; list prints them",
+             .help = "Sets --tray, --gap and --wall-gap, which override it where they are given. The gaps are "
+                     "customary starting values, not the maker's word: yours depend on material and machine.",
+             .examples = {"hp-mjf-5200"}}),
+        {.name = "container",
+         .group = Group::container,
+         .type = Type::file,
+         .placeholder = "MESH",
+         .line = "closed mesh to fill instead of a box",
+         .help = "It is moved to the origin; its box takes the place of --tray. A voxel is free only if all of it lies "
+                 "inside. In a job file: the key 'container'.",
+         .examples = {"cup.stl"}},
+        {.name = "keep-out",
+         .group = Group::container,
+         .type = Type::files,
+         .placeholder = "BOX|MESH",
+         .line = "room that stays empty, repeatable: a box x0,y0,z0,x1,y1,z1 in mm, or a mesh file",
+         .help = "The wall gap holds for it, too. In a job file: the key 'keep_out'.",
+         .examples = {"0,0,0,480,10,200", "pillar.stl"}},
+        {.name = "physical",
+         .group = Group::container,
+         .line = "walls and keep-outs are really there: what leaves, leaves over the top, which is open",
+         .help = "Else they are virtual: a way out may lead through them. In a job file: 'physical' of 'container'."},
+        kept_in<&JobSettings::onto>(
+            {.name = "onto",
+             .group = Group::container,
+             .type = Type::file,
+             .placeholder = "PACKING",
+             .line = "packing file to top up: its copies stay where they are",
+             .help = "What is packed is placed beside and on top of them, tray by tray, in the same container unless "
+                     "another is given.",
+             .examples = {"yesterday.json"}}),
+    };
+}
+
+std::vector<Option> gap_options() {
+    return {
+        kept_in<&PackOptions::gap>(
+            {.name = "gap",
+             .group = Group::container,
+             .type = Type::number,
+             .least = 0,
+             .placeholder = "MM",
+             .line = "least distance between two copies, mm",
+             .help = "It is kept on the true meshes, whatever the voxel size. A part may have a gap of its own in a "
+                     "job file; of two copies the larger counts.",
+             .examples = {"1"}}),
+        kept_in<&PackOptions::wall_gap>({.name = "wall-gap",
+                                         .group = Group::container,
+                                         .type = Type::number,
+                                         .least = 0,
+                                         .placeholder = "MM",
+                                         .line = "least distance to the walls, mm",
+                                         .help = "Also to the floor, the ceiling, keep-outs and a container mesh.",
+                                         .examples = {"1.5"},
+                                         .hash_place = 3}),
+    };
+}
+
+std::vector<Option> filling_options() {
+    return {
+        kept_in<&PackOptions::open_height>(
+            {.name = "open-height",
+             .group = Group::container,
+             .line = "no ceiling: least height on the tray's base",
+             .help = "The packing file records the height reached. Goes with one tray of a box, and not with --fill.",
+             .hash_place = 17}),
+        kept_in<&PackOptions::minimise>(
+            {.name = "minimise",
+             .group = Group::container,
+             .placeholder = "WHAT",
+             .line = "box: a base, up to the tray's, and height of least volume",
+             .help = "Bases up to the tray's are tried for the packing whose bounding box has the least volume.",
+             .examples = {"box"},
+             .hash_place = 18}),
+        kept_in<&PackOptions::fill>(
+            {.name = "fill",
+             .group = Group::container,
+             .line = "as many copies as fit; counts are shares of one another",
+             .help = "Counts of 1 and 3 give three of the second part for each of the first, as far as there is "
+                     "place.",
+             .hash_place = 19}),
+        kept_in<&PackOptions::max_density>(
+            {.name = "max-density",
+             .group = Group::container,
+             .type = Type::number,
+             .least = 0,
+             .most = 1,
+             .above = true,
+             .placeholder = "SHARE",
+             .line = "cap on the density, a share like 0.3",
+             .help = "A copy that would exceed it is left over; smaller ones that come later may still be placed.",
+             .examples = {"0.3"},
+             .hash_place = 5}),
+        kept_in<&PackOptions::max_layer_fill>({.name = "max-layer-fill",
+                                               .group = Group::container,
+                                               .type = Type::number,
+                                               .least = 0,
+                                               .most = 1,
+                                               .above = true,
+                                               .placeholder = "SHARE",
+                                               .line = "cap on the share of each layer's area, like 0.4",
+                                               .help = "As --max-density, for every layer by itself.",
+                                               .examples = {"0.4"},
+                                               .hash_place = 6}),
+    };
+}
+
+}  // namespace spectralpack

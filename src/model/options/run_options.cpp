@@ -1,0 +1,119 @@
+#include <array>
+
+#include "model/options/entries.hpp"
+
+namespace spectralpack {
+namespace {
+
+using Group = OptionGroup;
+using Type = OptionType;
+
+constexpr std::array<std::string_view, 2> kVerifiers{"reference", "reference:300"};
+
+}  // namespace
+
+std::vector<Option> run_options() {
+    return {
+        kept_in<&PackOptions::engine>(
+            {.name = "engine",
+             .group = Group::run,
+             .placeholder = "NAME",
+             .line = "auto, cpu, reference (the definition, slow)",
+             .help =
+                 "All engines give the same placements. 'reference' is the paper's method written plainly. 'cuda' is "
+                 "not built yet.",
+             .examples = {"cpu"}}),
+        kept_in<&PackOptions::threads>({.name = "threads",
+                                        .group = Group::run,
+                                        .type = Type::integer,
+                                        .least = std::numeric_limits<int>::min(),
+                                        .most = kMostInt,
+                                        .placeholder = "N",
+                                        .line = "threads; the result does not depend on it",
+                                        .default_means = "all",
+                                        .examples = {"4"}}),
+        kept_in<&PackOptions::seed>({.name = "seed",
+                                     .group = Group::search,
+                                     .type = Type::natural,
+                                     .least = 0,
+                                     .placeholder = "N",
+                                     .line = "seed of --order random, --restarts and of samples",
+                                     .help = "The same seed gives the same packing on every machine.",
+                                     .examples = {"7"},
+                                     .hash_place = 23}),
+        kept_in<&PackOptions::memory>(
+            {.name = "memory",
+             .group = Group::run,
+             .type = Type::bytes,
+             .least = 0,
+             .placeholder = "BYTES",
+             .line = "memory to plan with, like 4G",
+             .help = "K, M, G and T are powers of 1000, Ki, Mi, Gi and Ti of 1024; in files it is a number of bytes. A "
+                     "run that would need more is refused before it starts, with the voxel size that would fit.",
+             .default_means = "what is free",
+             .examples = {"4G"}}),
+        kept_in<&PackOptions::verify_with>(
+            {.name = "verify-with",
+             .group = Group::run,
+             .type = Type::verify,
+             .words = kVerifiers,
+             .placeholder = "ENGINE[:SAMPLE]",
+             .line = "let a second engine answer too, all or about SAMPLE placements",
+             .help = "The run stops at the first placement that the two answer differently. The sample is drawn by "
+                     "--seed.",
+             .examples = {"reference:300"}}),
+        kept_in<&PackOptions::time_limit>({.name = "time-limit",
+                                           .group = Group::run,
+                                           .type = Type::number,
+                                           .least = 0,
+                                           .placeholder = "SECONDS",
+                                           .line = "seconds; then the best packing so far is written",
+                                           .examples = {"600"}}),
+    };
+}
+
+std::vector<Option> input_options() {
+    return {
+        kept_in<&JobSettings::unit>({.name = "unit",
+                                     .group = Group::input,
+                                     .placeholder = "UNIT",
+                                     .line = "unit of files that do not say",
+                                     .help = "3MF files say theirs; STL, OBJ, PLY and OFF do not.",
+                                     .default_means = "mm",
+                                     .examples = {"inch"}}),
+        {.name = "mesh-dir",
+         .group = Group::input,
+         .type = Type::folder,
+         .placeholder = "FOLDER",
+         .line = "folder that the paths in set files start from",
+         .default_means = "the set file's own",
+         .examples = {"meshes"}},
+        kept_in<&JobSettings::skip_unusable>({.name = "skip-unusable",
+                                              .group = Group::input,
+                                              .line = "exit 0 although an input was unusable",
+                                              .help = "The rest is packed either way; else the exit status is 3."}),
+    };
+}
+
+std::vector<Option> program_options() {
+    return {
+        kept_in<&JobSettings::dry_run>(
+            {.name = "dry-run",
+             .group = Group::run,
+             .line = "say what memory and time it would take (packs a few seconds to see); write nothing"}),
+        kept_in<&JobSettings::require_all>(
+            {.name = "require-all", .group = Group::run, .line = "exit 5 when copies are left over"}),
+        kept_in<&JobSettings::progress>(
+            {.name = "progress",
+             .group = Group::run,
+             .placeholder = "STYLE",
+             .line = "how progress is told on standard error: auto, bar, json, none",
+             .help = "'auto' is a bar on a terminal and nothing elsewhere; 'json' one object a line, for programs.",
+             .default_means = "auto",
+             .examples = {"json"}}),
+        kept_in<&JobSettings::json>(
+            {.name = "json", .group = Group::run, .line = "print the packing as JSON instead of a summary"}),
+    };
+}
+
+}  // namespace spectralpack
