@@ -21,14 +21,14 @@
 namespace spectralpack {
 namespace {
 
-/// A loop's tasks come after what its caller did before, and before what he does after it. TBB sees to that;
-/// ThreadSanitizer cannot see into TBB, so it is told here. Nothing in other builds.
-class LoopOrder {
+/// Tasks come after what their caller did before, and before what he does once he has waited for them. TBB sees to
+/// that; ThreadSanitizer cannot see into TBB, so it is told here. Nothing in other builds.
+class TaskOrder {
   public:
-    LoopOrder() { release(); }
-    ~LoopOrder() { acquire(); }
-    LoopOrder(const LoopOrder&) = delete;
-    LoopOrder& operator=(const LoopOrder&) = delete;
+    TaskOrder() { release(); }
+    ~TaskOrder() { acquire(); }
+    TaskOrder(const TaskOrder&) = delete;
+    TaskOrder& operator=(const TaskOrder&) = delete;
 
     template <class Task>
     void run(const Task& task) {
@@ -37,7 +37,6 @@ class LoopOrder {
         release();
     }
 
-  private:
 #ifdef SPECTRALPACK_TSAN
     void acquire() { __tsan_acquire(this); }
     void release() { __tsan_release(this); }
@@ -91,6 +90,7 @@ struct Workers::Pool {
             spare_tasks.cancel();
             spare_tasks.wait();
         });
+        spare_order.acquire();
     }
 
     Pool(const Pool&) = delete;
@@ -115,7 +115,8 @@ struct Workers::Pool {
     tbb::task_arena arena;
     tbb::task_arena spare;        // one place of it is for who asks
     tbb::task_group spare_tasks;  // each runs the first that waits, if somebody else has not yet
-    std::mutex mutex;             // guards what waits
+    TaskOrder spare_order;
+    std::mutex mutex;  // guards what waits
     std::deque<std::function<void()> > waiting;
 };
 
@@ -131,7 +132,7 @@ void Workers::for_each(std::int64_t count, const std::function<void(std::int64_t
         }
         return;
     }
-    LoopOrder order;
+    TaskOrder order;
     pool_->arena.execute(
         [&] { tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) { order.run([&] { task(i); }); }); });
 }
@@ -191,7 +192,7 @@ void Workers::for_ranges(std::int64_t count, std::int64_t grain,
         return;
     }
     using Range = tbb::blocked_range<std::int64_t>;
-    LoopOrder order;
+    TaskOrder order;
     pool_->arena.execute([&] {
         tbb::parallel_for(Range(0, count, static_cast<std::size_t>(std::max<std::int64_t>(1, grain))),
                           [&](const Range& range) { order.run([&] { task(range.begin(), range.end()); }); });
@@ -204,7 +205,8 @@ void Workers::spare(std::function<void()> task) const {
         const std::lock_guard lock(pool_->mutex);
         pool_->waiting.push_back(std::move(task));
     }
-    pool_->spare.execute([&] { pool_->spare_tasks.run([pool = pool_.get()] { pool->run_next(); }); });
+    pool_->spare.execute(
+        [&] { pool_->spare_tasks.run([pool = pool_.get()] { pool->spare_order.run([pool] { pool->run_next(); }); }); });
 }
 
 bool Workers::run_spare() const { return pool_->run_next(); }
