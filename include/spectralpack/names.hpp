@@ -25,8 +25,8 @@
 
 namespace spectralpack {
 
-template <std::size_t N>
-using Words = std::array<std::string_view, N>;
+template <std::size_t kCount>
+using Words = std::array<std::string_view, kCount>;
 
 /// In the order of the enum's values, which start at 0. Input hashes hold positions: new values come last.
 template <class Enum>

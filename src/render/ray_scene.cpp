@@ -11,10 +11,10 @@
 namespace spectralpack {
 namespace {
 
-template <class Handle, void (*release)(Handle)>
+template <class Handle, void (*kRelease)(Handle)>
 struct Release {
     using pointer = Handle;
-    void operator()(Handle handle) const { release(handle); }
+    void operator()(Handle handle) const { kRelease(handle); }
 };
 using Device = std::unique_ptr<RTCDevice, Release<RTCDevice, rtcReleaseDevice>>;
 using EmbreeScene = std::unique_ptr<RTCScene, Release<RTCScene, rtcReleaseScene>>;

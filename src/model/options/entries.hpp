@@ -31,7 +31,7 @@ struct WithoutOptional<std::optional<T>> {
 };
 
 /// `entry` for a field of PackOptions or JobSettings. Of an enum it takes the words.
-template <auto Member, class Settings, class T>
+template <auto kMember, class Settings, class T>
 Option kept_at(T Settings::*, Option entry) {
     using Value = typename WithoutOptional<T>::Type;
     if constexpr (Named<Value>) {
@@ -40,16 +40,16 @@ Option kept_at(T Settings::*, Option entry) {
     }
     entry.optional = kIsOptional<T>;
     if constexpr (std::is_same_v<Settings, PackOptions>) {
-        entry.in_pack = field_of<Member>(Member);
+        entry.in_pack = field_of<kMember>(kMember);
     } else {
-        entry.in_job = field_of<Member>(Member);
+        entry.in_job = field_of<kMember>(kMember);
     }
     return entry;
 }
 
-template <auto Member>
+template <auto kMember>
 Option kept_in(Option entry) {
-    return kept_at<Member>(Member, std::move(entry));
+    return kept_at<kMember>(kMember, std::move(entry));
 }
 
 }  // namespace spectralpack

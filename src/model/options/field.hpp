@@ -56,10 +56,10 @@ T from_value(const OptionValue& value) {
     }
 }
 
-template <auto Member, class Settings, class T>
+template <auto kMember, class Settings, class T>
 OptionField<Settings> field_of(T Settings::*) {
-    return {[](const Settings& settings) { return to_value(settings.*Member); },
-            [](Settings& settings, const OptionValue& value) { settings.*Member = from_value<T>(value); }};
+    return {[](const Settings& settings) { return to_value(settings.*kMember); },
+            [](Settings& settings, const OptionValue& value) { settings.*kMember = from_value<T>(value); }};
 }
 
 }  // namespace spectralpack

@@ -257,17 +257,17 @@ constexpr SumKernels<T> SumKernelsOf() {
 }
 
 const Kernels& AllKernels() {
-    static constexpr Kernels all{LowerRow,
-                                 LowerBytes,
-                                 MinRows,
-                                 MinOfFour,
-                                 MaxOfRow,
-                                 AndRows,
-                                 OrRows,
-                                 OrMovedDown,
-                                 SumKernelsOf<std::uint16_t>(),
-                                 SumKernelsOf<std::uint8_t>()};
-    return all;
+    static constexpr Kernels kAll{LowerRow,
+                                  LowerBytes,
+                                  MinRows,
+                                  MinOfFour,
+                                  MaxOfRow,
+                                  AndRows,
+                                  OrRows,
+                                  OrMovedDown,
+                                  SumKernelsOf<std::uint16_t>(),
+                                  SumKernelsOf<std::uint8_t>()};
+    return kAll;
 }
 
 }  // namespace HWY_NAMESPACE
