@@ -30,7 +30,7 @@ TEST_F(Containers, FillsAMesh) {
     moved["trays"][0]["placements"][0]["transform"][2][3] = 0;
     const json finding = finding_of(moved);
     EXPECT_EQ(finding["kind"], "outside");
-    EXPECT_EQ(finding["placements"], json({0}));
+    EXPECT_EQ(finding["placements"], json::array({0}));
 }
 
 TEST_F(Containers, CapsInAMeshAreOfItsVolumeAndSections) {

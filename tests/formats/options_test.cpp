@@ -89,7 +89,8 @@ TEST(Options, AWrongValueIsRefusedByItsPath) {
         {"rotations", "17"},   {"rotations", 17},  {"order", "best"},      {"unit", "yard"}, {"progress", "loud"},
         {"verify-with", "me"}, {"height-at", "x"}, {"height-penalty", -1}, {"report", ""},   {"threads", 1e10}};
     for (const auto& [name, value] : out_of_range) {
-        const InputError error = refusal([&] { parse_job("/jobs/job.json", job_with({{name, value}}).dump()); });
+        const std::string job = job_with({{name, value}}).dump();
+        const InputError error = refusal([&] { parse_job("/jobs/job.json", job); });
         EXPECT_EQ(error.place(), "options." + std::string(name)) << value;
     }
     const InputError detail = refusal([&] { parse_job("/jobs/job.json", job_with({{"detail", 9}}).dump()); });

@@ -122,7 +122,7 @@ TEST(OrientationRuns, TurnLikeTheirVoxels) {
         const Runs expected = runs_along(*solid_then, runs.solid.axis);
         EXPECT_EQ(runs.solid.runs, expected.runs);
         EXPECT_EQ(runs.solid.voxels, expected.voxels);
-        EXPECT_EQ(runs.least, Depths(*solid_then, expected).sums(expected));
+        EXPECT_EQ(runs.least, Depths(*solid_then, expected.axis).sums(expected));
         const OrientationRuns made = make_runs({0, {}, {}, solid_then, {}}, 1, tables, Workers(1)).runs;
         EXPECT_FALSE(runs.cells.cells.empty());
         EXPECT_EQ(placed_cells(runs.cells), placed_cells(made.cells));
@@ -143,7 +143,7 @@ TEST(Depths, AreTheDistanceToTheOutside) {
         const Grid<std::int32_t> depth = manhattan_distance(outside, Ceiling::closed);
         for (int axis = 0; axis < 3; ++axis) {
             const Runs runs = runs_along(solid, axis);
-            const std::vector<std::uint32_t> sums = Depths(solid, runs).sums(runs);
+            const std::vector<std::uint32_t> sums = Depths(solid, runs.axis).sums(runs);
             ASSERT_EQ(sums.size(), runs.runs.size());
             for (std::size_t k = 0; k < sums.size(); ++k) {
                 std::uint32_t expected = 0;
@@ -177,7 +177,7 @@ TEST(Cells, NeverClaimsMoreThanTheProximityOfAFreePosition) {
         const BitGrid solid = random_solid(random, random_extent(random, {1, 1, 1}, {17, 15, 13}));
         const Extent& a = solid.extent();
         const Runs runs = fewest_runs(solid);
-        const Depths depths(solid, runs);
+        const Depths depths(solid, runs.axis);
         const TurnedDepths as_it_is(depths, {}, a);
         for (const int edge : {kBlock, 2 * kBlock}) {
             const CellList list = list_cells(runs, a, minima, phi.most(), edge, 1000, as_it_is);

@@ -16,11 +16,11 @@ inline constexpr int kDeepest = 63;
 
 class Depths {
   public:
-    /// delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel outside `solid`). `runs` are the solid's
-    /// own. O(voxels of the solid's grid), five bytes for each.
-    Depths(const BitGrid& solid, const Runs& runs);
+    /// delta(x) = min(kDeepest, Manhattan distance from x to the nearest voxel outside `solid`), to be summed up along
+    /// `axis`. O(voxels of the solid's grid), eight bytes for each.
+    Depths(const BitGrid& solid, int axis);
 
-    /// The sum over a run of voxels along the axis of the solid's runs, within the solid's grid; outside the solid
+    /// The sum over a run of voxels along the axis, within the solid's grid; outside the solid
     /// delta is 0. O(1).
     std::uint32_t sum(const Run& run) const {
         const std::size_t first = place(run.start);
@@ -36,7 +36,7 @@ class Depths {
                static_cast<std::size_t>(x);
     }
 
-    Extent padded_;                      // the solid's, and a layer more along the runs' axis
+    Extent padded_;                      // the solid's, and a layer more along the axis
     std::size_t step_;                   // from a voxel to the next along it
     std::vector<std::uint32_t> before_;  // what lies before each voxel in its row along the axis, summed up
 };

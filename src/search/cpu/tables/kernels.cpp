@@ -93,26 +93,6 @@ std::uint16_t MaxOfRow(const std::uint16_t* row, std::size_t count) {
 
 // Those that a compiler would not: short rows, lanes that change places.
 
-void LowerBytes(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count) {
-    const hn::ScalableTag<std::uint8_t> d;
-    const std::size_t step = hn::Lanes(d);
-    const auto above = hn::Set(d, by);
-    const auto lower = [&](std::size_t i) {
-        hn::StoreU(hn::Min(hn::LoadU(d, row + i), hn::Add(hn::LoadU(d, from + i), above)), d, row + i);
-    };
-    std::size_t i = 0;
-    for (; i + step <= count; i += step) {
-        lower(i);
-    }
-    if (i < count && count >= step) {
-        lower(count - step);  // some of them once more
-        return;
-    }
-    for (; i < count; ++i) {
-        row[i] = std::min(row[i], static_cast<std::uint8_t>(from[i] + by));
-    }
-}
-
 template <bool kAdd, class T>
 void CombineRows(T* out, const T* a, const T* b, std::size_t rows, std::ptrdiff_t step, std::ptrdiff_t b_step,
                  std::size_t count) {
@@ -258,7 +238,6 @@ constexpr SumKernels<T> SumKernelsOf() {
 
 const Kernels& AllKernels() {
     static constexpr Kernels kAll{LowerRow,
-                                  LowerBytes,
                                   MinRows,
                                   MinOfFour,
                                   MaxOfRow,

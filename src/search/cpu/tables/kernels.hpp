@@ -41,9 +41,6 @@ struct SumKernels {
 struct Kernels {
     /// row[i] = min(row[i], from[i] + 1) for i in [0, count). The least range of what changed.
     RowChange (*lower_row)(std::uint16_t* row, const std::uint16_t* from, std::size_t count);
-    /// row[i] = min(row[i], from[i] + by) for i in [0, count); values + by below 256. The two may overlap: which of
-    /// from's values are lowered already when they are read is not said.
-    void (*lower_bytes)(std::uint8_t* row, const std::uint8_t* from, std::uint8_t by, std::size_t count);
     /// out[i] = min(a[i], b[i]); out may be a.
     void (*min_rows)(std::uint16_t* out, const std::uint16_t* a, const std::uint16_t* b, std::size_t count);
     /// out[i] = the least of rows[k][i] - floor, the difference modulo 2^16.

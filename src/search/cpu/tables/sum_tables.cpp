@@ -246,34 +246,6 @@ void SumTables<T>::refresh(const DistanceGrid& phi, const ChangedLayers& changed
     sum_columns(phi, box, top, workers);
 }
 
-template <class T>
-bool SumTables<T>::same_sums(const SumTables& other) const {
-    if (!SumLayout::operator==(other) || window_ != other.window_ || disjoint_ != other.disjoint_ ||
-        top_ > other.top_ ||
-        !std::equal(pooled_.begin(), pooled_.begin() + (pooled_.empty() ? 0 : in_pooled(0, top_)),
-                    other.pooled_.begin())) {
-        return false;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        VoxelIndex v;
-        for (v.z = 0; v.z < top_ + (axis == 2); ++v.z) {
-            for (v.y = 0; v.y < grid_.y + (axis == 1); ++v.y) {
-                for (v.x = 0; v.x < grid_.x + (axis == 0); ++v.x) {
-                    VoxelIndex first = v;
-                    first[axis] = 0;
-                    const auto here = static_cast<std::size_t>(offset(axis, v));
-                    const auto there = static_cast<std::size_t>(offset(axis, first));
-                    if (static_cast<T>(values_[here] - values_[there]) !=
-                        static_cast<T>(other.values_[here] - other.values_[there])) {
-                        return false;
-                    }
-                }
-            }
-        }
-    }
-    return true;
-}
-
 template class SumTables<std::uint16_t>;
 template class SumTables<std::uint8_t>;
 

@@ -41,8 +41,6 @@ class SumLayout {
     /// Windows.
     static constexpr Extent kVoxel{1, 1, 1}, kQuad{1, 2, 2}, kBlock{kPooledBlock, kPooledBlock, kPooledBlock};
 
-    bool operator==(const SumLayout&) const = default;
-
     /// Where displacement d along `axis` lies from a base; d >= 0.
     std::int32_t offset(int axis, const VoxelIndex& d) const {
         return static_cast<std::int32_t>(axis * table_ + row(d.y, d.z) + within(d.x));
@@ -95,9 +93,6 @@ class SumTables : public SumLayout {
     /// and those next to them in rows and columns).
     void follow(const DistanceGrid& phi, int top, const Workers& workers);
     int top() const { return top_; }
-
-    /// True when every run's sum below top(), which is not higher than the other's, is the same. O(voxels).
-    bool same_sums(const SumTables& other) const;
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + pooled_.size()) * sizeof(T)); }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "search/cpu/tuning.hpp"
-#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
@@ -221,9 +220,6 @@ void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
     version_ = tray.version();
-#ifndef NDEBUG
-    if (version_ % 16 == 0 || afresh) check(tray);
-#endif
 }
 
 VoxelBox TrayTables::changed_since(std::uint64_t since) const {
@@ -237,43 +233,6 @@ VoxelBox TrayTables::changed_since(std::uint64_t since) const {
 std::int64_t TrayTables::bytes() const {
     return bits_.bytes() + crowd_.bytes() + phi_.bytes() + minima_.bytes() + (words_ ? words_->bytes() : 0) +
            (bytes_ ? bytes_->bytes() : 0) + (quads_ ? quads_->bytes() : 0);
-}
-
-void TrayTables::check(const Tray& tray) const {
-    const auto require = [](bool equal, const char* what) {
-        if (!equal) throw InternalError(std::string("the engine's ") + what + " went wrong");
-    };
-    const Extent& n = tray.extent();
-    const Grid<std::int32_t> phi = manhattan_distance(tray.omega_place(), tray.setup().ceiling);
-    int most = 0;
-    for (int z = 0; z < n.z; ++z) {
-        for (int y = 0; y < n.y; ++y) {
-            for (int x = 0; x < n.x; ++x) {
-                if (z < phi_.top()) require(phi_.at(x, y, z) == phi.at(x, y, z), "distance field");
-                most = std::max(most, phi.at(x, y, z));
-            }
-        }
-    }
-    require(phi_.top() < n.z ? most <= phi_.most() : most == phi_.most(), "greatest distance");
-    const Workers one(1);
-    visit_sums([&]<class T>(const Sums<T>& kept) {
-        Sums<T> sums = make_sums<T>(n, disjoint_, one);
-        sums.follow(phi_, top_, one);
-        require(sums.same_sums(kept), "prefix sums");
-    });
-    if (quads_follow_) {
-        SumTables<std::uint8_t> quads(n, SumLayout::kQuad, disjoint_);
-        quads.follow(phi_, top_, one);
-        require(quads.same_sums(*quads_), "prefix sums over quads");
-    }
-    BlockMinima minima(n, kBlock);
-    minima.update(phi_, {{0, 0, 0}, {n.x, n.y, phi_.top()}}, one);
-    require(minima == minima_, "block minima");
-    BitTables bits = tables_for(tray, bits_.margin());
-    CrowdTables crowd = large_ ? CrowdTables(bits) : CrowdTables();
-    fill(bits, crowd, tray, one);
-    require(bits == bits_, "bit tables");
-    require(crowd == crowd_, "crowd tables");
 }
 
 }  // namespace spectralpack

@@ -37,7 +37,6 @@ struct Sums {
         });
     }
     std::int64_t bytes() const { return exact.bytes() + coarse.bytes(); }
-    bool same_sums(const Sums& other) const { return exact.same_sums(other.exact) && coarse.same_sums(other.coarse); }
 };
 
 class TrayTables {
@@ -103,10 +102,6 @@ class TrayTables {
     VoxelBox changed_since(std::uint64_t since) const;
 
     std::int64_t bytes() const;
-
-    /// Recomputes everything from the tray and throws InternalError where it differs; debug builds
-    /// do so now and then by themselves.
-    void check(const Tray& tray) const;
 
   private:
     bool starts_afresh(const Tray& tray, int margin) const;
