@@ -39,7 +39,8 @@ TEST_P(Kept, IsWhatTheTableMakesOfIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, Kept,
-                         testing::Values(std::pair("schema", "job.schema.json"), std::pair("options", "options.md")));
+                         testing::Values(std::pair("schema", "job.schema.json"), std::pair("options", "options.md")),
+                         [](const auto& document) { return std::string(document.param.first); });
 
 TEST(Documents, NameEveryOptionWithItsHelp) {
     const std::string reference = written("options"), man = written("man");
