@@ -10,11 +10,10 @@
 namespace spectralpack::cli {
 namespace {
 
-constexpr std::size_t kHelpWidth = 90;
-
+/// For man page and completions; --help has a page of its own (help_page.hpp).
 std::string help_line(const Option& option) {
     const std::string by_default = default_text(option);
-    return wrapped(std::string(option.line) + (by_default.empty() ? "" : fmt::format(" [{}]", by_default)), kHelpWidth);
+    return std::string(option.line) + (by_default.empty() ? "" : fmt::format(" [{}]", by_default));
 }
 
 void add_option(CLI::App& app, const Option& option, PackArguments& arguments) {

@@ -23,7 +23,7 @@ int run_render(RenderArguments arguments) {
     require_picture(arguments.output);
     const Scene scene = load_scene(arguments.packing);
     write_picture(scene, arguments.output, arguments.options, arguments.threads);
-    fmt::print("wrote {}\n", arguments.output);
+    fmt::print("Written: {}\n", printable(arguments.output));
     return kDone;
 }
 
@@ -35,14 +35,14 @@ Command add_render_command(CLI::App& app) {
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("-o,--output", arguments->output, "picture to write (.png)")->required();
     sub->add_option("--size", arguments->size, "pixels [1600x1200]");
-    sub->add_option("--azimuth", arguments->options.azimuth, "degrees the camera stands round the container [35]");
-    sub->add_option("--elevation", arguments->options.elevation, "degrees the camera stands above it [28]");
+    sub->add_option("--azimuth", arguments->options.azimuth, "degrees that you look from the side [35]");
+    sub->add_option("--elevation", arguments->options.elevation, "degrees that you look from above [28]");
     sub->add_option("--tray", arguments->options.tray, "only this tray, counted from 0 [all]");
     auto* explode = sub->add_option("--explode", arguments->options.explode,
-                                    "draw copies apart along their ways out, the tray 1 + FACTOR times as long")
+                                    "draw copies apart along their ways out: 0.5 makes the tray half as long again")
                         ->type_name("FACTOR");
     sub->add_option("--step", arguments->options.step,
-                    "draw the disassembly plan's step K, from 1 on: its copies half way out of what is left")
+                    "draw step K of taking it apart, from 1 on: its copies half way out")
         ->type_name("K")
         ->excludes(explode);
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");

@@ -32,7 +32,7 @@ struct JobSettings {
     std::optional<std::string> report;       ///< the same
     std::optional<double> material_density;  ///< g/cm^3
     std::optional<ProgressStyle> progress;
-    std::optional<bool> dry_run, json, skip_unusable, require_all;
+    std::optional<bool> dry_run, json, details, skip_unusable, require_all;
 };
 
 }  // namespace spectralpack

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "api/fixed_copies.hpp"
+#include "core/remarks.hpp"
 #include "formats/mesh_reader.hpp"
 #include "spectralpack/option_table.hpp"
 
@@ -47,6 +48,24 @@ InputContent content_of(const Part& part, double unit) {
         content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
     }
     return content;
+}
+
+/// What remarks call the inputs: file names without folder and ending; with the folder where two are alike.
+std::vector<std::string> names_of(const std::vector<const Part*>& inputs) {
+    std::vector<std::string> names;
+    std::map<std::string, int> known;
+    for (const Part* input : inputs) {
+        const std::string file = input->mesh.file();
+        names.push_back(file.empty() ? label_of(*input) : std::filesystem::path(file).stem().string());
+        ++known[names.back()];
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const std::filesystem::path file = inputs[i]->mesh.file();
+        if (known[names[i]] > 1 && !file.empty()) {
+            names[i] = (file.parent_path().filename() / file.filename()).string();
+        }
+    }
+    return names;
 }
 
 std::string count_of(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
@@ -179,16 +198,23 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
 
     LoadedJob result;
     load_fixed(job, result);
+    const std::vector<std::string> names = names_of(inputs);
+    Remarks remarks;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         if (contents[i].error) result.unusable.push_back(*contents[i].error);
-        const std::string file = label_of(*inputs[i]);
         for (const LoadedMesh& loaded : contents[i].meshes) {
-            const std::string name = loaded.object ? file + " (" + loaded.name + ")" : file;
+            const std::string name = loaded.object ? names[i] + " (" + loaded.name + ")" : names[i];
             if (!loaded.repairs.empty()) {
-                listener.on_warning(name + ": mended: " + joined(loaded.repairs));
+                remarks.add(name, {"was mended: " + joined(loaded.repairs),
+                                   "were mended ('spectralpack inspect' and the report say how)"});
             }
-            if (!loaded.warnings.empty()) listener.on_warning(name + ": " + joined(loaded.warnings));
+            for (const Remark& warning : loaded.warnings) {
+                remarks.add(name, warning);
+            }
         }
+    }
+    for (const std::string& text : remarks.texts()) {
+        listener.on_warning(text);
     }
     const auto add = [&](const Part& source, PackedPart part, std::shared_ptr<const Mesh> mesh, double box_volume,
                          std::string problem) {

@@ -15,6 +15,7 @@
 #include "api/plan.hpp"
 #include "api/record.hpp"
 #include "api/tray_events.hpp"
+#include "core/remarks.hpp"
 #include "core/stopwatch.hpp"
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
@@ -34,10 +35,14 @@ class JobRun {
         load();
         plan_ = make_plan(loaded_, container_, options_, workers_);
         require_memory(plan_, loaded_, options_, workers_);
+        Remarks too_large;
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
-            if (!plan_.too_large[i].empty()) {
-                listener_.on_warning(loaded_.parts[i].name + " " + plan_.too_large[i]);
-            }
+            if (plan_.too_large[i].empty()) continue;
+            too_large.add(loaded_.parts[i].name,
+                          {"is larger than the tray: " + plan_.too_large[i], "are larger than the tray"});
+        }
+        for (const std::string& text : too_large.texts()) {
+            listener_.on_warning(text);
         }
         PackResult result;
         seconds_.load = watch.seconds();
@@ -46,7 +51,7 @@ class JobRun {
         try {
             search(packed);
         } catch (const std::bad_alloc&) {
-            result.failure = ResourceError("out of memory while searching; what was placed is kept");
+            result.failure = ResourceError("out of memory while placing; what was placed by then is kept");
         } catch (const Error& error) {
             result.failure = error;
         }

@@ -34,16 +34,16 @@ Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
     return box.size();
 }
 
-/// Why the part fits in no orientation; empty where it fits in one.
+/// Its size and the room there is, where the part fits in no orientation; empty where it fits in one.
 std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations, const Vec3& space) {
     for (const Mat3& turn : orientations) {
         if (fits(turned_size(mesh, turn, to_mm), space)) return "";
     }
     const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
-    return "is " + short_number(size.x) + " x " + short_number(size.y) + " x " + short_number(size.z) +
-           " mm and fits " + (std::isinf(space.z) ? "on " : "into ") + short_number(space.x) + " x " +
-           short_number(space.y) + (std::isinf(space.z) ? "" : " x " + short_number(space.z)) + " mm in none of the " +
-           std::to_string(orientations.size()) + " orientation" + (orientations.size() == 1 ? "" : "s") + " tried";
+    const std::string height = std::isinf(space.z) ? "" : " x " + tenths(space.z);
+    return tenths(size.x) + " x " + tenths(size.y) + " x " + tenths(size.z) + " mm, and there is room for " +
+           tenths(space.x) + " x " + tenths(space.y) + height + " mm" +
+           (orientations.size() == 1 ? "; it may not be turned" : "");
 }
 
 /// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over

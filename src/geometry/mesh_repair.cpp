@@ -258,7 +258,8 @@ class Repairer {
                                       ")");
         }
         if (shells_overlap(mesh_, groups)) {
-            result_.warnings.push_back("shells of it overlap: its volume counts the space they share twice");
+            result_.warnings.push_back({"has bodies that overlap; what they share counts twice in its volume",
+                                        "have bodies that overlap; what they share counts twice in their volume"});
         }
         return true;
     }
@@ -269,16 +270,18 @@ class Repairer {
             mesh_ = inside_out(std::move(mesh_));
             result_.repairs.push_back("turned the open mesh, whose facets faced inwards");
         }
-        result_.warnings.push_back("is not closed: " +
-                                   (count_.border > 0 ? counted(count_.border, "border edge", "border edges")
-                                                      : "neighbouring facets face opposite ways") +
-                                   "; packed by its surface");
+        const std::string why = count_.border > 0 ? counted(count_.border, "border edge", "border edges")
+                                                  : "neighbouring facets face opposite ways";
+        result_.warnings.push_back({"is not closed (" + why + "); its surface is packed, as if it were hollow",
+                                    "are not closed; their surfaces are packed, as if they were hollow"});
         return true;
     }
 
     void describe_edges() {
         if (count_.crowded == 0) return;
-        result_.warnings.push_back(counted(count_.crowded, "edge is", "edges are") + " shared by more than two facets");
+        result_.warnings.push_back(
+            {"has " + counted(count_.crowded, "edge that is", "edges that are") + " shared by more than two facets",
+             "have edges that are shared by more than two facets"});
     }
 
     Mesh& mesh_;
@@ -296,14 +299,19 @@ class Repairer {
 
 MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
 
-std::optional<std::string> size_warning(const Box& box, double mm_per_unit) {
+std::optional<Remark> size_warning(const Box& box, double mm_per_unit) {
     const Vec3 extent = box.size();
-    const double longest = mm_per_unit * std::max({extent.x, extent.y, extent.z});
-    if (longest < 3) {
-        return "its longest side is " + shown(longest) + " mm: is its unit the inch or the metre?";
+    const double longest = std::max({extent.x, extent.y, extent.z}), mm = mm_per_unit * longest;
+    const std::string stands = "is " + shown(mm) + " mm long as it stands. ";
+    if (mm < 3) {
+        return Remark{stands + "In inches it would be " + shown(25.4 * longest) + " mm, in metres " +
+                          shown(1000 * longest) + " mm: name its unit with --unit",
+                      "are under 3 mm long as they stand. If they are in inches or metres, name the unit with --unit"};
     }
-    if (longest > 10'000) {
-        return "its longest side is " + shown(longest) + " mm: is its unit the micrometre?";
+    if (mm > 10'000) {
+        return Remark{
+            stands + "In micrometres it would be " + shown(longest / 1000) + " mm: scale it, like FILE:1@0.001",
+            "are over 10 m long as they stand. If they are in micrometres, scale them, like FILE:1@0.001"};
     }
     return std::nullopt;
 }

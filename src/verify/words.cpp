@@ -18,7 +18,7 @@ std::string copy_name(const Packing& packing, const Placement& placement) {
 }
 
 std::string tray_prefix(const Packing& packing, int tray) {
-    return packing.trays.size() > 1 ? "tray " + std::to_string(tray) + ": " : "";
+    return packing.trays.size() > 1 ? "tray " + std::to_string(tray + 1) + ": " : "";
 }
 
 }  // namespace spectralpack

@@ -114,7 +114,7 @@ TEST(PackLimits, CtrlCWritesTheBestSoFarAndExitsWith130) {
     EXPECT_EQ(ran.status, 130) << ran.err;
     const json packing = read_json(folder / "b.json");
     EXPECT_GE(packing["metrics"]["placed"], 1);
-    EXPECT_EQ(packing["unplaced"].back()["reason"], "stopped");
+    EXPECT_EQ(packing["unplaced"].back()["reason"], "not_tried");
     EXPECT_TRUE(check_report((folder / "b.json").string(), 0)["ok"]);
 }
 
@@ -124,7 +124,7 @@ TEST(PackLimits, ATimeLimitEndsWithStatusZeroAndIsTold) {
         spectralpack(long_job(folder / "b.json") + std::vector<std::string>{"--time-limit", "1.5"}, {}, {0, 0, 300});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(names(ran.out, {"time limit"}));
-    EXPECT_EQ(read_json(folder / "b.json")["unplaced"].back()["reason"], "stopped");
+    EXPECT_EQ(read_json(folder / "b.json")["unplaced"].back()["reason"], "not_tried");
 }
 
 }  // namespace

@@ -21,9 +21,9 @@ Packing reported() {
     packing.parts[0].mesh = "a,\"b\"\n.stl";
     packing.parts[0].count = 5;
     packing.parts[0].repairs = {"turned <i>facets</i>", "dropped 2 facets"};
-    packing.unplaced = {{0, 2, UnplacedReason::tray_full, ""},
+    packing.unplaced = {{0, 2, UnplacedReason::no_place, ""},
                         {0, 3, UnplacedReason::too_large, "is <b>wide</b>"},
-                        {0, 4, UnplacedReason::tray_full, ""}};
+                        {0, 4, UnplacedReason::no_place, ""}};
     packing.metrics.copies = 6;
     return packing;
 }
@@ -99,7 +99,7 @@ std::string row_with(const std::string& page, const std::string& text) {
 
 TEST(Report, TellsEachReasonWithItsOwnDetail) {
     const std::string page = report_html(reported(), {});
-    EXPECT_TRUE(names(row_with(page, in_words(UnplacedReason::tray_full)), {2}));
+    EXPECT_TRUE(names(row_with(page, in_words(UnplacedReason::no_place)), {2}));
     const std::string detail = "is &lt;b&gt;wide&lt;/b&gt;";
     EXPECT_TRUE(names(row_with(page, detail), {1, in_words(UnplacedReason::too_large)}));
 }
@@ -148,7 +148,7 @@ TEST(Report, TheTableReadsBackAndAddsUp) {
     }
     EXPECT_EQ(placed, packing.metrics.placed);
     EXPECT_EQ(left_over, static_cast<std::int64_t>(packing.unplaced.size()));
-    EXPECT_EQ(rows[1].fields.at(column.at("reasons")), "2 tray_full; 1 too_large");
+    EXPECT_EQ(rows[1].fields.at(column.at("reasons")), "2 no_place; 1 too_large");
 }
 
 }  // namespace
