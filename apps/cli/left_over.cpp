@@ -52,7 +52,7 @@ std::string with_names(const std::string& head, const ReasonCount& reason, const
     for (std::size_t i = 0; i < reason.parts.size(); ++i) {
         const auto& [part, copies] = reason.parts[i];
         const std::string name = printable(packing.parts[static_cast<std::size_t>(part)].name);
-        names += (i > 0 ? ", " : "") + (copies > 1 ? fmt::format("{} {}", copies, name) : name);
+        names += (i > 0 ? ", " : "") + (copies > 1 ? fmt::format("{}{}{}", copies, kBond, name) : name);
         const std::size_t more = reason.parts.size() - i - 1;
         const std::string rest = more > 0 ? fmt::format(" and {} more part{}", more, more == 1 ? "" : "s") : "";
         const std::string text = fmt::format("{}: {}{}", head, names, rest);

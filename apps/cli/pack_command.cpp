@@ -156,6 +156,7 @@ RunFacts facts_of(const Job& job, const JobSettings& settings) {
     facts.files_named = !settings.outputs.empty() || settings.report;
     facts.onto = settings.onto;
     facts.tray_of_onto = job.onto && job.onto->packing.container.size == job.options.tray;
+    if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
     facts.details = settings.details.value_or(false);
     facts.require_all = settings.require_all.value_or(false);
     return facts;
@@ -176,7 +177,10 @@ int run_pack(const PackArguments& arguments) {
     Interrupts interrupts(settings.options.time_limit);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
     display.on_unusable(inputs.unusable);
-    if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
+    if (inputs.parts.empty()) {
+        fmt::print(stderr, "Nothing is left to pack.\n");
+        return inputs.unusable.empty() ? kUsage : kUnusableInput;
+    }
     Job job;
     job.parts = inputs.parts;
     job.unit = in_mm(settings.unit.value_or(LengthUnit::mm));

@@ -80,7 +80,7 @@ SummaryLines summary_lines(const PackResult& result, const RunFacts& facts, cons
     if (several) {
         add_trays(packing, room.trays, lines);
     } else {
-        lines.labelled("Height", height_text(packing));
+        lines.labelled("Height", height_text(packing, facts));
         lines.labelled("Filled", filled_text(packing));
     }
     if (packing.options.fill) lines.labelled("Of each", shares_text(packing));

@@ -25,6 +25,7 @@ struct RunFacts {
     bool files_named = false;
     std::optional<std::string> onto;  ///< the build that was topped up
     bool tray_of_onto = false;        ///< its tray was taken
+    std::optional<double> onto_height;
     bool details = false;
     bool require_all = false;
 };

@@ -16,6 +16,8 @@ constexpr double kLow = 0.95;
 /// Print bureaus ask for this much between parts, or more.
 constexpr double kCustomaryGap = 1;
 constexpr std::size_t kMostShares = 6;
+/// A build is no higher than it was where it grew by less, mm.
+constexpr double kNoHigher = 0.05;
 /// Of more files than this, the first and the last are named.
 constexpr std::size_t kMostFiles = 4;
 
@@ -120,10 +122,12 @@ std::string tray_text(const Packing& packing, const RunFacts& facts) {
     return text;
 }
 
-std::string height_text(const Packing& packing) {
-    const std::string height = fmt::format("{:.1f} mm", packing.trays.front().height);
-    return packing.container.open_height ? height
-                                         : fmt::format("{} of {}", height, length_text(packing.container.size.z));
+std::string height_text(const Packing& packing, const RunFacts& facts) {
+    const double height = packing.trays.front().height;
+    std::string text = fmt::format("{:.1f} mm", height);
+    if (!packing.container.open_height) text += fmt::format(" of {}", length_text(packing.container.size.z));
+    const bool before = facts.onto_height && std::abs(height - *facts.onto_height) < kNoHigher;
+    return before ? text + ", as before" : text;
 }
 
 std::string filled_text(const Packing& packing) {
@@ -156,7 +160,7 @@ std::string shares_text(const Packing& packing) {
     for (const PackedPart& part : packing.parts) {
         if (part.share == 0 || shown == kMostShares) continue;
         const char* separator = shown > 0 ? " : " : "";
-        names += fmt::format("{}{} {}", shown > 0 ? ", " : "", part.count, printable(part.name));
+        names += fmt::format("{}{}{}{}", shown > 0 ? ", " : "", part.count, kBond, printable(part.name));
         came += fmt::format("{}{:g}", separator, least > 0 ? std::round(10 * part.count / least) / 10 : 0);
         asked += fmt::format("{}{}", separator, part.share);
         ++shown;
@@ -190,7 +194,10 @@ std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& f
                         metrics.verified));
     }
     if (plans.planned && plans.complete) {
-        if (packing.trays.size() == 1) {
+        const std::int64_t fresh = newly_placed(packing);
+        if (fresh < metrics.placed) {
+            add(fmt::format("{} {} apart", copies_text(fresh, " new"), fresh == 1 ? "comes" : "come"));
+        } else if (packing.trays.size() == 1) {
             add(fmt::format("comes apart in {} step{}", plans.steps, plans.steps == 1 ? "" : "s"));
         } else if (text.empty()) {
             add("comes apart");
@@ -208,7 +215,8 @@ std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& f
 }
 
 std::string written_text(const RunFacts& facts, bool several_trays) {
-    if (facts.written.empty() && facts.reports.empty()) return facts.files_named ? "nothing" : "nothing: name files with -o";
+    if (facts.written.empty() && facts.reports.empty())
+        return facts.files_named ? "nothing" : "nothing: name files with -o";
     std::string single, side_by_side, all, text;
     for (const WrittenFile& written : facts.written) {
         if (!several_trays) {

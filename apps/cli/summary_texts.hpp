@@ -13,7 +13,7 @@ namespace spectralpack::cli {
 std::string size_text(const Vec3& size);  ///< "480 x 245 x 200 mm"
 std::string verdict_text(const PackResult& result);
 std::string tray_text(const Packing& packing, const RunFacts& facts);
-std::string height_text(const Packing& packing);
+std::string height_text(const Packing& packing, const RunFacts& facts);
 std::string filled_text(const Packing& packing);
 std::string shares_text(const Packing& packing);
 std::string gap_text(const Packing& packing);

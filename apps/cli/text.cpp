@@ -77,6 +77,7 @@ std::string wrapped(const std::string& text, std::size_t width) {
         lines += word;
         begin = end + 1;
     }
+    std::ranges::replace(lines, kBond, ' ');
     return lines;
 }
 

@@ -30,6 +30,9 @@ std::string copy_names(const Packing& packing, const TrayPacking& tray, const st
 /// Columns that the text takes on a terminal: its characters.
 std::size_t columns_of(std::string_view text);
 
+/// In text to be wrapped, a space that stays in its line.
+inline constexpr char kBond = '\x1f';
+
 /// `text` in lines of at most `width` columns, broken at spaces; a longer word stands by itself.
 std::string wrapped(const std::string& text, std::size_t width);
 

@@ -70,8 +70,8 @@ void check_options(const PackOptions& options) {
     }
     const Vec3 space = space_inside(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
-        throw UsageError("the tray, less the wall gap, is smaller than one voxel of " +
-                         short_number(options.voxel) + " mm");
+        throw UsageError("the tray, less the wall gap, is smaller than one voxel of " + short_number(options.voxel) +
+                         " mm");
     }
 }
 

@@ -309,9 +309,11 @@ std::optional<Remark> size_warning(const Box& box, double mm_per_unit) {
                       "are under 3 mm long as they stand. If they are in inches or metres, name the unit with --unit"};
     }
     if (mm > 10'000) {
-        return Remark{
-            stands + "In micrometres it would be " + shown(longest / 1000) + " mm: scale it, like FILE:1@0.001",
-            "are over 10 m long as they stand. If they are in micrometres, scale them, like FILE:1@0.001"};
+        const bool micrometres = longest / 1000 < 10'000;
+        return Remark{stands + (micrometres ? "In micrometres it would be " + shown(longest / 1000) +
+                                                  " mm: scale it, like FILE:1@0.001"
+                                            : "Is its unit right?"),
+                      "are over 10 m long as they stand. If they are in micrometres, scale them, like FILE:1@0.001"};
     }
     return std::nullopt;
 }

@@ -146,11 +146,8 @@ class Preparation {
         const std::string what =
             wall_gap > 0 ? " stands too near to the walls for their gap of " + short_number(wall_gap) + " mm, by "
                          : " sticks out of the tray by ";
-        result_.findings.push_back({FindingKind::outside,
-                                    tray,
-                                    {copy.placement},
-                                    worst,
-                                    named(tray, copy.placement) + what + sides});
+        result_.findings.push_back(
+            {FindingKind::outside, tray, {copy.placement}, worst, named(tray, copy.placement) + what + sides});
     }
 
     const Packing& packing_;

@@ -85,8 +85,8 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
         compare(tray, "height", stated.height, box.empty() ? 0 : box.max.z, kCheckTolerance, " mm");
     }
     if (packing.container.open_height && trays.size() == 1 && !trays.front().box.empty()) {
-        compare(kWholePacking, "height of the tray", packing.container.size.z, trays.front().box.max.z,
-                kCheckTolerance, " mm");
+        compare(kWholePacking, "height of the tray", packing.container.size.z, trays.front().box.max.z, kCheckTolerance,
+                " mm");
     }
     compare_density(kWholePacking, "share filled", packing.metrics.density, all > 0 ? volume / all : 0);
     if (packing.metrics.min_gap && min_gap) {

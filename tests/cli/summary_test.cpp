@@ -212,9 +212,12 @@ TEST(Summary, OfABuildThatWasToppedUp) {
     RunFacts facts = wrote({"b.json"});
     facts.onto = "old/base.json";
     facts.tray_of_onto = true;
+    facts.onto_height = 199.97;
     const std::string text = summary_text(result, facts);
     EXPECT_TRUE(text.starts_with("All 8 new copies are placed; 4 stood there before.\n")) << text;
     EXPECT_TRUE(test::contains(text, "  Tray       480 x 245 x 200 mm, as in base.json\n")) << text;
+    EXPECT_TRUE(test::contains(text, "  Height     200.0 mm of 200, as before\n")) << text;
+    EXPECT_TRUE(test::contains(text, "; 8 new copies come apart\n")) << text;
 }
 
 TEST(Summary, OfATrayThatWasFilledInShares) {

@@ -6,6 +6,7 @@
 
 #include "files.hpp"
 #include "packings.hpp"
+#include "spectralpack/names.hpp"
 #include "support/data.hpp"
 
 namespace spectralpack {

@@ -284,6 +284,7 @@ std::string default_text(const Option& option) {
 
 std::string short_default_text(const Option& option) {
     const std::string text = default_text(option);
+    if (text.starts_with("0: ")) return text.substr(3);  // a number that stands for something else
     return text.substr(0, text.find(':'));
 }
 
