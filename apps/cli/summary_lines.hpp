@@ -10,7 +10,7 @@ namespace spectralpack::cli {
 
 inline constexpr std::size_t kScreenLines = 22;  ///< so that the prompt and the command stay in sight
 inline constexpr std::size_t kLabelWidth = 11;
-inline constexpr std::size_t kValueWidth = kScreenWidth - 2 - kLabelWidth;
+inline constexpr std::size_t kValueWidth = kScreenWidth - 4 - 2 - kLabelWidth;  ///< a little short of the edge
 
 class SummaryLines {
   public:

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cli/program.hpp"
+#include "text.hpp"
 
 namespace spectralpack::cli {
 namespace {
@@ -17,6 +18,15 @@ struct Made {
     UnplacedReason reason = UnplacedReason::no_place;  ///< why the others are left over
 };
 
+PackedPart part_of(const Packing& packing, const std::string& name, int count) {
+    PackedPart part;
+    part.id = static_cast<int>(packing.parts.size());
+    part.name = name;
+    part.count = count;
+    part.gap = packing.options.gap;
+    return part;
+}
+
 /// The packing of one tray; `Made` in the order of the parts.
 PackResult packed(const std::vector<Made>& parts) {
     PackResult result;
@@ -26,7 +36,7 @@ PackResult packed(const std::vector<Made>& parts) {
     TrayPacking tray;
     for (const Made& made : parts) {
         const int part = static_cast<int>(packing.parts.size());
-        packing.parts.push_back({.id = part, .name = made.name, .count = made.asked, .gap = packing.options.gap});
+        packing.parts.push_back(part_of(packing, made.name, made.asked));
         for (int copy = 0; copy < made.asked; ++copy) {
             if (copy < made.placed) {
                 tray.placements.push_back({part, copy, 0, false, {}});
@@ -68,7 +78,7 @@ void expect_fits_a_screen(const std::string& summary) {
     std::istringstream lines(summary);
     std::size_t count = 0;
     for (std::string line; std::getline(lines, line); ++count) {
-        EXPECT_LE(line.size(), 80u) << line;
+        EXPECT_LE(columns_of(line), 80u) << line;
     }
     EXPECT_LE(count, 22u) << summary;
 }
@@ -83,7 +93,7 @@ TEST(Summary, OfARoomyJob) {
     EXPECT_EQ(summary_text(result, wrote({"build.3mf", "build.json"})),
               "All 16 copies are placed.\n"
               "\n"
-              "  Tray       380 x 284 x 380 mm, HP Jet Fusion 5200\n"
+              "  Tray       380 x 284 x 380 mm, HP Jet Fusion 4200, 5200\n"
               "  Height     67.0 mm of 380\n"
               "  Filled     0.7 % of the tray; 3.7 % up to that height\n"
               "  Gap        2.0 mm between copies, 5.0 mm to the walls\n"
@@ -144,7 +154,7 @@ TEST(Summary, OfSeveralTrays) {
     EXPECT_EQ(summary_text(two_trays(), facts),
               "All 54 copies are placed, in 2 trays.\n"
               "\n"
-              "  Tray       165 x 165 x 300 mm, Formlabs Fuse 1\n"
+              "  Tray       165 x 165 x 300 mm, Formlabs Fuse 1, Fuse 1+\n"
               "\n"
               "             copies   height   filled   comes apart\n"
               "     1           47    284.1    7.8 %   in 47 steps\n"
@@ -174,7 +184,7 @@ TEST(Summary, OfNothingPlaced) {
     EXPECT_EQ(summary_text(result, {}),
               "Nothing is placed, and nothing was written.\n"
               "\n"
-              "  Tray       165 x 165 x 300 mm, Formlabs Fuse 1\n"
+              "  Tray       165 x 165 x 300 mm, Formlabs Fuse 1, Fuse 1+\n"
               "  Left over  larger than the tray: 1: jig-base\n");
 }
 
@@ -254,7 +264,7 @@ TEST(Summary, FitsAScreenWhateverItSays) {
     for (const UnplacedReason reason : reasons) {
         for (int i = 0; i < 40; ++i) {
             const int part = static_cast<int>(packing.parts.size());
-            packing.parts.push_back({.id = part, .name = "a part with a länger name " + std::to_string(i), .count = 1});
+            packing.parts.push_back(part_of(packing, "a part with a länger name " + std::to_string(i), 1));
             packing.unplaced.push_back({part, 0, reason, ""});
         }
     }
@@ -267,6 +277,7 @@ TEST(Summary, FitsAScreenWhateverItSays) {
         facts.written[1].trays.push_back("builds/week-48-" + std::to_string(i) + ".stl");
     }
     const std::string text = summary_text(result, facts);
+    expect_fits_a_screen(text);
     for (const char* said : {"0.25 mm", "week-48-1.3mf to builds/week-48-42.3mf", "NOT CHECKED"}) {
         EXPECT_TRUE(test::contains(text, said)) << text;
     }
