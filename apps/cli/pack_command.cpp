@@ -114,8 +114,6 @@ int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& int
 
 /// Where nothing is placed nothing is written, and that is no success.
 int status_without_copies(const PackResult& result) {
-    if (result.failure && result.failure->kind() == ErrorKind::resource) return kOutOfResources;
-    if (result.failure && result.failure->kind() == ErrorKind::internal) return kCheckFailed;
     return result.stopped == StopReason::cancelled ? kInterrupted : kNothingPlaced;
 }
 
@@ -135,7 +133,7 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
     const Scene scene{result.packing, result.meshes};
     const bool empty = newly_placed(result.packing) == 0;
     if (empty) {
-        status = status_without_copies(result);
+        if (status == kDone) status = status_without_copies(result);
     } else {
         interrupts.begin_writing();
         write_outputs(scene, settings, display, facts, status);

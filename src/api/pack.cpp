@@ -56,7 +56,8 @@ class JobRun {
             result.failure = error;
         }
         TraysResult& trays = packed.trays;
-        if (trays.stuck) result.failure = stuck_error(loaded_, trays);
+        // Where nothing is placed at all, each copy says why.
+        if (trays.stuck && trays.placed() > 0) result.failure = stuck_error(loaded_, trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();

@@ -18,6 +18,9 @@
 namespace spectralpack {
 namespace {
 
+/// Turns of a cube.
+constexpr std::size_t kRightAngles = 24;
+
 int voxels_in(double length, double dx) {
     const double voxels = std::ceil(length / dx - 1e-9);
     if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
@@ -40,16 +43,19 @@ std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3
         if (fits(turned_size(mesh, turn, to_mm), space)) return "";
     }
     const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
+    const std::size_t ways = orientations.size();
     const std::string height = std::isinf(space.z) ? "" : " x " + tenths(space.z);
     return tenths(size.x) + " x " + tenths(size.y) + " x " + tenths(size.z) + " mm, and there is room for " +
            tenths(space.x) + " x " + tenths(space.y) + height + " mm" +
-           (orientations.size() == 1 ? "; it may not be turned" : "");
+           (ways == 1             ? "; it may not be turned"
+            : ways < kRightAngles ? "; it may stand in " + std::to_string(ways) + " ways only"
+                                  : "");
 }
 
 /// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over
 /// them, as a part turned otherwise has a larger box.
 std::vector<Vec3> sample_sizes(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations) {
-    constexpr std::size_t kRightAngles = 24, kSamples = 7;
+    constexpr std::size_t kSamples = 7;
     const std::size_t samples = orientations.size() > kRightAngles ? kSamples : 1;
     std::vector<Vec3> sizes;
     for (std::size_t k = 0; k < samples; ++k) {

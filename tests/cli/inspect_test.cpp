@@ -74,7 +74,7 @@ TEST_F(Inspect, TellsWhereAMeshIsOpen) {
     EXPECT_EQ(hole["place"][0], 20);
     const Ran ran = spectralpack({"inspect", file});
     EXPECT_EQ(ran.status, 0);
-    EXPECT_TRUE(names(ran.out, {3, 1, 68.2843, "watertight"}));
+    EXPECT_TRUE(names(ran.out, {3, 1, 68.2843, "closed"}));
 }
 
 TEST_F(Inspect, TellsTurnsCrossingsAndRepairs) {

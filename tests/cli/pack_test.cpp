@@ -148,16 +148,21 @@ TEST_F(Pack, LeftOverCopiesAreToldAndFailOnlyWhereAllAreRequired) {
 }
 
 TEST_F(Pack, APartTooLargeForTheTrayIsNamedAndListed) {
-    const Ran ran = spectralpack({"pack", kSamples, "--tray", "60x40x30", "-o", at("b.json")});
+    const Ran ran = spectralpack({"pack", (samples() / "wedge.obj").string(), (samples() / "nut.stl").string(),
+                                  "--tray", "60x40x30", "-o", at("b.json")});
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(names(ran.err, {"wedge", 70, 26, 20, "larger than the tray", 60, 40, 30}));
     EXPECT_TRUE(any_unplaced(read_json(at("b.json")), "too_large"));
+    // Many are one remark.
+    const Ran many = spectralpack({"pack", kSamples, "--tray", "60x40x30"});
+    EXPECT_TRUE(names(many.err, {11, "parts", "larger than the tray", "more"}));
+    EXPECT_LT(std::count(many.err.begin(), many.err.end(), '\n'), 4) << many.err;
 }
 
 /// A run that places nothing is no success, and leaves no file that looks like one.
 TEST_F(Pack, NothingPlacedIsNoSuccessAndWritesNothing) {
     const std::vector<std::string> call{
-        "pack", (samples() / "wedge.stl").string(), "--tray", "20x20x20", "-o", at("b.json"), "-o", at("b.3mf")};
+        "pack", (samples() / "wedge.obj").string(), "--tray", "20x20x20", "-o", at("b.json"), "-o", at("b.3mf")};
     const auto nothing = [&](const std::vector<std::string>& more, int status) {
         const Ran ran = spectralpack(call + more);
         EXPECT_EQ(ran.status, status) << ran.err;
@@ -180,7 +185,7 @@ TEST_F(Pack, NothingNewOnAnOldBuildIsNoSuccessEither) {
     ASSERT_EQ(
         spectralpack({"pack", (samples() / "nut.stl").string(), "--tray", "30x30x20", "-o", at("old.json")}).status, 0);
     const Ran ran =
-        spectralpack({"pack", (samples() / "wedge.stl").string(), "--onto", at("old.json"), "-o", at("b.json")});
+        spectralpack({"pack", (samples() / "wedge.obj").string(), "--onto", at("old.json"), "-o", at("b.json")});
     EXPECT_EQ(ran.status, 6) << ran.err;
     EXPECT_FALSE(fs::exists(at("b.json")));
 }
