@@ -35,7 +35,7 @@ void add_option(CLI::App& app, const Option& option, PackArguments& arguments) {
     CLI::Option* added = nullptr;
     if (option.type == OptionType::files) {
         added = app.add_option_function<std::vector<std::string>>(names, take, help_line(option));
-        added->take_all()->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        added->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     } else {
         added = app.add_option_function<std::string>(
             names, [take](const std::string& text) { take({text}); }, help_line(option));

@@ -104,8 +104,8 @@ Command add_plan_command(CLI::App& app) {
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("-o,--output", arguments->outputs,
                     "file to write, plan included: .json (others without), repeatable")
-        ->take_all()
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     sub->add_option("--voxel", arguments->settings.voxel,
                     "finer voxels find narrower ways out, mm [those of the packing: voxel / detail]");
