@@ -117,7 +117,8 @@ void ProgressDisplay::on_warning(const std::string& message) {
     if (style_ == ProgressStyle::json) {
         fmt::print(stderr, "{{\"warning\": {}}}\n", json_string(message));
     } else {
-        fmt::print(stderr, "{}\n", wrapped(fmt::format("Remark: {}.", printable(message)), kScreenWidth));
+        const char* end = message.ends_with('?') || message.ends_with('.') ? "" : ".";
+        fmt::print(stderr, "{}\n", wrapped(fmt::format("Remark: {}{}", printable(message), end), kScreenWidth));
         told_ = true;
     }
 }

@@ -8,7 +8,7 @@
 
 namespace spectralpack::cli {
 
-inline constexpr std::size_t kScreenLines = 22;  ///< so that the prompt and the command stay in sight
+inline constexpr std::size_t kScreenLines = 22;  ///< at most, as far as can be: the command stays in sight
 inline constexpr std::size_t kLabelWidth = 11;
 inline constexpr std::size_t kValueWidth = kScreenWidth - 4 - 2 - kLabelWidth;  ///< a little short of the edge
 
