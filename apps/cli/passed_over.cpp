@@ -5,15 +5,15 @@
 namespace spectralpack::cli {
 namespace {
 
-constexpr std::size_t kMostListed = 8;
+constexpr std::size_t kMostFiles = 8;
 
 /// "a.step, b.pdf and 3 more".
 std::string listed(const std::vector<std::string>& files) {
     std::string list;
-    for (std::size_t i = 0; i < files.size() && i < kMostListed; ++i) {
+    for (std::size_t i = 0; i < files.size() && i < kMostFiles; ++i) {
         list += (i > 0 ? ", " : "") + files[i];
     }
-    if (files.size() > kMostListed) list += fmt::format(" and {} more", files.size() - kMostListed);
+    if (files.size() > kMostFiles) list += fmt::format(" and {} more", files.size() - kMostFiles);
     return list;
 }
 

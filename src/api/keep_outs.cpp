@@ -8,7 +8,7 @@
 namespace spectralpack {
 namespace {
 
-std::string point_text(const Vec3& p) { return short_number(p.x) + "," + short_number(p.y) + "," + short_number(p.z); }
+std::string corner_text(const Vec3& p) { return short_number(p.x) + "," + short_number(p.y) + "," + short_number(p.z); }
 
 bool reaches_into(const Box& keep_out, const Vec3& size) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -24,7 +24,7 @@ void warn_of_keep_outs(const Container& container, Listener& listener) {
     for (const KeepOut& keep_out : container.keep_out) {
         if (reaches_into(keep_out.box, size)) continue;
         const std::string what = keep_out.mesh ? keep_out.mesh->file + " (a keep-out)" : "keep-out";
-        listener.on_warning(what + " " + point_text(keep_out.box.min) + "," + point_text(keep_out.box.max) +
+        listener.on_warning(what + " " + corner_text(keep_out.box.min) + "," + corner_text(keep_out.box.max) +
                             " lies outside the tray of " + short_number(size.x) + " x " + short_number(size.y) + " x " +
                             short_number(size.z) + " mm and keeps nothing free");
     }
