@@ -33,7 +33,7 @@ Mesh outline_of(const Mesh& mesh) {
 }
 
 /// Rotations that let it fit; empty where none of the usual ones does.
-std::string finer_rotations(const TurnedPart& part, const Mesh& outline, const Vec3& room,
+std::string finer_rotations(const TurnablePart& part, const Mesh& outline, const Vec3& room,
                             const std::string& rotations) {
     const Mat3 frame = minimum_box_frame(part.mesh);
     for (const char* finer : kFiner) {
@@ -46,7 +46,7 @@ std::string finer_rotations(const TurnedPart& part, const Mesh& outline, const V
 }
 
 /// The smallest that takes it; null where none does.
-const Printer* larger_printer(const TurnedPart& part, const Mesh& outline, std::span<const Printer> own) {
+const Printer* larger_printer(const TurnablePart& part, const Mesh& outline, std::span<const Printer> own) {
     const Printer* smallest = nullptr;
     const auto volume = [](const Printer& printer) { return printer.size.x * printer.size.y * printer.size.z; };
     for (const std::span<const Printer> list : {own, printers()}) {
@@ -68,7 +68,7 @@ std::string size_text(const Vec3& size) {
 }
 
 /// It would fit, had the job not said how it may stand.
-bool fits_when_free(const TurnedPart& part, const Mesh& outline, const Vec3& room, const std::string& rotations) {
+bool fits_when_free(const TurnablePart& part, const Mesh& outline, const Vec3& room, const std::string& rotations) {
     if (part.may.kind == PartOrientations::Kind::any) return false;
     return fits_in_one(outline, part.to_mm, orientation_set(parse_rotations(rotations), {}), room);
 }
@@ -85,7 +85,7 @@ Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
     return box.size();
 }
 
-std::string why_too_large(const TurnedPart& part, const Vec3& room, const PackOptions& options, bool box,
+std::string why_too_large(const TurnablePart& part, const Vec3& room, const PackOptions& options, bool box,
                           std::span<const Printer> own) {
     if (fits_in_one(part.mesh, part.to_mm, part.orientations, room)) return "";
     std::string why = "is larger than the tray: " + size_text(turned_size(part.mesh, Mat3{}, part.to_mm)) +

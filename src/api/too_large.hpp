@@ -16,7 +16,7 @@ namespace spectralpack {
 Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm);
 
 /// A part, and how it may stand.
-struct TurnedPart {
+struct TurnablePart {
     const Mesh& mesh;
     double to_mm = 1;
     const PartOrientations& may;
@@ -27,7 +27,7 @@ struct TurnedPart {
 /// `room` in none of its orientations, with what would take it: to be turned freely, or finer --rotations than those of
 /// `options`, else the smallest printer, of the user's `own` and those that are known, unless a mesh is the container.
 /// Empty where it fits.
-std::string why_too_large(const TurnedPart& part, const Vec3& room, const PackOptions& options, bool box,
+std::string why_too_large(const TurnablePart& part, const Vec3& room, const PackOptions& options, bool box,
                           std::span<const Printer> own);
 
 }  // namespace spectralpack
