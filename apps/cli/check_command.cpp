@@ -63,7 +63,7 @@ int run_check(const CheckArguments& arguments) {
                                     : "failed",
                    copies, copies == 1 ? "copy" : "copies", report.pairs_tested, report.pairs_tested == 1 ? "" : "s");
         for (std::size_t tray = 0; tray < report.density.size(); ++tray) {
-            fmt::print("tray {}: density {}\n", tray, percent_text(report.density[tray]));
+            fmt::print("tray {}: density {}\n", tray + 1, percent_text(report.density[tray]));
         }
         if (report.min_gap) fmt::print("least gap: {} mm\n", length_text(*report.min_gap));
         print_plans(report);

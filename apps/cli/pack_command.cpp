@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
+#include "default_settings.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
 #include "pack_arguments.hpp"
+#include "passed_over.hpp"
 #include "paths.hpp"
+#include "printer_list.hpp"
 #include "progress_display.hpp"
 #include "summary.hpp"
 #include "text.hpp"
@@ -15,27 +19,15 @@
 namespace spectralpack::cli {
 namespace {
 
-void print_printers() {
-    for (const Printer& printer : printers()) {
-        const Vec3& s = printer.size;
-        fmt::print("{:<16} {:<32} {:g}x{:g}x{:g} mm, gap {:g}, walls {:g}, floor {:g} mm\n{:<16} size{}: {}\n",
-                   printer.name, printer.title, s.x, s.y, s.z, printer.gap, printer.wall, printer.floor, "",
-                   printer.verified ? "" : " (UNVERIFIED)", printer.source);
-    }
-    fmt::print(
-        "Gaps and clearances are customary starting values, not the makers' word (UNVERIFIED): yours depend on\n"
-        "material and machine. --tray, --gap and --wall-gap override them.\n");
-}
-
 void check_files(const JobSettings& settings) {
     for (const std::string& output : settings.outputs) {
         require_output(output);
     }
-    if (settings.report) {
-        if (!is_report_file(*settings.report)) {
-            throw UsageError(fmt::format("--report {}: a report's name ends in .html or .csv", *settings.report));
+    for (const std::string& report : settings.reports) {
+        if (!is_report_file(report)) {
+            throw UsageError(fmt::format("--report {}: a report's name ends in .html or .csv", report));
         }
-        require_writable(*settings.report, "--report");
+        require_writable(report, "--report");
     }
 }
 
@@ -43,6 +35,9 @@ void check_files(const JobSettings& settings) {
 void spare_inputs(const Job& job, const JobSettings& settings, const PackArguments& arguments) {
     std::vector<std::string> inputs = files_of(job.container);
     inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
+    for (const std::filesystem::path& file : settings_files(arguments)) {
+        inputs.push_back(file.string());
+    }
     for (const Part& part : job.parts) {
         inputs.push_back(part.mesh.file());
     }
@@ -52,7 +47,9 @@ void spare_inputs(const Job& job, const JobSettings& settings, const PackArgumen
     for (const std::string& output : settings.outputs) {
         require_no_input(output, "-o", inputs);
     }
-    if (settings.report) require_no_input(*settings.report, "--report", inputs);
+    for (const std::string& report : settings.reports) {
+        require_no_input(report, "--report", inputs);
+    }
 }
 
 /// What the command line and the job file ask for, as far as it can be checked before any work: words, endings,
@@ -74,7 +71,7 @@ std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& se
                                        int& status) {
     std::vector<std::string> written;
     std::int64_t done = 0;
-    const auto total = static_cast<std::int64_t>(settings.outputs.size() + (settings.report ? 1 : 0));
+    const auto total = static_cast<std::int64_t>(settings.outputs.size() + settings.reports.size());
     const int threads = settings.options.threads;
     const auto write = [&](const auto& action) {
         try {
@@ -93,10 +90,10 @@ std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& se
             }
         });
     }
-    if (settings.report) {
+    for (const std::string& report : settings.reports) {
         write([&] {
-            write_report(scene, *settings.report, settings.material_density, threads);
-            written.push_back(*settings.report);
+            write_report(scene, report, settings.material_density, threads);
+            written.push_back(report);
         });
     }
     return written;
@@ -142,15 +139,17 @@ int run_job(const Job& job, const JobSettings& settings, ProgressDisplay& displa
 
 int run_pack(const PackArguments& arguments) {
     if (arguments.text("printer") == "list") {
-        print_printers();
+        print_printers(default_settings(arguments).own_printers, arguments.has("json"));
         return kDone;
     }
     if (arguments.parts.empty()) throw UsageError("PART is required: name what to pack");
-    settle(arguments, {});  // so that wrong usage is told before files are looked at
-    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"));
-    const JobSettings settings = settle(arguments, inputs.job.value_or(JobSettings{}));
+    const JobSettings defaults = default_settings(arguments);
+    settle(arguments, defaults);  // so that wrong usage is told before files are looked at
+    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
+    const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
     const Interrupts interrupts(settings.options.time_limit);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
+    report_passed_over(inputs, display);
     report_unusable(inputs.unusable, display);
     if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
     Job job;
@@ -158,8 +157,11 @@ int run_pack(const PackArguments& arguments) {
     job.unit = in_mm(settings.unit.value_or(LengthUnit::mm));
     job.options = settings.options;
     job.fixed = settings.fixed;
+    job.own_printers = settings.own_printers;
+    job.defaults = settings.defaults;
     job.enough_orders = interrupts.half_time();
     settle_container(arguments, settings, job);
+    if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
@@ -176,8 +178,8 @@ int run_pack(const PackArguments& arguments) {
 Command add_pack_command(CLI::App& app) {
     auto* sub = app.add_subcommand("pack", "Pack parts into a container");
     sub->footer(
-        "PART is a mesh (.stl .obj .3mf .ply .off), FILE:COUNT, FILE:COUNT@SCALE, a folder of meshes, or a set\n"
-        "file (.csv with columns mesh,count,scale), or a job file (.json), whose options those given here override.\n"
+        "PART is a mesh (.stl .obj .3mf .ply .off), FILE:COUNT, FILE@SCALE, FILE:COUNT@SCALE, a folder of meshes, a set\n"
+        "file (.csv with columns mesh, count and more), or a job file (.json), whose options those given here override.\n"
         "\n"
         "  spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 --gap 1 -o build.3mf -o build.png\n"
         "  spectralpack pack set.csv --voxel 1 --time-limit 60 -o build.json && spectralpack check build.json\n"

@@ -42,15 +42,15 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
     }
     const std::string of_groups = groups > 0 ? fmt::format(" ({} of groups)", groups) : "";
     if (plan.complete) {
-        fmt::print("tray {}: comes apart in {} step{}{}, {} move{}\n", tray, plan.steps.size(),
+        fmt::print("tray {}: comes apart in {} step{}{}, {} move{}\n", tray + 1, plan.steps.size(),
                    plan.steps.size() == 1 ? "" : "s", of_groups, moves, moves == 1 ? "" : "s");
         return;
     }
     if (plan.interlocked.empty()) {
-        fmt::print("tray {}: no plan yet; stopped after {} steps{}\n", tray, plan.steps.size(), of_groups);
+        fmt::print("tray {}: no plan yet; stopped after {} steps{}\n", tray + 1, plan.steps.size(), of_groups);
         return;
     }
-    fmt::print("tray {}: INTERLOCKED; {} steps{} take out the rest\n", tray, plan.steps.size(), of_groups);
+    fmt::print("tray {}: INTERLOCKED; {} steps{} take out the rest\n", tray + 1, plan.steps.size(), of_groups);
     for (const std::vector<int>& set : plan.interlocked) {
         const std::string which = names(packing, packing.trays[tray], set);
         if (packing.container.physical) {

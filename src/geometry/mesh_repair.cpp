@@ -297,13 +297,18 @@ class Repairer {
 MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
 
 std::optional<std::string> size_warning(const Box& box, double mm_per_unit) {
+    constexpr double kInch = 25.4, kMetre = 1000;
     const Vec3 extent = box.size();
-    const double longest = mm_per_unit * std::max({extent.x, extent.y, extent.z});
+    const double units = std::max({extent.x, extent.y, extent.z}), longest = mm_per_unit * units;
     if (longest < 3) {
-        return "its longest side is " + shown(longest) + " mm: is its unit the inch or the metre?";
+        const std::string inches = mm_per_unit < kInch ? "in inches it would be " + shown(kInch * units) + " mm, " : "";
+        return "is " + shown(longest) + " mm long as it stands; " + inches + "in metres " +
+               (inches.empty() ? "it would be " : "") + shown(kMetre * units) +
+               " mm: name its unit with --unit, or in a set file's column unit";
     }
     if (longest > 10'000) {
-        return "its longest side is " + shown(longest) + " mm: is its unit the micrometre?";
+        return "is " + shown(longest) + " mm long as it stands; in micrometres it would be " + shown(units / kMetre) +
+               " mm: name it with a scale, like FILE@0.001";
     }
     return std::nullopt;
 }

@@ -35,12 +35,12 @@ std::vector<Option> output_options() {
                      "several trays, those but .json become one file for each tray and one with all of them. Files "
                      "are written whole or not at all; an existing one is replaced.",
              .examples = {"build.3mf", "build.json"}}),
-        kept_in<&JobSettings::report>(
+        kept_in<&JobSettings::reports>(
             {.name = "report",
              .group = Group::output,
-             .type = Type::file,
+             .type = Type::files,
              .placeholder = "FILE",
-             .line = "report for people to write: .html (a page with pictures that prints well) or .csv",
+             .line = "report for people to write, repeatable: .html (a page with pictures that prints well) or .csv",
              .help = "The page shows each tray, densities, the area of each layer, the parts, and what was left over "
                      "and why. The table has a line for each part.",
              .examples = {"build.html"}}),

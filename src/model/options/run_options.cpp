@@ -97,6 +97,23 @@ std::vector<Option> input_options() {
 
 std::vector<Option> program_options() {
     return {
+        {.name = "profile",
+         .group = Group::input,
+         .type = Type::text,
+         .placeholder = "NAME",
+         .line = "use this profile of the settings",
+         .help = "A profile is a named set of options in a file of settings, for a material or a machine.",
+         .examples = {"pa12"}},
+        {.name = "config",
+         .group = Group::input,
+         .type = Type::file,
+         .placeholder = "FILE",
+         .line = "file of settings to use instead of the user's and the project's",
+         .help = "Without it options that nobody says come from config.json in ~/.config/spectralpack and from "
+                 "spectralpack.json in the working directory, which comes first. Printers in printers.json beside "
+                 "such a file are known as well.",
+         .examples = {"bureau.json"}},
+        {.name = "no-config", .group = Group::input, .line = "use no file of settings"},
         kept_in<&JobSettings::dry_run>(
             {.name = "dry-run",
              .group = Group::run,

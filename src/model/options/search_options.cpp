@@ -62,6 +62,13 @@ std::vector<Option> grid_options() {
                  "halved N times as directions of up. A job file may say less for single parts.",
              .examples = {"none", "45", "90+box", "icosahedron:1"},
              .hash_place = 10}),
+        // It counts in the hash as the parts' orientations.
+        kept_in<&PackOptions::upright>(
+            {.name = "upright",
+             .group = Group::search,
+             .line = "parts keep their top up: turned about the vertical only",
+             .help = "They are turned by the step of --rotations. A part whose orientations are said in a job file or "
+                     "a set file keeps to those."}),
     };
 }
 
