@@ -3,7 +3,8 @@
 
 The public headers (include/spectralpack) include each other and the standard library, nothing else. Those that hold
 plain values (VALUES) are the ground that all rooms stand on; the others declare what src/api puts together. Also checks
-that each third-party library is seen in one room only. Prints each offence; exit status 1 if any.
+that each third-party library is seen in one room only, and that no two headers give different types one name: the
+linker would take the one's functions for the other's and say nothing. Prints each offence; exit status 1 if any.
 """
 import pathlib
 import re
@@ -12,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Public headers that any room may include.
-VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop"]
+VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop", "typed_text"]
 # Those that speak of jobs and packings: for the rooms that know the model.
 MODEL_VALUES = ["check", "disassembly", "job", "job_settings", "names", "option_table", "options", "orientations", "packing",
                 "printers", "render"]
@@ -62,6 +63,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"CLI/": ["cli", "docs"],
 }
 
+TYPE = re.compile(r"^(?:class|struct|enum class|enum) (\w+)(?: final)?(?: :[^;{]*)? {", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 
 
@@ -88,6 +90,19 @@ def target_of(header, here):
     return None if (here.parent / header).exists() else "?"
 
 
+def types_named_twice(files):
+    """Types that several headers define in the same namespace."""
+    where = {}
+    for path in files:
+        text = path.read_text()
+        if path.suffix not in (".hpp", ".h") or "HWY_NAMESPACE" in text:
+            continue
+        namespace = re.search(r"^namespace ([\w:]+) {", text, re.M)
+        for name in TYPE.findall(text):
+            where.setdefault((namespace and namespace.group(1), name), []).append(str(path.relative_to(ROOT)))
+    return [f"{name} is defined in {' and in '.join(paths)}" for (_, name), paths in where.items() if len(paths) > 1]
+
+
 def main():
     offences = []
     files = [p for top in ("src", "include", "apps") for p in sorted((ROOT / top).rglob("*"))
@@ -106,6 +121,7 @@ def main():
                 offences.append(f"{where}: no such file")
             elif target not in (None, room) and target not in ALLOWED[room]:
                 offences.append(f"{where}: {room} must not include {target}")
+    offences += types_named_twice(files)
     print("\n".join(offences) if offences else f"includes of {len(files)} files point the right way")
     return 1 if offences else 0
 

@@ -24,5 +24,6 @@ Command add_prepare_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_plan_command(CLI::App& app);
 Command add_help_command(CLI::App& app);
+Command add_version_command(CLI::App& app);
 
 }  // namespace spectralpack::cli

@@ -59,10 +59,10 @@ std::string pack_help_head() {
     return "Packs parts into a tray, without collisions and so that they come apart.\n"
            "\n"
            "  spectralpack pack parts/ --printer formlabs-fuse1 -o build.3mf\n"
-           "  spectralpack pack bracket.stl:12 cup.stl:3 --tray 160x120x100 -o build.3mf\n"
+           "  spectralpack pack bracket.stl:12 cup.stl@1.02 --tray 160x120x100 -o build.3mf\n"
            "  spectralpack pack week48.csv --trays all -o week48.3mf --report week48.html\n"
            "\n"
-           "PART: a mesh (.stl .3mf .obj .ply .off), FILE:COUNT, FILE:COUNT@SCALE, a folder,\n"
+           "PART: a mesh (.stl .3mf .obj .ply .off), FILE:COUNT, FILE@SCALE, a folder,\n"
            "      a set file (.csv) or a job file (.json)\n"
            "\n";
 }

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "passed_over.hpp"
 #include "paths.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
@@ -135,8 +136,9 @@ int run_inspect(const InspectArguments& arguments) {
     parse_picture_size(arguments.size, picture);
     if (options.keep_meshes) require_picture(arguments.picture);
     ProgressDisplay display(ProgressStyle::automatic);
-    const std::vector<tools::InspectedFile> files =
-        tools::inspect(expand_inputs(arguments.meshes, ""), options, {&display});
+    const ExpandedInputs inputs = expand_inputs(arguments.meshes, "");
+    report_passed_over(inputs, display);
+    const std::vector<tools::InspectedFile> files = tools::inspect(inputs, options, {&display});
     display.finish();
 
     if (arguments.json) fmt::print("{}\n", tools::inspection_json(files));

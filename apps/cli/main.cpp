@@ -14,6 +14,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "misspelt.hpp"
 #include "text.hpp"
 
 namespace {
@@ -42,15 +43,6 @@ int complain(const std::string& message, int status) {
     return status;
 }
 
-/// The arguments that meant nothing to the parser: it may complain of something else first.
-std::string not_understood(const CLI::App& app) {
-    std::string list;
-    for (const std::string& argument : app.remaining(true)) {
-        list += (list.empty() ? " (not understood: " : " ") + printable(argument);
-    }
-    return list.empty() ? "" : list + "; a file whose name starts with a dash is named like ./-part.stl)";
-}
-
 int run(int argc, char** argv) {
     CLI::App app;
     const std::vector<Command> commands = add_commands(app);
@@ -63,8 +55,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
         return complain(
-            fmt::format("{}{}\n'spectralpack --help' shows the commands, 'spectralpack COMMAND --help' their options.",
-                        error.what(), not_understood(app)),
+            fmt::format("{}\n'spectralpack --help' shows the commands, 'spectralpack COMMAND --help' their options.",
+                        complaint_of(app, error)),
             kUsage);
     }
     for (const Command& command : commands) {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
+#include "keep_outs.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -49,33 +47,18 @@ OptionValue value_of(const Option& option, const std::vector<std::string>& texts
     return texts;
 }
 
-const Printer& known_printer(const std::string& name) {
-    const Printer* printer = find_printer(name);
-    if (!printer) {
-        throw UsageError(fmt::format("--printer {}: not known; --printer list names those that are", name));
-    }
-    return *printer;
-}
-
-/// x0,y0,z0,x1,y1,z1, or a mesh file.
-KeepOutSource parse_keep_out(const std::string& text) {
-    Vec3 corner[2];
-    const char* at = text.data();
-    const char* end = at + text.size();
-    bool box = true;
-    for (int i = 0; i < 6 && box; ++i) {
-        const auto parsed = std::from_chars(at, end, corner[i / 3][i % 3]);
-        box = parsed.ec == std::errc{} && (i == 5 ? parsed.ptr == end : parsed.ptr != end && *parsed.ptr == ',');
-        at = parsed.ptr + 1;
-    }
-    if (!box) return {{}, MeshSource{text, "--keep-out"}};
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(corner[0][axis] < corner[1][axis]) || !std::isfinite(corner[1][axis] - corner[0][axis])) {
-            throw UsageError(
-                fmt::format("--keep-out {}: the second corner must lie beyond the first on every axis", text));
+const Printer& known_printer(const std::string& name, std::span<const Printer> own) {
+    const Printer* printer = find_printer(name, own);
+    if (printer) return *printer;
+    std::vector<std::string> known;
+    for (const std::span<const Printer> list : {own, printers()}) {
+        for (const Printer& one : list) {
+            known.push_back(one.name);
         }
     }
-    return {{corner[0], corner[1]}};
+    const auto near = nearest_word(name, known);
+    throw UsageError(fmt::format("--printer {}: not known;{} --printer list names those that are", name,
+                                 near ? fmt::format(" did you mean {}?", *near) : ""));
 }
 
 }  // namespace
@@ -88,12 +71,16 @@ void add_pack_options(CLI::App& app, PackArguments& arguments) {
 }
 
 JobSettings override_settings(JobSettings settings, const PackArguments& arguments) {
-    if (arguments.has("printer")) apply(known_printer(arguments.text("printer")), settings.options);
+    if (arguments.has("printer")) {
+        apply(known_printer(arguments.text("printer"), settings.own_printers), settings.options);
+        forget_defaults(set_by_printer(), settings);
+    }
     for (const Option& option : option_table()) {
         if (!arguments.has(option.name) || option.name == "printer") continue;
         const OptionValue value = value_of(option, arguments.given.at(option.name));
         if (option.in_pack.set) option.in_pack.set(settings.options, value);
         if (option.in_job.set) option.in_job.set(settings, value);
+        forget_defaults({std::string(option.name)}, settings);
     }
     return settings;
 }
@@ -118,7 +105,7 @@ void settle_container(const PackArguments& arguments, const JobSettings& setting
     }
     if (arguments.has("keep-out")) {
         for (const std::string& keep_out : arguments.given.at("keep-out")) {
-            job.container.keep_out.push_back(parse_keep_out(keep_out));
+            job.container.keep_out.push_back(parse_keep_out(keep_out, job.options.tray));
         }
     }
     job.container.physical = job.container.physical || arguments.has("physical");

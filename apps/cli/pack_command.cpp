@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 
 #include "commands.hpp"
+#include "default_settings.hpp"
 #include "exit_status.hpp"
 #include "help_page.hpp"
 #include "interrupts.hpp"
 #include "pack_arguments.hpp"
+#include "passed_over.hpp"
 #include "paths.hpp"
+#include "printer_list.hpp"
 #include "progress_display.hpp"
 #include "summary.hpp"
 #include "text.hpp"
@@ -16,27 +20,15 @@
 namespace spectralpack::cli {
 namespace {
 
-void print_printers() {
-    for (const Printer& printer : printers()) {
-        const Vec3& s = printer.size;
-        fmt::print("{:<16} {:<32} {:g}x{:g}x{:g} mm, gap {:g}, walls {:g}, floor {:g} mm\n{:<16} size{}: {}\n",
-                   printer.name, printer.title, s.x, s.y, s.z, printer.gap, printer.wall, printer.floor, "",
-                   printer.verified ? "" : " (UNVERIFIED)", printer.source);
-    }
-    fmt::print(
-        "Gaps and clearances are customary starting values, not the makers' word (UNVERIFIED): yours depend on\n"
-        "material and machine. --tray, --gap and --wall-gap override them.\n");
-}
-
 void check_files(const JobSettings& settings) {
     for (const std::string& output : settings.outputs) {
         require_output(output);
     }
-    if (settings.report) {
-        if (!is_report_file(*settings.report)) {
-            throw UsageError(fmt::format("--report {}: a report's name ends in .html or .csv", *settings.report));
+    for (const std::string& report : settings.reports) {
+        if (!is_report_file(report)) {
+            throw UsageError(fmt::format("--report {}: a report's name ends in .html or .csv", report));
         }
-        require_writable(*settings.report, "--report");
+        require_writable(report, "--report");
     }
 }
 
@@ -44,6 +36,9 @@ void check_files(const JobSettings& settings) {
 void spare_inputs(const Job& job, const JobSettings& settings, const PackArguments& arguments) {
     std::vector<std::string> inputs = files_of(job.container);
     inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
+    for (const std::filesystem::path& file : settings_files(arguments)) {
+        inputs.push_back(file.string());
+    }
     for (const Part& part : job.parts) {
         inputs.push_back(part.mesh.file());
     }
@@ -53,7 +48,9 @@ void spare_inputs(const Job& job, const JobSettings& settings, const PackArgumen
     for (const std::string& output : settings.outputs) {
         require_no_input(output, "-o", inputs);
     }
-    if (settings.report) require_no_input(*settings.report, "--report", inputs);
+    for (const std::string& report : settings.reports) {
+        require_no_input(report, "--report", inputs);
+    }
 }
 
 /// What the command line and the job file ask for, as far as it can be checked before any work: words, endings,
@@ -68,7 +65,7 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
 void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display, RunFacts& facts,
                    int& status) {
     std::int64_t done = 0;
-    const auto total = static_cast<std::int64_t>(settings.outputs.size() + (settings.report ? 1 : 0));
+    const auto total = static_cast<std::int64_t>(settings.outputs.size() + settings.reports.size());
     const int threads = settings.options.threads;
     const auto write = [&](const auto& action) {
         try {
@@ -90,10 +87,10 @@ void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisp
             facts.written.push_back(std::move(written));
         });
     }
-    if (settings.report) {
+    for (const std::string& report : settings.reports) {
         write([&] {
-            write_report(scene, *settings.report, settings.material_density, threads);
-            facts.reports.push_back(*settings.report);
+            write_report(scene, report, settings.material_density, threads);
+            facts.reports.push_back(report);
         });
     }
 }
@@ -151,8 +148,9 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
 
 RunFacts facts_of(const Job& job, const JobSettings& settings) {
     RunFacts facts;
-    facts.files_named = !settings.outputs.empty() || settings.report;
+    facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
     facts.onto = settings.onto;
+    facts.own_printers = settings.own_printers;
     facts.tray_of_onto = job.onto && job.onto->packing.container.size == job.options.tray;
     if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
     facts.details = settings.details.value_or(false);
@@ -162,18 +160,20 @@ RunFacts facts_of(const Job& job, const JobSettings& settings) {
 
 int run_pack(const PackArguments& arguments) {
     if (arguments.text("printer") == "list") {
-        print_printers();
+        print_printers(default_settings(arguments).own_printers, arguments.has("json"));
         return kDone;
     }
     if (arguments.parts.empty()) {
         fmt::print(stderr, "{}'spectralpack pack --help' shows the options.\n", pack_help_head());
         return kUsage;
     }
-    settle(arguments, {});  // so that wrong usage is told before files are looked at
-    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"));
-    const JobSettings settings = settle(arguments, inputs.job.value_or(JobSettings{}));
+    const JobSettings defaults = default_settings(arguments);
+    settle(arguments, defaults);  // so that wrong usage is told before files are looked at
+    const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
+    const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
     Interrupts interrupts(settings.options.time_limit);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
+    report_passed_over(inputs, display);
     display.on_unusable(inputs.unusable);
     if (inputs.parts.empty()) {
         fmt::print(stderr, "Nothing is left to pack.\n");
@@ -184,8 +184,11 @@ int run_pack(const PackArguments& arguments) {
     job.unit = in_mm(settings.unit.value_or(LengthUnit::mm));
     job.options = settings.options;
     job.fixed = settings.fixed;
+    job.own_printers = settings.own_printers;
+    job.defaults = settings.defaults;
     job.enough_orders = interrupts.half_time();
     settle_container(arguments, settings, job);
+    if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();

@@ -43,7 +43,7 @@ std::vector<std::string> files_of(const ContainerSource& container) {
 }
 
 void require_picture(const std::string& path) {
-    if (fs::path(path).extension() != ".png") {
+    if (ending_of(path) != ".png") {
         throw UsageError(fmt::format("-o {}: a picture's name ends in .png", path));
     }
     require_writable(path, "-o");
@@ -51,8 +51,12 @@ void require_picture(const std::string& path) {
 
 void require_output(const std::string& path) {
     if (!is_output_file(path)) {
+        const std::string ending = fs::path(path).extension().string();
         throw UsageError(
-            fmt::format("-o {}: cannot tell the kind of file by its ending; use one of {}", path, output_endings()));
+            ending.empty()
+                ? fmt::format("-o {}: its name must end in the kind of file: one of {}", path, output_endings())
+                : fmt::format("-o {}: no such kind of file. There are {}; {} cannot be written.", path,
+                              output_endings(), ending));
     }
     require_writable(path, "-o");
 }

@@ -15,12 +15,17 @@ struct RenderArguments {
     std::string output;
     std::string size = "1600x1200";
     RenderOptions options;
+    std::optional<int> tray;  // from 1
     int threads = 0;
 };
 
 int run_render(RenderArguments arguments) {
     parse_picture_size(arguments.size, arguments.options);
     require_picture(arguments.output);
+    if (arguments.tray) {
+        if (*arguments.tray < 1) throw UsageError(fmt::format("--tray {}: trays count from 1", *arguments.tray));
+        arguments.options.tray = *arguments.tray - 1;
+    }
     const Scene scene = load_scene(arguments.packing);
     write_picture(scene, arguments.output, arguments.options, arguments.threads);
     fmt::print("Written: {}\n", printable(arguments.output));
@@ -37,7 +42,7 @@ Command add_render_command(CLI::App& app) {
     sub->add_option("--size", arguments->size, "pixels [1600x1200]");
     sub->add_option("--azimuth", arguments->options.azimuth, "degrees that you look from the side [35]");
     sub->add_option("--elevation", arguments->options.elevation, "degrees that you look from above [28]");
-    sub->add_option("--tray", arguments->options.tray, "only this tray, counted from 0 [all]");
+    sub->add_option("--tray", arguments->tray, "only this tray, counted from 1 [all]");
     auto* explode = sub->add_option("--explode", arguments->options.explode,
                                     "draw copies apart along their ways out: 0.5 makes the tray half as long again")
                         ->type_name("FACTOR");

@@ -26,6 +26,7 @@ struct RunFacts {
     std::optional<std::string> onto;  ///< the build that was topped up
     bool tray_of_onto = false;        ///< its tray was taken
     std::optional<double> onto_height;
+    std::vector<Printer> own_printers;  ///< known besides those of the table
     bool details = false;
     bool require_all = false;
 };

@@ -111,8 +111,9 @@ std::string tray_text(const Packing& packing, const RunFacts& facts) {
     } else {
         text += size_text(container.size);
     }
-    const Printer* printer = packing.options.printer ? find_printer(*packing.options.printer) : nullptr;
-    if (printer && printer->size == container.size) text += fmt::format(", {}", printer->title);
+    const Printer* printer =
+        packing.options.printer ? find_printer(*packing.options.printer, facts.own_printers) : nullptr;
+    if (printer && printer->size == container.size) text += ", " + printable(printer->title);
     if (facts.tray_of_onto) {
         text += ", as in " + printable(std::filesystem::path(*facts.onto).filename().string());
     }

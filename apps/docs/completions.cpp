@@ -150,7 +150,7 @@ std::string bash_completion(const std::vector<CommandInfo>& commands) {
                                         : bash_command(command);
     }
     std::vector<std::string> first = command_names(commands);
-    first.insert(first.end(), {"--help", "--version"});
+    first.insert(first.end(), {"--help", "--version", "-V"});
     return fmt::format(R"(# Completion of spectralpack for bash.
 
 _spectralpack_paths() {{

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,28 @@ namespace spectralpack {
 
 struct ExpandedInputs {
     std::vector<Part> parts;
-    std::vector<InputError> unusable;  ///< named inputs that are missing or unreadable
-    std::optional<JobSettings> job;    ///< what a job file among them says besides its parts
+    std::vector<InputError> unusable;      ///< named inputs that are missing or unreadable
+    std::optional<JobSettings> job;        ///< what a job file among them says besides its parts
+    std::vector<std::string> passed_over;  ///< files in folders that are no meshes; hidden ones are not told
+    std::vector<std::string> own_builds;   ///< 3MF files in folders that this program wrote: builds, no parts
 };
 
-/// Each argument is a mesh file, FILE:COUNT, FILE:COUNT@SCALE, a folder of meshes (searched through, sorted
+/// Each argument is a mesh file, FILE:COUNT, FILE@SCALE, FILE:COUNT@SCALE, a folder of meshes (searched through, sorted
 /// bytewise), a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty) or a
 /// job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
 /// count or scale that is not positive and for what a job file asks for and is not built, InputError for a job
-/// file that cannot be read: what it says of the others is not known then.
-ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const std::filesystem::path& mesh_dir);
+/// file that cannot be read: what it says of the others is not known then. A job file says what it says over
+/// `defaults`.
+ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const std::filesystem::path& mesh_dir,
+                             const JobSettings& defaults = {});
+
+/// What files of defaults say over the options' own defaults: options, those of a profile (empty: of none), own
+/// printers beside each file (docs/settings.md). A later file comes before an earlier one, profiles before all else.
+/// Throws InputError naming file and key path, UsageError for a profile that is not there.
+JobSettings read_defaults(const std::vector<std::filesystem::path>& files, const std::string& profile);
+
+/// The text of a file of printers that says these.
+std::string printers_json(std::span<const Printer> printers);
 
 /// Reads a packing file and the meshes it names. Throws InputError naming what is missing or wrong.
 Scene load_scene(const std::filesystem::path& packing_file);

@@ -17,6 +17,7 @@
 #include "spectralpack/options.hpp"
 #include "spectralpack/orientations.hpp"
 #include "spectralpack/packing.hpp"
+#include "spectralpack/printers.hpp"
 #include "spectralpack/stop.hpp"
 
 namespace spectralpack {
@@ -57,9 +58,11 @@ struct Part {
     double scale = 1;
     std::optional<double> gap = {};  ///< none: the job's
     PartOrientations orientations = {};
-    double priority = 0;      ///< higher goes first
-    std::string due = {};     ///< "2026-12-01": earlier goes first; empty: last
-    std::string origin = {};  ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
+    std::optional<double> unit = {};  ///< mm per unit where the file does not say; none: the job's
+    double priority = 0;              ///< higher goes first
+    std::string due = {};             ///< "2026-12-01": earlier goes first; empty: last
+    double value = 1;                 ///< what a copy is worth; kept for the record, nothing is decided by it yet
+    std::string origin = {};          ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
 };
 
 /// A mesh that is not packed, and where it stands.
@@ -100,6 +103,8 @@ struct Job {
     /// Who has one requests it whenever he requests that.
     std::optional<StopToken> enough_orders = {};
     std::optional<Scene> onto = {};  ///< its copies stand where they are; those placed come on top, tray by tray
+    std::vector<Printer> own_printers = {};     ///< known besides printers(): named where a part needs a larger tray
+    std::vector<SettingsSource> defaults = {};  ///< where options came from that nobody said; kept for the record
 };
 
 }  // namespace spectralpack

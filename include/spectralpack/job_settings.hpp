@@ -1,12 +1,15 @@
 #pragma once
 /// What a job file, or the command line of `pack`, says besides the parts.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "spectralpack/job.hpp"
 #include "spectralpack/options.hpp"
+#include "spectralpack/packing.hpp"
+#include "spectralpack/printers.hpp"
 
 namespace spectralpack {
 
@@ -29,10 +32,23 @@ struct JobSettings {
     std::optional<std::string> onto;  ///< a packing file, usable from the working directory
 
     std::vector<std::string> outputs;        ///< usable from the working directory
-    std::optional<std::string> report;       ///< the same
+    std::vector<std::string> reports;        ///< the same
     std::optional<double> material_density;  ///< g/cm^3
     std::optional<ProgressStyle> progress;
     std::optional<bool> dry_run, json, details, skip_unusable, require_all;
+
+    std::vector<Printer> own_printers;     ///< known besides printers(), from the user's files
+    std::vector<SettingsSource> defaults;  ///< files of defaults, and what was taken from each
 };
+
+/// The options come from elsewhere now, not from files of defaults.
+inline void forget_defaults(const std::vector<std::string>& options, JobSettings& settings) {
+    for (SettingsSource& source : settings.defaults) {
+        std::erase_if(source.options, [&](const std::string& option) {
+            return std::find(options.begin(), options.end(), option) != options.end();
+        });
+    }
+    std::erase_if(settings.defaults, [](const SettingsSource& source) { return source.options.empty(); });
+}
 
 }  // namespace spectralpack

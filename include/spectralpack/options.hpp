@@ -39,6 +39,7 @@ struct PackOptions {
     double voxel = 2;                          ///< dx, mm
     int detail = 2;                            ///< s: collisions between copies are decided on voxels of dx / s
     std::string rotations = "90";              ///< model/orientation.hpp
+    bool upright = false;                      ///< parts that say nothing of their orientations keep their top up
     double gap = 0.2;                          ///< least distance between two copies, mm
     double wall_gap = 0;                       ///< least distance to the container, mm
     bool refine = true;                        ///< continuous refinement (section 3.2)

@@ -54,9 +54,12 @@ struct PackedPart {
     int count = 1;
     int share = 0;  ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
     double scale = 1;
-    double unit = 1;                   ///< millimetres per unit of the mesh file
-    double gap = 0;                    ///< mm
-    PartOrientations orientations;     ///< those it may take
+    double unit = 1;                ///< millimetres per unit of the mesh file
+    double gap = 0;                 ///< mm
+    PartOrientations orientations;  ///< those it may take
+    double priority = 0;            ///< as in Part; likewise the next two
+    std::string due = {};
+    double value = 1;
     double volume = 0;                 ///< signed volume of one scaled copy, mm^3
     std::vector<std::string> repairs;  ///< what was mended on loading, in words
 
@@ -143,11 +146,21 @@ struct Metrics {
     int threads = 0;
 };
 
+/// A file of defaults, and the options that were taken from it.
+struct SettingsSource {
+    std::string file;
+    std::string profile = {};  ///< of the file; empty: what holds without one
+    std::vector<std::string> options = {};
+
+    bool operator==(const SettingsSource&) const = default;
+};
+
 struct Packing {
     std::string program;     ///< "spectralpack 0.1.0"
     std::string input_hash;  ///< of meshes, counts and options: equal inputs, equal placements
     Container container;
     PackOptions options;
+    std::vector<SettingsSource> defaults;  ///< where options came from that neither command line nor job file said
     std::vector<PackedPart> parts;
     std::vector<TrayPacking> trays;
     std::vector<Unplaced> unplaced;

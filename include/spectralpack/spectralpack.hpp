@@ -15,3 +15,4 @@
 #include "spectralpack/plan.hpp"
 #include "spectralpack/printers.hpp"
 #include "spectralpack/render.hpp"
+#include "spectralpack/typed_text.hpp"

@@ -38,8 +38,9 @@ const char* interlocking_word(const CheckReport& report) {
 std::string check_report_json(const Scene& scene, const CheckReport& report) {
     const auto finding_text = [](const Finding& finding) {
         return "{\"kind\": " + json_string(std::string(to_string(finding.kind))) +
-               ", \"tray\": " + std::to_string(finding.tray) + ", \"placements\": " + int_list(finding.placements) +
-               ", \"amount\": " + json_number(finding.amount) + ", \"message\": " + json_string(finding.message) + "}";
+               ", \"tray\": " + (finding.tray == kWholePacking ? "null" : std::to_string(finding.tray + 1)) +
+               ", \"placements\": " + int_list(finding.placements) + ", \"amount\": " + json_number(finding.amount) +
+               ", \"message\": " + json_string(finding.message) + "}";
     };
     const auto plan_text = [](const std::optional<PlanReport>& plan) -> std::string {
         if (!plan) return "null";

@@ -1,9 +1,11 @@
 #include "api/check_options.hpp"
 #include "api/check_together.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/keep_outs.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
 #include "api/plan.hpp"
+#include "packing/containers/walls.hpp"
 #include "spectralpack/pack.hpp"
 
 namespace spectralpack {
@@ -16,10 +18,12 @@ Estimate estimate(const Job& job, const Control& control) {
     check_together(job);
     const Workers workers(options.threads);
     const Container container = container_of(job);
+    warn_of_keep_outs(container, listener);
     options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);
     require_sound(loaded, container, options, workers, listener, {});
-    const Plan plan = make_plan(loaded, container, options, workers);
+    const Plan plan = make_plan(loaded, container, options, job.own_printers, workers);
+    require_free(blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers), container, options);
     Estimate estimate;
     estimate.grid = plan.grid;
     estimate.container = tray_size(options);

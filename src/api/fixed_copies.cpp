@@ -24,8 +24,6 @@ void add_part(LoadedJob& loaded, PackedPart part, std::shared_ptr<const Mesh> me
     loaded.parts.push_back(std::move(part));
     loaded.meshes.push_back(std::move(mesh));
     loaded.problem.emplace_back();
-    loaded.priority.push_back(0);
-    loaded.due.emplace_back();
 }
 
 /// A build to top up: its copies keep part, tray, orientation and transform, and are counted from 0.

@@ -8,9 +8,11 @@
 #include <regex>
 #include <system_error>
 
+#include "api/folder_inputs.hpp"
 #include "formats/job_file.hpp"
-#include "formats/mesh_reader.hpp"
 #include "formats/set_file.hpp"
+#include "formats/settings_file.hpp"
+#include "spectralpack/typed_text.hpp"
 
 namespace spectralpack {
 namespace {
@@ -20,28 +22,50 @@ namespace fs = std::filesystem;
 constexpr int kMaxCount = 10'000'000;
 
 struct CountAndScale {
-    std::string file;
+    std::string file = {};
     int count = 1;
     double scale = 1;
 };
 
-/// FILE:COUNT or FILE:COUNT@SCALE, when `argument` reads so.
+/// FILE:COUNT, FILE@SCALE or FILE:COUNT@SCALE, when `argument` reads so.
 std::optional<CountAndScale> split_argument(const std::string& argument) {
-    static const std::regex pattern(R"(^([\s\S]+):([+-]?[0-9.]+)(?:@([^@:/]*))?$)");
-    std::smatch match;
-    if (!std::regex_match(argument, match, pattern)) return std::nullopt;
-    const auto number = [&](const std::string& text, auto& value, const char* what) {
+    static const std::regex with_count(R"(^([\s\S]+):([+-]?[0-9.]+)(?:@([^@:/]*))?$)");
+    static const std::regex with_scale(R"(^([\s\S]+)@([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)$)");
+    const auto read = [&](const std::string& text, auto& value, const char* what) {
         const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
         if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0) ||
             !std::isfinite(static_cast<double>(value))) {
             throw UsageError("'" + argument + "': the " + what + " '" + text + "' must be a positive number");
         }
     };
-    CountAndScale result{match[1], 1, 1};
-    number(match[2], result.count, "count");
-    if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
-    if (match[3].matched) number(match[3], result.scale, "scale");
-    return result;
+    std::smatch match;
+    if (std::regex_match(argument, match, with_count)) {
+        CountAndScale result{match[1]};
+        read(match[2], result.count, "count");
+        if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
+        if (match[3].matched) read(match[3], result.scale, "scale");
+        return result;
+    }
+    if (std::regex_match(argument, match, with_scale)) {
+        CountAndScale result{match[1]};
+        read(match[2], result.scale, "scale");
+        return result;
+    }
+    return std::nullopt;
+}
+
+/// "no such file or folder", and one with a name like it that is there.
+std::string absence_of(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    std::vector<std::string> names;
+    std::error_code failure;
+    for (auto entry = fs::directory_iterator(folder, failure); !failure && entry != fs::directory_iterator();
+         entry.increment(failure)) {
+        names.push_back(entry->path().filename().string());
+    }
+    std::ranges::sort(names);
+    const auto near = nearest_word(file.filename().string(), names);
+    return "no such file or folder" + (near ? "; near it: " + *near : "");
 }
 
 int product(int count, int times, const std::string& file, const std::string& place) {
@@ -53,7 +77,7 @@ int product(int count, int times, const std::string& file, const std::string& pl
 
 class Expander {
   public:
-    explicit Expander(fs::path mesh_dir) : mesh_dir_(std::move(mesh_dir)) {}
+    Expander(fs::path mesh_dir, const JobSettings& defaults) : defaults_(defaults), mesh_dir_(std::move(mesh_dir)) {}
 
     void argument(const std::string& text) {
         std::error_code failure;
@@ -69,10 +93,10 @@ class Expander {
         const std::string& file = wanted.file;
         std::error_code failure;
         const fs::file_status status = fs::status(file, failure);
-        const std::string ending = fs::path(file).extension().string();
+        const std::string ending = ending_of(file);
         if (!fs::exists(status)) {
             const bool absent = !failure || failure == std::errc::no_such_file_or_directory;
-            inputs_.unusable.emplace_back(file, "", absent ? "no such file or folder" : failure.message());
+            inputs_.unusable.emplace_back(file, "", absent ? absence_of(file) : failure.message());
         } else if (fs::is_directory(status)) {
             folder(file, wanted);
         } else if (ending == ".csv") {
@@ -91,9 +115,16 @@ class Expander {
             for (const SetRow& row : read_set(file)) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                parts.push_back({.mesh = (base / row.mesh).string(),
+                parts.push_back({.name = row.name,
+                                 .mesh = (base / row.mesh).string(),
                                  .count = count,
                                  .scale = row.scale * wanted.scale,
+                                 .gap = row.gap,
+                                 .orientations = row.orientations,
+                                 .unit = row.unit,
+                                 .priority = row.priority,
+                                 .due = row.due,
+                                 .value = row.value,
                                  .origin = file + " " + place});
             }
         } catch (const InputError& error) {
@@ -107,7 +138,7 @@ class Expander {
         if (inputs_.job) {
             throw UsageError(file + ": is the second job file, after " + inputs_.job->file + "; one run has one job");
         }
-        JobFile job = read_job(file);
+        JobFile job = read_job(file, defaults_);
         for (Part& part : job.parts) {
             part.count = product(part.count, wanted.count, file, part.origin + ".count");
             part.scale *= wanted.scale;
@@ -118,47 +149,43 @@ class Expander {
     }
 
     void folder(const std::string& root, const CountAndScale& wanted) {
-        std::vector<std::string> found;
-        std::error_code failure;
-        auto entries = fs::recursive_directory_iterator(root, failure);
-        while (!failure && entries != fs::recursive_directory_iterator()) {
-            const fs::directory_entry& entry = *entries;
-            std::error_code broken;
-            const bool is_folder = fs::is_directory(fs::status(entry.path(), broken));
-            if (is_mesh_file(entry.path())) {
-                if (broken) {  // a symbolic link that leads nowhere or in circles
-                    inputs_.unusable.emplace_back(entry.path().string(), "", broken.message());
-                } else if (is_folder) {
-                    inputs_.unusable.emplace_back(entry.path().string(), "",
-                                                  "is a folder with the name of a mesh file");
-                } else {
-                    found.push_back(entry.path().string());
-                }
-            }
-            entries.increment(failure);
-        }
-        if (failure) inputs_.unusable.emplace_back(root, "", failure.message());
-        if (found.empty() && !failure) {
-            inputs_.unusable.emplace_back(root, "", "the folder holds no mesh files");
-        }
-        std::sort(found.begin(), found.end());  // bytewise
-        for (const std::string& file : found) {
+        const FolderInputs found = inputs_in(root);
+        for (const std::string& file : found.meshes) {
             inputs_.parts.push_back({.mesh = file, .count = wanted.count, .scale = wanted.scale, .origin = root});
         }
+        append(found.unusable, inputs_.unusable);
+        append(found.passed_over, inputs_.passed_over);
+        append(found.own_builds, inputs_.own_builds);
     }
 
+    template <class Element>
+    static void append(const std::vector<Element>& some, std::vector<Element>& all) {
+        all.insert(all.end(), some.begin(), some.end());
+    }
+
+    const JobSettings& defaults_;
     fs::path mesh_dir_;
     ExpandedInputs inputs_;
 };
 
 }  // namespace
 
-ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const fs::path& mesh_dir) {
-    Expander expander(mesh_dir);
+ExpandedInputs expand_inputs(const std::vector<std::string>& arguments, const fs::path& mesh_dir,
+                             const JobSettings& defaults) {
+    Expander expander(mesh_dir, defaults);
     for (const std::string& argument : arguments) {
         expander.argument(argument);
     }
     return expander.take();
 }
+
+JobSettings read_defaults(const std::vector<fs::path>& files, const std::string& profile) {
+    JobSettings settings;
+    read_settings(files, profile, settings);
+    settings.sized = false;  // nobody says it of this job: a build that is topped up keeps its tray
+    return settings;
+}
+
+std::string printers_json(std::span<const Printer> printers) { return printers_to_json(printers); }
 
 }  // namespace spectralpack

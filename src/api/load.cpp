@@ -8,11 +8,13 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "api/fixed_copies.hpp"
 #include "core/remarks.hpp"
 #include "formats/mesh_reader.hpp"
+#include "model/part_names.hpp"
 #include "spectralpack/option_table.hpp"
 
 namespace spectralpack {
@@ -50,24 +52,6 @@ InputContent content_of(const Part& part, double unit) {
     return content;
 }
 
-/// What remarks call the inputs: file names without folder and ending; with the folder where two are alike.
-std::vector<std::string> names_of(const std::vector<const Part*>& inputs) {
-    std::vector<std::string> names;
-    std::map<std::string, int> known;
-    for (const Part* input : inputs) {
-        const std::string file = input->mesh.file();
-        names.push_back(file.empty() ? label_of(*input) : std::filesystem::path(file).stem().string());
-        ++known[names.back()];
-    }
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const std::filesystem::path file = inputs[i]->mesh.file();
-        if (known[names[i]] > 1 && !file.empty()) {
-            names[i] = (file.parent_path().filename() / file.filename()).string();
-        }
-    }
-    return names;
-}
-
 std::string count_of(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 
 /// Several remarks on one file in one line.
@@ -77,6 +61,33 @@ std::string joined(const std::vector<std::string>& remarks) {
         line += (line.empty() ? "" : "; ") + remark;
     }
     return line;
+}
+
+/// Tells what was mended and what is odd, once for each cause.
+void tell_remarks(const std::vector<const Part*>& inputs, const std::vector<InputContent>& contents,
+                  Listener& listener) {
+    std::vector<NameSource> sources;
+    for (const Part* input : inputs) {
+        const std::string file = input->mesh.file();
+        sources.push_back({file.empty() ? label_of(*input) : std::filesystem::path(file).stem().string(), file});
+    }
+    const std::vector<std::string> names = names_apart(sources);
+    Remarks remarks;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (const LoadedMesh& loaded : contents[i].meshes) {
+            const std::string name = loaded.object ? names[i] + " (" + loaded.name + ")" : names[i];
+            if (!loaded.repairs.empty()) {
+                remarks.add(name, {"was mended: " + joined(loaded.repairs),
+                                   "were mended ('spectralpack inspect' and the report say how)"});
+            }
+            for (const Remark& warning : loaded.warnings) {
+                remarks.add(name, warning);
+            }
+        }
+    }
+    for (const std::string& text : remarks.texts()) {
+        listener.on_warning(text);
+    }
 }
 
 class Hash {
@@ -173,9 +184,13 @@ std::vector<const Option*> hashed_options() {
 }  // namespace
 
 LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener) {
-    std::map<std::pair<std::string, const Mesh*>, std::size_t> index;  // of distinct meshes, in the order named
+    // Of distinct meshes, in the order named. What is remarked on a mesh depends on its unit.
+    std::map<std::tuple<std::string, const Mesh*, double>, std::size_t> index;
     std::vector<const Part*> inputs;
-    const auto key = [](const Part& part) { return std::pair(part.mesh.file(), part.mesh.mesh().get()); };
+    const auto unit_of = [&](const Part& part) { return part.unit.value_or(job.unit); };
+    const auto key = [&](const Part& part) {
+        return std::tuple(part.mesh.file(), part.mesh.mesh().get(), unit_of(part));
+    };
     for (const Part& part : job.parts) {
         if (index.emplace(key(part), inputs.size()).second) inputs.push_back(&part);
     }
@@ -186,7 +201,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
             const std::size_t input = begin + static_cast<std::size_t>(i);
             try {
-                contents[input] = content_of(*inputs[input], job.unit);
+                contents[input] = content_of(*inputs[input], unit_of(*inputs[input]));
             } catch (const InputError& error) {
                 contents[input].error = error;
             }
@@ -198,28 +213,15 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
 
     LoadedJob result;
     load_fixed(job, result);
-    const std::vector<std::string> names = names_of(inputs);
-    Remarks remarks;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (contents[i].error) result.unusable.push_back(*contents[i].error);
-        for (const LoadedMesh& loaded : contents[i].meshes) {
-            const std::string name = loaded.object ? names[i] + " (" + loaded.name + ")" : names[i];
-            if (!loaded.repairs.empty()) {
-                remarks.add(name, {"was mended: " + joined(loaded.repairs),
-                                   "were mended ('spectralpack inspect' and the report say how)"});
-            }
-            for (const Remark& warning : loaded.warnings) {
-                remarks.add(name, warning);
-            }
-        }
+    for (const InputContent& content : contents) {
+        if (content.error) result.unusable.push_back(*content.error);
     }
-    for (const std::string& text : remarks.texts()) {
-        listener.on_warning(text);
-    }
+    tell_remarks(inputs, contents, listener);
+    std::vector<NameSource> names;
     const auto add = [&](const Part& source, PackedPart part, std::shared_ptr<const Mesh> mesh, double box_volume,
                          std::string problem) {
-        result.priority.push_back(source.priority);
-        result.due.push_back(source.due);
+        const bool of_file = part.name == std::filesystem::path(part.mesh).stem().string();
+        names.push_back({part.name, part.mesh, !of_file, !source.name.empty(), part.scale});
         part.id = static_cast<int>(result.parts.size());
         result.parts.push_back(std::move(part));
         result.meshes.push_back(std::move(mesh));
@@ -232,9 +234,15 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         part.mesh = source.mesh.file();
         part.count = source.count;
         part.scale = source.scale;
-        part.unit = job.unit;
+        part.unit = unit_of(source);
         part.gap = source.gap.value_or(job.options.gap);
         part.orientations = source.orientations;
+        if (job.options.upright && part.orientations.kind == PartOrientations::Kind::any) {
+            part.orientations.kind = PartOrientations::Kind::upright;
+        }
+        part.priority = source.priority;
+        part.due = source.due;
+        part.value = source.value;
         if (content.error) {
             part.name = source.name.empty() ? std::filesystem::path(part.mesh).stem().string() : source.name;
             const std::string& place = content.error->place();
@@ -254,12 +262,16 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             part.object = loaded.object;
             part.item_transform = loaded.item_transform;
             part.count = source.count * loaded.instances;
-            part.unit = loaded.unit.value_or(job.unit);
+            part.unit = loaded.unit.value_or(unit_of(source));
             part.repairs = loaded.repairs;
             const double mm = part.to_mm();
             part.volume = signed_volume(*content.shared[i]) * mm * mm * mm;
             add(source, part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
         }
+    }
+    const std::vector<std::string> apart = names_apart(names);
+    for (std::size_t i = 0; i < apart.size(); ++i) {
+        result.parts[result.fixed_parts + i].name = apart[i];
     }
     if (result.unusable.size() == inputs.size() && !inputs.empty()) {
         const InputError& first = result.unusable.front();
@@ -280,8 +292,8 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
         hash.add(part.count);
         hash.add(part.to_mm());
         hash.add(part.gap);
-        hash.add(loaded.priority[i]);
-        hash.add(loaded.due[i]);
+        hash.add(part.priority);
+        hash.add(part.due);
         hash.add(part.orientations);
     }
     for (const FixedPlacement& fixed : loaded.fixed) {

@@ -20,8 +20,6 @@ struct LoadedJob {
     std::vector<PackedPart> parts;
     std::size_t fixed_parts = 0;  ///< so many of them have fixed copies only
     std::vector<FixedPlacement> fixed;
-    std::vector<double> priority;  ///< by part, as is `due`
-    std::vector<std::string> due;
     PartMeshes meshes;                 ///< by part, file's own coordinates; null where unusable
     std::vector<double> box_volume;    ///< by part: of the scaled mesh's box in file orientation, mm^3
     std::vector<std::string> problem;  ///< by part: why it cannot be used; empty where it can

@@ -8,6 +8,7 @@
 #include "api/check_together.hpp"
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/keep_outs.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
 #include "api/memory_plan.hpp"
@@ -33,7 +34,7 @@ class JobRun {
     PackResult run() {
         const Stopwatch watch;
         load();
-        plan_ = make_plan(loaded_, container_, options_, workers_);
+        plan_ = make_plan(loaded_, container_, options_, job_.own_printers, workers_);
         require_memory(plan_, loaded_, options_, workers_);
         Remarks too_large;
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
@@ -44,12 +45,14 @@ class JobRun {
         for (const std::string& text : too_large.texts()) {
             listener_.on_warning(text);
         }
+        warn_of_orientations(plan_, options_, listener_);
+        PackingJob packing = packing_job({loaded_, plan_, container_, options_}, listener_, workers_);
         PackResult result;
         seconds_.load = watch.seconds();
 
         PackedJob packed;
         try {
-            search(packed);
+            search(packing, packed);
         } catch (const std::bad_alloc&) {
             result.failure = ResourceError("out of memory while placing; what was placed by then is kept");
         } catch (const Error& error) {
@@ -61,8 +64,9 @@ class JobRun {
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();
-        result.packing = packing_of(
-            {loaded_, container_, options_, plan_, trays, packed.base, seconds_, verified_, packed.orders}, workers_);
+        result.packing = packing_of({loaded_, container_, options_, plan_, job_.defaults, trays, packed.base, seconds_,
+                                     verified_, packed.orders},
+                                    workers_);
         result.packing.metrics.seconds.total = watch.seconds();
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
@@ -74,12 +78,13 @@ class JobRun {
         check_options(options_);
         check_together(job_);
         container_ = container_of(job_);
+        warn_of_keep_outs(container_, listener_);
         options_.tray = container_.size;
         loaded_ = load_parts(job_, workers_, listener_);
         require_sound(loaded_, container_, options_, workers_, listener_, stop_);
     }
 
-    void search(PackedJob& packed) {
+    void search(PackingJob& job, PackedJob& packed) {
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         const VerifyingSearch* verifying = nullptr;
         if (options_.verify_with) {
@@ -91,7 +96,6 @@ class JobRun {
             engine = std::move(both);
         }
         const Stopwatch watch;
-        PackingJob job = packing_job({loaded_, plan_, container_, options_}, listener_, workers_);
         if (verifying) job.verified = [verifying] { return verifying->verified(); };
         TraysPacker packer(job, *engine, workers_);
         const auto finish = [&] {

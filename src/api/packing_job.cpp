@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "api/check_options.hpp"
-#include "api/short_number.hpp"
+#include "api/keep_outs.hpp"
 #include "packing/containers/walls.hpp"
-#include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
-
-void require_free(const BitGrid& blocked, const Container& container, const PackOptions& options) {
-    if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
-    std::string what = "no voxel of " + short_number(options.voxel) + " mm is wholly free";
-    if (options.wall_gap > 0) what += " and " + short_number(options.wall_gap) + " mm from the walls";
-    if (container.mesh) throw InputError(container.mesh->file, "", "as a container, " + what);
-    throw UsageError("between the keep-outs " + what);
-}
 
 FillOptions fill_setup(const JobSource& source, Listener& listener, const Workers& workers) {
     const auto& [loaded, plan, container, options] = source;

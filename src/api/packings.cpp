@@ -9,6 +9,7 @@
 #include "formats/report.hpp"
 #include "render/render.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/typed_text.hpp"
 #include "verify/check.hpp"
 
 namespace spectralpack {
@@ -80,14 +81,15 @@ CheckReport check(const Scene& scene, int threads, const Control& control) {
 const char* output_endings() { return ".json .3mf .stl .csv .png"; }
 
 bool is_output_file(const std::filesystem::path& path) {
-    const std::string ending = path.extension().string();
+    const std::string ending = ending_of(path);
     return ending == ".json" || ending == ".3mf" || ending == ".stl" || ending == ".csv" || ending == ".png";
 }
 
 namespace {
 
-void write_one(const Scene& scene, const std::filesystem::path& path, const RenderOptions& picture, int threads) {
-    const std::string ending = path.extension().string();
+/// `first`: the number of its first tray.
+void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads) {
+    const std::string ending = ending_of(path);
     if (ending == ".json") {
         write_packing(scene.packing, path);
     } else if (ending == ".3mf") {
@@ -95,9 +97,9 @@ void write_one(const Scene& scene, const std::filesystem::path& path, const Rend
     } else if (ending == ".stl") {
         write_stl(scene.packing, scene.meshes, path);
     } else if (ending == ".csv") {
-        write_transforms_csv(scene.packing, path);
+        write_transforms_csv(scene.packing, path, first);
     } else if (ending == ".png") {
-        write_picture(scene, path, picture, threads);
+        write_picture(scene, path, {}, threads);
     } else {
         throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " + output_endings());
     }
@@ -112,21 +114,21 @@ std::filesystem::path tray_file(std::filesystem::path path, std::size_t tray) {
 }  // namespace
 
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
-    write_one(scene, path, {}, threads);
+    write_one(scene, path, 1, threads);
     std::vector<std::filesystem::path> written{path};
     const std::size_t trays = scene.packing.trays.size();
-    if (trays < 2 || path.extension() == ".json") return written;
+    if (trays < 2 || ending_of(path) == ".json") return written;
     Scene single = scene;
     for (std::size_t tray = 0; tray < trays; ++tray) {
         single.packing.trays = {scene.packing.trays[tray]};
         written.push_back(tray_file(path, tray));
-        write_one(single, written.back(), {}, threads);
+        write_one(single, written.back(), tray + 1, threads);
     }
     return written;
 }
 
 bool is_report_file(const std::filesystem::path& path) {
-    const std::string ending = path.extension().string();
+    const std::string ending = ending_of(path);
     return ending == ".html" || ending == ".csv";
 }
 
@@ -137,7 +139,7 @@ void write_report(const Scene& scene, const std::filesystem::path& path, std::op
     }
     ReportExtras extras;
     extras.material_density = material_density;
-    if (path.extension() == ".csv") {
+    if (ending_of(path) == ".csv") {
         replace_file(path, report_csv(scene.packing, extras));
         return;
     }

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <map>
+#include <string>
 
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/memory_plan.hpp"
-#include "api/short_number.hpp"
+#include "api/too_large.hpp"
 #include "geometry/minimum_box.hpp"
 #include "packing/tray/shape_store.hpp"
 #include "spectralpack/geometry.hpp"
@@ -25,31 +27,6 @@ int voxels_in(double length, double dx) {
     const double voxels = std::ceil(length / dx - 1e-9);
     if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
     return std::max(1, static_cast<int>(voxels));
-}
-
-Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
-    Box box;
-    for (const Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) {
-            box.add(turn * (to_mm * mesh.vertices[vertex]));
-        }
-    }
-    return box.size();
-}
-
-/// Its size and the room there is, where the part fits in no orientation; empty where it fits in one.
-std::string why_too_large(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations, const Vec3& space) {
-    for (const Mat3& turn : orientations) {
-        if (fits(turned_size(mesh, turn, to_mm), space)) return "";
-    }
-    const Vec3 size = turned_size(mesh, Mat3{}, to_mm);
-    const std::size_t ways = orientations.size();
-    const std::string height = std::isinf(space.z) ? "" : " x " + tenths(space.z);
-    return tenths(size.x) + " x " + tenths(size.y) + " x " + tenths(size.z) + " mm, and there is room for " +
-           tenths(space.x) + " x " + tenths(space.y) + height + " mm" +
-           (ways == 1             ? "; it may not be turned"
-            : ways < kRightAngles ? "; it may stand in " + std::to_string(ways) + " ways only"
-                                  : "");
 }
 
 /// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over
@@ -142,7 +119,7 @@ int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& o
 }  // namespace
 
 Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
-               const Workers& workers) {
+               std::span<const Printer> own_printers, const Workers& workers) {
     check_options(options);
     Plan plan;
     plan.engine = resolve_engine(options.engine);
@@ -161,7 +138,9 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
         if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
-        plan.too_large[i] = why_too_large(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i], plan.room);
+        const PackedPart& part = loaded.parts[i];
+        plan.too_large[i] = why_too_large({*loaded.meshes[i], part.to_mm(), part.orientations, *plan.orientations[i]},
+                                          plan.room, options, !container.mesh, own_printers);
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
@@ -174,7 +153,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
         if (plan.too_large[i].empty() && copies > 0) {
-            sizes.push_back({part.id, copies, loaded.box_volume[i], loaded.priority[i], loaded.due[i], part.volume});
+            sizes.push_back({part.id, copies, loaded.box_volume[i], part.priority, part.due, part.volume});
             plan.copies = plan.copies || copies > 1 || options.fill;
             material += copies * part.volume;
         }
@@ -192,6 +171,17 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(plan.room.z, options.voxel);
     plan_memory(loaded, options, is_open(options) ? fixed_layers(loaded, options.voxel) : 0, workers, plan);
     return plan;
+}
+
+void warn_of_orientations(const Plan& plan, const PackOptions& options, Listener& listener) {
+    constexpr std::size_t kUsual = 24, kMany = 10 * kUsual;
+    if (plan.most_orientations < kMany) return;
+    char memory[32];
+    std::snprintf(memory, sizeof memory, "%.2g GB", static_cast<double>(plan.memory) / 1e9);
+    listener.on_warning("--rotations " + options.rotations + " tries " + std::to_string(plan.most_orientations) +
+                        " ways to stand, --rotations 90 tries " + std::to_string(kUsual) + ": this takes up to " +
+                        std::to_string(plan.most_orientations / kUsual) + " times as long, and about " + memory +
+                        " of memory");
 }
 
 }  // namespace spectralpack

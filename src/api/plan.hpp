@@ -2,6 +2,7 @@
 /// What a run will do and take, settled before it starts.
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "api/load.hpp"
@@ -39,7 +40,12 @@ struct Plan {
     double placed = 1;  ///< share of the copies that the container has room for, at most
 };
 
-/// `options.tray` is the container's size. Throws as check_options and orientation_set do.
-Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options, const Workers& workers);
+/// `options.tray` is the container's size; `own_printers` are named where a part would fit into one. Throws as
+/// check_options and orientation_set do.
+Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
+               std::span<const Printer> own_printers, const Workers& workers);
+
+/// Warns of what so many orientations take, where they are far more than the usual ones.
+void warn_of_orientations(const Plan& plan, const PackOptions& options, Listener& listener);
 
 }  // namespace spectralpack

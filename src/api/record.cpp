@@ -1,6 +1,7 @@
 #include "api/record.hpp"
 
 #include <set>
+#include <string>
 #include <utility>
 
 #include "api/check_options.hpp"
@@ -52,6 +53,15 @@ void count_what_came_of_shares(const PackRun& run, std::vector<PackedPart>& part
     }
 }
 
+/// What is known of a copy that found no place although nothing stands in its tray; empty where something does.
+std::string why_in_empty_tray(const PackRun& run) {
+    const Container& container = run.container;
+    const bool empty = run.trays.placed() == 0 && run.loaded.fixed.empty();
+    if (!empty || (!container.mesh && container.keep_out.empty())) return "";
+    return std::string("it finds no place in the empty tray either: ") +
+           (container.mesh ? "the container's shape leaves none" : "the keep-outs leave none");
+}
+
 /// Copies that are not placed, and why; `settled` are those that are.
 std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<Copy> settled) {
     std::vector<Unplaced> unplaced;
@@ -69,11 +79,12 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<Copy> settled) {
         unplaced.push_back({copy.part, copy.number, UnplacedReason::cannot_leave, ""});
         settled.insert(copy);
     }
+    const std::string in_empty = why_in_empty_tray(run);
     for (const Copy& copy : run.trays.left_over) {
         if (!settled.insert(copy).second) continue;
         const auto cap = last.why.find(copy.part);
         if (cap == last.why.end()) {
-            unplaced.push_back({copy.part, copy.number, UnplacedReason::no_place, ""});
+            unplaced.push_back({copy.part, copy.number, UnplacedReason::no_place, in_empty});
         } else {
             unplaced.push_back({copy.part, copy.number, UnplacedReason::cap, cap->second});
         }
@@ -128,6 +139,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     packing.options.height_at = height_reference(run.options);
     packing.options.height_penalty = run.plan.height_penalty;
     packing.options.engine = run.plan.engine;
+    packing.defaults = run.defaults;
     packing.parts = run.loaded.parts;
 
     if (run.options.fill) count_what_came_of_shares(run, packing.parts);

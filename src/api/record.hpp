@@ -16,6 +16,7 @@ struct PackRun {
     const Container& container;
     const PackOptions& options;  ///< as used
     const Plan& plan;
+    const std::vector<SettingsSource>& defaults;
     const TraysResult& trays;      ///< at least one
     std::optional<BaseSize> base;  ///< where it was searched for
     PhaseSeconds seconds;          ///< but for disassembly and re-insertion, which the trays tell

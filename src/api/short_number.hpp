@@ -13,11 +13,4 @@ inline std::string short_number(double value) {
     return text;
 }
 
-/// Millimetres as people are told heights and sizes: 195.7, 480.0.
-inline std::string tenths(double mm) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", mm);
-    return text;
-}
-
 }  // namespace spectralpack

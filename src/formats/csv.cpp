@@ -7,7 +7,8 @@ namespace {
 
 class CsvParser {
   public:
-    CsvParser(const std::string& file, std::string_view text) : file_(file), text_(text) {
+    CsvParser(const std::string& file, std::string_view text, char separator)
+        : file_(file), text_(text), separator_(separator), ends_{separator, '\r', '\n', '"'} {
         if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     }
 
@@ -18,7 +19,7 @@ class CsvParser {
             row.line = line_;
             do {
                 row.fields.push_back(field());
-            } while (take(','));
+            } while (take(separator_));
             end_of_row();
             if (row.fields.size() > 1 || !row.fields[0].empty()) rows.push_back(std::move(row));
         }
@@ -34,7 +35,7 @@ class CsvParser {
 
     std::string field() {
         if (take('"')) return quoted_field();
-        const std::size_t end = std::min(text_.find_first_of(",\r\n\"", at_), text_.size());
+        const std::size_t end = std::min(text_.find_first_of(ends_, at_), text_.size());
         if (end < text_.size() && text_[end] == '"') fail("a quote inside a field that does not start with one");
         std::string field(text_.substr(at_, end - at_));
         at_ = end;
@@ -67,13 +68,17 @@ class CsvParser {
 
     const std::string& file_;
     std::string_view text_;
+    char separator_;
+    std::string ends_;  ///< of a field without quotes, or what may not be in it
     std::size_t at_ = 0;
     int line_ = 1;
 };
 
 }  // namespace
 
-std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text) { return CsvParser(file, text).parse(); }
+std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text, char separator) {
+    return CsvParser(file, text, separator).parse();
+}
 
 std::string csv_field(std::string_view field) {
     const bool plain = field.find_first_of(",\"\r\n") == std::string_view::npos &&

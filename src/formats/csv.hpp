@@ -14,7 +14,7 @@ struct CsvRow {
 
 /// All rows; blank lines are left out; LF, CRLF or CR ends a row; a byte-order mark is skipped.
 /// Throws InputError with the line for a quote in the wrong place.
-std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text);
+std::vector<CsvRow> parse_csv(const std::string& file, std::string_view text, char separator = ',');
 
 /// `field` as it stands in a row: quoted where it holds a comma, a quote, a line end or outer
 /// blanks.

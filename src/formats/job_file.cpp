@@ -1,13 +1,13 @@
 #include "formats/job_file.hpp"
 
-#include <chrono>
 #include <utility>
 
+#include "formats/date.hpp"
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
 #include "formats/option_reader.hpp"
 #include "formats/part_orientations.hpp"
-#include "spectralpack/printers.hpp"
+#include "formats/settings_options.hpp"
 
 namespace spectralpack {
 namespace {
@@ -22,8 +22,8 @@ constexpr std::pair<const char*, const char*> kJobKeys[] = {
 
 class JobReader {
   public:
-    JobReader(const fs::path& path, const nlohmann::json& document)
-        : file_(path.string()), folder_(path.parent_path()), root_(file_, document, "") {}
+    JobReader(const fs::path& path, const nlohmann::json& document, const JobSettings& defaults)
+        : file_(path.string()), folder_(path.parent_path()), root_(file_, document, ""), job_{defaults, {}} {}
 
     JobFile read() {
         const Node format = root_.at("format");
@@ -36,11 +36,15 @@ class JobReader {
                            "gap", "parts", "fixed", "options"});
         job_.settings.file = file_;
         if (const auto options = root_.find("options")) read_job_options(*options);
-        if (const auto v = root_.find("unit")) job_.settings.unit = v->one_of<LengthUnit>();
+        if (const auto v = root_.find("unit")) {
+            job_.settings.unit = v->one_of<LengthUnit>();
+            said({"unit"});
+        }
         for (const auto& [key, name] : kJobKeys) {
             const Option& option = *find_option(name);
             if (const auto v = said_once(key, name)) {
                 option.in_pack.set(job_.settings.options, read_value(*v, option));
+                said({name});
             }
         }
         if (const auto v = root_.find("container")) read_container(*v);
@@ -66,6 +70,7 @@ class JobReader {
         const auto options = root_.find("options");
         if (options && options->find("tray")) (size ? *size : *mesh).fail("is said twice: also as options.tray");
         job_.settings.sized = true;
+        said({"tray"});
         if (mesh) {
             container.mesh = mesh_source(node);
         } else {
@@ -113,43 +118,15 @@ class JobReader {
     }
 
     void read_job_options(const Node& node) {
-        std::vector<std::string_view> known;
-        for (const Option& option : option_table()) {
-            if (option.in_pack.set || option.in_job.set) known.push_back(option.name);
-        }
-        node.expect_keys(known);
-        if (const auto v = node.find("printer")) use_printer(*v);
-        if (node.find("tray")) job_.settings.sized = true;
         if (const auto v = node.find("unit"); v && root_.find("unit")) v->fail("is said twice: also as unit");
-        read_options(node, job_.settings.options);
-        for (const Option& option : option_table()) {
-            if (!option.in_job.set) continue;
-            if (const auto v = node.find(option.name))
-                option.in_job.set(job_.settings, from_here(read_value(*v, option), option));
-        }
+        said(read_settings_options(node, folder_, job_.settings));
+        if (node.find("tray") || node.find("printer")) job_.settings.sized = true;
     }
 
-    /// Paths as they are from the working directory.
-    OptionValue from_here(OptionValue value, const Option& option) const {
-        if (option.type == OptionType::file) return (folder_ / std::get<std::string>(value)).string();
-        if (option.type == OptionType::files) {
-            for (std::string& path : std::get<std::vector<std::string>>(value)) {
-                path = (folder_ / path).string();
-            }
-        }
-        return value;
-    }
-
-    /// What the job says itself is read later and overrides the printer's values.
-    void use_printer(const Node& node) {
-        const Printer* printer = find_printer(node.text());
-        if (!printer) node.fail("is no printer that is known: see 'spectralpack pack --printer list'");
-        apply(*printer, job_.settings.options);
-        job_.settings.sized = true;
-    }
+    void said(const std::vector<std::string>& options) { forget_defaults(options, job_.settings); }
 
     void read_part(const Node& node) {
-        node.expect_keys({"name", "mesh", "count", "scale", "gap", "priority", "due", "orientations"});
+        node.expect_keys({"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "value", "orientations"});
         Part part;
         part.origin = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -158,26 +135,16 @@ class JobReader {
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
         if (const auto v = node.find("priority")) part.priority = v->number();
+        if (const auto v = node.find("unit")) part.unit = in_mm(v->one_of<LengthUnit>());
         if (const auto v = node.find("due")) part.due = date_of(*v);
+        if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));
     }
 
-    /// A calendar date, which then sorts as text.
     static std::string date_of(const Node& node) {
         const std::string text = node.text();
-        bool digits = text.size() == 10;
-        for (std::size_t i = 0; i < text.size() && digits; ++i) {
-            digits = i == 4 || i == 7 ? text[i] == '-' : text[i] >= '0' && text[i] <= '9';
-        }
-        const auto number = [&](std::size_t at, std::size_t size) {
-            return static_cast<unsigned>(std::stoul(text.substr(at, size)));
-        };
-        if (!digits || !std::chrono::year_month_day(std::chrono::year(static_cast<int>(number(0, 4))),
-                                                    std::chrono::month(number(5, 2)), std::chrono::day(number(8, 2)))
-                            .ok()) {
-            node.fail("must be a date like \"2026-12-01\"");
-        }
+        if (!is_date(text)) node.fail("must be a date like \"2026-12-01\"");
         return text;
     }
 
@@ -197,10 +164,13 @@ class JobReader {
 
 }  // namespace
 
-JobFile parse_job(const fs::path& path, std::string_view text) {
-    return JobReader(path, parse_json(path.string(), text)).read();
+JobFile parse_job(const fs::path& path, std::string_view text, const JobSettings& defaults) {
+    const nlohmann::json document = parse_json(path.string(), text);
+    return JobReader(path, document, defaults).read();
 }
 
-JobFile read_job(const fs::path& path) { return parse_job(path, FileBytes(path).view()); }
+JobFile read_job(const fs::path& path, const JobSettings& defaults) {
+    return parse_job(path, FileBytes(path).view(), defaults);
+}
 
 }  // namespace spectralpack

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "spectralpack/typed_text.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -17,10 +19,19 @@ std::string parse_cause(const nlohmann::json::exception& error) {
 void Node::expect_keys(const std::vector<std::string_view>& known) const {
     if (!value_.is_object()) fail("must be an object");
     for (const auto& [key, value] : value_.items()) {
-        if (std::find(known.begin(), known.end(), key) == known.end()) {
-            Node(file_, value, path_to(key)).fail("is not a known key");
-        }
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+        const auto near = nearest_word(key, std::vector<std::string>(known.begin(), known.end()));
+        Node(file_, value, path_to(key)).fail("is not a known key" + (near ? "; did you mean " + *near + "?" : ""));
     }
+}
+
+std::vector<std::string> Node::keys() const {
+    if (!value_.is_object()) fail("must be an object");
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : value_.items()) {
+        keys.push_back(key);
+    }
+    return keys;
 }
 
 Vec3 vector_of(const Node& node) {

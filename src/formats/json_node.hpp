@@ -36,6 +36,9 @@ class Node {
         throw InputError(file_, path_to(key), "is missing");
     }
 
+    /// Of an object, sorted.
+    std::vector<std::string> keys() const;
+
     std::size_t size() const {
         if (!value_.is_array()) fail("must be an array");
         return value_.size();

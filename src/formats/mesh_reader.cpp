@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "formats/mesh_parsers.hpp"
 #include "geometry/mesh_repair.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/typed_text.hpp"
 
 namespace spectralpack {
 namespace {
@@ -19,15 +21,8 @@ constexpr std::pair<std::string_view, Parser> kParsers[] = {{".stl", parse_stl},
                                                             {".3mf", parse_3mf}, {".ply", parse_ply},
                                                             {".off", parse_off}, {".binvox", parse_binvox}};
 
-std::string lower_case_ending(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; });
-    return ending;
-}
-
 Parser parser_by_ending(const std::filesystem::path& path) {
-    const std::string ending = lower_case_ending(path);
+    const std::string ending = ending_of(path);
     for (const auto& [known, parser] : kParsers) {
         if (ending == known) return parser;
     }

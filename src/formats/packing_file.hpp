@@ -39,7 +39,7 @@ void write_stl(const Packing& packing, const PartMeshes& meshes, const std::file
 /// Binary STL of one mesh as it stands.
 void write_stl(const Mesh& mesh, const std::filesystem::path& path);
 
-/// CSV of transforms: tray,part,name,copy,orientation,m00..m23.
-void write_transforms_csv(const Packing& packing, const std::filesystem::path& path);
+/// CSV of transforms: tray,part,name,copy,orientation,m00..m23. The packing's trays are numbered from `first` on.
+void write_transforms_csv(const Packing& packing, const std::filesystem::path& path, std::size_t first = 1);
 
 }  // namespace spectralpack

@@ -120,6 +120,9 @@ class PackingReader {
         read_container(root_.at("container"));
         packing_.options.tray = packing_.container.size;
         if (const auto options = root_.find("options")) read_options(*options, packing_.options);
+        if (const auto defaults = root_.find("defaults")) {
+            defaults->for_each([&](const Node& node) { read_defaults(node); });
+        }
         root_.at("parts").for_each([&](const Node& node) { read_part(node); });
         root_.at("trays").for_each([&](const Node& node) { read_tray(node); });
         if (const auto unplaced = root_.find("unplaced")) {
@@ -151,6 +154,13 @@ class PackingReader {
         if (const auto physical = node.find("physical")) container.physical = physical->boolean();
     }
 
+    void read_defaults(const Node& node) {
+        SettingsSource source{node.at("file").text()};
+        if (const auto v = node.find("profile")) source.profile = v->text();
+        node.at("options").for_each([&](const Node& name) { source.options.push_back(name.text()); });
+        packing_.defaults.push_back(std::move(source));
+    }
+
     StandingMesh standing_mesh(const Node& mesh, const Node& owner) const {
         return {mesh_path(mesh), transform_of(owner.at("transform"))};
     }
@@ -172,6 +182,9 @@ class PackingReader {
         if (const auto v = node.find("unit")) part.unit = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
+        if (const auto v = node.find("priority")) part.priority = v->number();
+        if (const auto v = node.find("due")) part.due = v->text();
+        if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("volume")) part.volume = v->number();
         if (const auto v = node.find("repairs")) {
             v->for_each([&](const Node& repair) { part.repairs.push_back(repair.text()); });

@@ -113,6 +113,7 @@ class PackingWriter {
                      {"input_hash", packing_.input_hash},
                      {"container", container_json()},
                      {"options", options_json(packing_.options)},
+                     {"defaults", defaults_json()},
                      {"parts", Json::array()},
                      {"trays", Json::array()},
                      {"unplaced", Json::array()},
@@ -159,6 +160,16 @@ class PackingWriter {
         return json;
     }
 
+    Json defaults_json() const {
+        Json json = Json::array();
+        for (const SettingsSource& source : packing_.defaults) {
+            json.push_back({{"file", source.file},
+                            {"profile", source.profile.empty() ? Json(nullptr) : Json(source.profile)},
+                            {"options", source.options}});
+        }
+        return json;
+    }
+
     Json part_json(std::size_t index) const {
         const PackedPart& part = packing_.parts[index];
         return {{"id", index},
@@ -172,6 +183,9 @@ class PackingWriter {
                 {"unit", part.unit},
                 {"gap", part.gap},
                 {"orientations", part_orientations_json(part.orientations)},
+                {"priority", part.priority},
+                {"due", part.due.empty() ? Json(nullptr) : Json(part.due)},
+                {"value", part.value},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};
     }

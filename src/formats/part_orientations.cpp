@@ -1,5 +1,6 @@
 #include "formats/part_orientations.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "model/rotation_samples.hpp"
@@ -15,12 +16,17 @@ std::string axis_text(const SignedAxis& axis) {
     return {axis.positive ? '+' : '-', static_cast<char>('x' + axis.axis)};
 }
 
-SignedAxis axis_of(const Node& node) {
+std::optional<SignedAxis> axis_in(std::string_view text) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const bool positive : {true, false}) {
-            if (node.text() == axis_text({axis, positive})) return {axis, positive};
+            if (text == axis_text({axis, positive})) return SignedAxis{axis, positive};
         }
     }
+    return std::nullopt;
+}
+
+SignedAxis axis_of(const Node& node) {
+    if (const auto axis = axis_in(node.text())) return *axis;
     node.fail("must be one of +x, -x, +y, -y, +z, -z");
 }
 
@@ -69,6 +75,25 @@ PartOrientations part_orientations_of(const Node& node) {
         matrices->for_each([&](const Node& matrix) { orientations.matrices.push_back(rotation_of(matrix)); });
         if (orientations.matrices.empty()) matrices->fail("must hold a matrix");
     }
+    return orientations;
+}
+
+std::optional<PartOrientations> part_orientations_in(std::string_view text) {
+    PartOrientations orientations;
+    if (const auto kind = from_string<Kind>(text)) {
+        orientations.kind = *kind;
+        return orientations;
+    }
+    orientations.kind = Kind::axes;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        if (word.empty()) continue;
+        const auto axis = axis_in(word);
+        if (!axis) return std::nullopt;
+        orientations.up.push_back(*axis);
+    }
+    if (orientations.up.empty()) return std::nullopt;
     return orientations;
 }
 

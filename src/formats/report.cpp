@@ -8,6 +8,7 @@
 
 #include "formats/csv.hpp"
 #include "formats/xml_text.hpp"
+#include "model/part_names.hpp"
 #include "spectralpack/names.hpp"
 
 namespace spectralpack {
@@ -233,8 +234,8 @@ class HtmlReport {
             add("<tr><td>{}{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
                 "class=\"n\">{}</td>"
                 "<td class=\"n\">{}</td>{}<td>{}</td></tr>\n",
-                xml_attribute(part.name), part.scale == 1 ? "" : fmt::format(" × {:g}", part.scale), part.count,
-                outcomes_[i].placed, outcomes_[i].left_over_count(),
+                xml_attribute(part.name), part.name.ends_with(scale_suffix(part.scale)) ? "" : scale_suffix(part.scale),
+                part.count, outcomes_[i].placed, outcomes_[i].left_over_count(),
                 part.volume == 0 ? "–" : fmt::format("{:.2f}", part.volume / kCubicMillimetresPerCubicCentimetre),
                 mass_cell(part_mass), xml_attribute(joined(part.repairs)));
         }

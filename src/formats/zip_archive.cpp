@@ -39,6 +39,15 @@ using ArchiveHandle = std::unique_ptr<zip_t, DiscardArchive>;
 
 struct ZipReader::Archive {
     ArchiveHandle handle;
+
+    std::unique_ptr<zip_file_t, CloseFile> open(const std::string& entry, const std::string& file) const {
+        const zip_int64_t index = zip_name_locate(handle.get(), entry.c_str(), ZIP_FL_NOCASE);
+        if (index < 0) throw InputError(file, entry, "is not in the archive");
+        std::unique_ptr<zip_file_t, CloseFile> opened(
+            zip_fopen_index(handle.get(), static_cast<zip_uint64_t>(index), 0));
+        if (!opened) throw InputError(file, entry, std::string("cannot be unpacked: ") + zip_strerror(handle.get()));
+        return opened;
+    }
 };
 
 ZipReader::ZipReader(std::string file, std::string_view bytes)
@@ -58,11 +67,7 @@ bool ZipReader::has(const std::string& entry) const {
 
 void ZipReader::unpack(const std::string& entry, std::uint64_t max_bytes,
                        const std::function<void(std::string_view)>& consume) const {
-    zip_t* archive = archive_->handle.get();
-    const zip_int64_t index = zip_name_locate(archive, entry.c_str(), ZIP_FL_NOCASE);
-    if (index < 0) throw InputError(file_, entry, "is not in the archive");
-    const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0));
-    if (!file) throw InputError(file_, entry, std::string("cannot be unpacked: ") + zip_strerror(archive));
+    const auto file = archive_->open(entry, file_);
     std::uint64_t unpacked = 0;
     std::vector<char> buffer(1 << 16);
     for (;;) {
@@ -79,6 +84,15 @@ void ZipReader::unpack(const std::string& entry, std::uint64_t max_bytes,
         }
         consume({buffer.data(), static_cast<std::size_t>(got)});
     }
+}
+
+std::string ZipReader::head(const std::string& entry, std::size_t bytes) const {
+    const auto file = archive_->open(entry, file_);
+    std::string text(bytes, '\0');
+    const zip_int64_t got = zip_fread(file.get(), text.data(), text.size());
+    if (got < 0) throw InputError(file_, entry, std::string("is damaged: ") + zip_file_strerror(file.get()));
+    text.resize(static_cast<std::size_t>(got));
+    return text;
 }
 
 std::string make_zip(const std::vector<ZipEntry>& entries) {

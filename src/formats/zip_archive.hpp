@@ -27,6 +27,9 @@ class ZipReader {
     void unpack(const std::string& entry, std::uint64_t max_bytes,
                 const std::function<void(std::string_view)>& consume) const;
 
+    /// The first bytes of `entry`, so many or all. Throws like unpack().
+    std::string head(const std::string& entry, std::size_t bytes) const;
+
   private:
     struct Archive;
     std::string file_;

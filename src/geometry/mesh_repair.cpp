@@ -300,20 +300,24 @@ class Repairer {
 MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
 
 std::optional<Remark> size_warning(const Box& box, double mm_per_unit) {
+    constexpr double kInch = 25.4, kMetre = 1000;
     const Vec3 extent = box.size();
-    const double longest = std::max({extent.x, extent.y, extent.z}), mm = mm_per_unit * longest;
-    const std::string stands = "is " + shown(mm) + " mm long as it stands. ";
-    if (mm < 3) {
-        return Remark{stands + "In inches it would be " + shown(25.4 * longest) + " mm, in metres " +
-                          shown(1000 * longest) + " mm: name its unit with --unit",
-                      "are under 3 mm long as they stand. If they are in inches or metres, name the unit with --unit"};
+    const double units = std::max({extent.x, extent.y, extent.z}), longest = mm_per_unit * units;
+    const std::string stands = "is " + shown(longest) + " mm long as it stands. ";
+    if (longest < 3) {
+        const std::string inches = mm_per_unit < kInch ? "In inches it would be " + shown(kInch * units) + " mm, " : "";
+        return Remark{stands + inches + (inches.empty() ? "In metres it would be " : "in metres ") +
+                          shown(kMetre * units) + " mm: name its unit with --unit, or in a set file's column unit",
+                      "are under 3 mm long as they stand. If they are in inches or metres, name the unit with --unit, "
+                      "or in a set file's column unit"};
     }
-    if (mm > 10'000) {
-        const bool micrometres = longest / 1000 < 10'000;
-        return Remark{stands + (micrometres ? "In micrometres it would be " + shown(longest / 1000) +
-                                                  " mm: scale it, like FILE:1@0.001"
+    if (longest > 10'000) {
+        const bool micrometres = units / kMetre < 10'000;
+        return Remark{stands + (micrometres ? "In micrometres it would be " + shown(units / kMetre) +
+                                                  " mm: name it with a scale, like FILE@0.001"
                                             : "Is its unit right?"),
-                      "are over 10 m long as they stand. If they are in micrometres, scale them, like FILE:1@0.001"};
+                      "are over 10 m long as they stand. If they are in micrometres, name them with a scale, like "
+                      "FILE@0.001"};
     }
     return std::nullopt;
 }

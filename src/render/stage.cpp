@@ -67,8 +67,8 @@ class StageBuilder {
         if (options_.tray < -1 || options_.tray >= count) {
             // A packing without trays is still a container to show.
             if (options_.tray != 0 || count != 0) {
-                throw UsageError("there is no tray " + std::to_string(options_.tray) + ": the packing has " +
-                                 std::to_string(count) + ", counted from 0");
+                throw UsageError("there is no tray " + std::to_string(options_.tray + 1) + ": the packing has " +
+                                 std::to_string(count) + ", counted from 1");
             }
         }
         if (count == 0) {
@@ -92,7 +92,7 @@ class StageBuilder {
             if (!options_.step && !options_.explode) continue;
             if (!tray || !tray->disassembly) {
                 throw UsageError("the packing has no disassembly plan" +
-                                 (trays_.size() > 1 ? " for tray " + std::to_string(shown_copies_.size() - 1) : "") +
+                                 (trays_.size() > 1 ? " for tray " + std::to_string(shown_copies_.size()) : "") +
                                  ", so how it comes apart cannot be drawn");
             }
             if (options_.step) {

@@ -20,9 +20,9 @@ constexpr double kTouching = 1e-9;  ///< mm
 /// Compares the copies of one tray with each other.
 class TrayPairs {
   public:
-    TrayPairs(const Packing& packing, int tray, const std::vector<Copy>& copies, const Workers& workers)
+    TrayPairs(const Packing& packing, int tray, const std::vector<JudgedCopy>& copies, const Workers& workers)
         : packing_(packing), tray_(tray), copies_(copies), workers_(workers) {
-        for (const Copy& copy : copies) {
+        for (const JudgedCopy& copy : copies) {
             boxes_.push_back(copy.box);
             widest_gap_ = std::max(widest_gap_, copy.gap);
             all_.add(copy.box);
@@ -113,7 +113,7 @@ class TrayPairs {
                              tray_prefix(packing_, tray_) + message});
     }
 
-    const Copy& copy(std::int32_t i) const { return copies_[static_cast<std::size_t>(i)]; }
+    const JudgedCopy& copy(std::int32_t i) const { return copies_[static_cast<std::size_t>(i)]; }
     double gap_of(const BoxPair& pair) const { return std::max(copy(pair.a).gap, copy(pair.b).gap); }
     std::string name(std::int32_t i) const {
         const auto& placements = packing_.trays[static_cast<std::size_t>(tray_)].placements;
@@ -122,7 +122,7 @@ class TrayPairs {
 
     const Packing& packing_;
     const int tray_;
-    const std::vector<Copy>& copies_;
+    const std::vector<JudgedCopy>& copies_;
     const Workers& workers_;
     std::vector<Box> boxes_;
     Box all_;
@@ -158,15 +158,15 @@ CheckReport check_packing(const Packing& packing, const std::vector<std::shared_
     if (copies) {
         append(report.findings, copies->findings);
         Box all;
-        for (const std::vector<Copy>& tray : copies->by_tray) {
-            for (const Copy& copy : tray) {
+        for (const std::vector<JudgedCopy>& tray : copies->by_tray) {
+            for (const JudgedCopy& copy : tray) {
                 all.add(copy.box);
             }
         }
         walls.emplace(packing, all);
     }
     for (int tray = 0; tray < trays && !report.stopped; ++tray) {
-        const std::vector<Copy>& here = copies->by_tray[static_cast<std::size_t>(tray)];
+        const std::vector<JudgedCopy>& here = copies->by_tray[static_cast<std::size_t>(tray)];
         const bool has_plan = packing.trays[static_cast<std::size_t>(tray)].disassembly.has_value();
         const double comparing = has_plan ? kComparing : 1;
         const auto tell = [&](std::size_t done, std::size_t total, double from, double share) {
@@ -193,7 +193,7 @@ CheckReport check_packing(const Packing& packing, const std::vector<std::shared_
             report.min_gap = std::min(report.min_gap.value_or(Box::kInfinity), pairs.least());
         }
         TrayMeasure measure;
-        for (const Copy& copy : here) {
+        for (const JudgedCopy& copy : here) {
             measure.volume += copy.volume;
             measure.box.add(copy.box);
         }

@@ -48,7 +48,7 @@ class Preparation {
         }
         if (verdict.deviation == Box::kInfinity) return;
 
-        Copy copy;
+        JudgedCopy copy;
         copy.placement = index;
         copy.gap = part.gap;
         copy.posed.pose.translation = placement.transform.translation;
@@ -99,11 +99,11 @@ class Preparation {
 
     void measure(int tray) {
         const auto t = static_cast<std::size_t>(tray);
-        std::vector<Copy>& copies = result_.by_tray[t];
+        std::vector<JudgedCopy>& copies = result_.by_tray[t];
         workers_.for_each(static_cast<std::int64_t>(copies.size()), [&](std::int64_t k) {
             const auto i = static_cast<std::size_t>(k);
             const std::size_t order = orders_of_[t][i];
-            Copy& copy = copies[i];
+            JudgedCopy& copy = copies[i];
             const double scale =
                 packing_.parts[static_cast<std::size_t>(placement_at(tray, copy.placement).part)].to_mm();
             copy.volume = orders_[order].volume * scale * scale * scale;
@@ -112,7 +112,7 @@ class Preparation {
                 copy.box.add(copy.posed.pose * vertex);
             }
         });
-        for (const Copy& copy : copies) {
+        for (const JudgedCopy& copy : copies) {
             judge_walls(tray, copy);
         }
     }
@@ -128,7 +128,7 @@ class Preparation {
         return tray_prefix(packing_, tray) + copy_name(packing_, placement_at(tray, index));
     }
 
-    void judge_walls(int tray, const Copy& copy) {
+    void judge_walls(int tray, const JudgedCopy& copy) {
         const double wall_gap = packing_.options.wall_gap;
         double worst = 0;
         std::string sides;

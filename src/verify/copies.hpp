@@ -9,7 +9,7 @@
 
 namespace spectralpack {
 
-struct Copy {
+struct JudgedCopy {
     int placement = 0;  ///< index into its tray's placements
     PosedSolid posed;
     Box box;            ///< of the posed mesh
@@ -19,7 +19,7 @@ struct Copy {
 
 struct Copies {
     std::vector<std::unique_ptr<const Solid>> solids;
-    std::vector<std::vector<Copy>> by_tray;
+    std::vector<std::vector<JudgedCopy>> by_tray;
     std::vector<Finding> findings;  ///< of kinds transform and outside
 };
 

@@ -62,8 +62,7 @@ std::vector<Finding> count_findings(const Packing& packing) {
             if (first->second.tray == here.tray) {
                 report({first->second.placement, here.placement}, name + " is placed twice");
             } else {
-                report({here.placement},
-                       name + " is placed in tray " + std::to_string(first->second.tray + 1) + " too");
+                report({here.placement}, name + " is placed in " + tray_name(first->second.tray) + " too");
             }
         }
     }

@@ -52,7 +52,7 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
     const auto compare = [&](int tray, const std::string& what, double stated, double measured, double tolerance,
                              const std::string& unit) {
         if (!differs(stated, measured, tolerance)) return;
-        const std::string whose = tray == kWholePacking ? "the packing" : "tray " + std::to_string(tray + 1);
+        const std::string whose = tray == kWholePacking ? "the packing" : tray_name(tray);
         findings.push_back({FindingKind::density,
                             tray,
                             {},
@@ -79,8 +79,8 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
                                 tray,
                                 {},
                                 off,
-                                "tray " + std::to_string(tray + 1) + " states a bounding box of " +
-                                    range_text(stated.bounding_box) + "; measured " + range_text(box)});
+                                tray_name(tray) + " states a bounding box of " + range_text(stated.bounding_box) +
+                                    "; measured " + range_text(box)});
         }
         compare(tray, "height", stated.height, box.empty() ? 0 : box.max.z, kCheckTolerance, " mm");
     }

@@ -45,22 +45,23 @@ bool overlap_on_the_way(const Box& a, const Box& b, const Vec3& move) {
 /// What one step moves past what.
 struct Stage {
     std::size_t step = 0;
-    std::vector<const Copy*> leaving, left;
+    std::vector<const JudgedCopy*> leaving, left;
 };
 
 /// What went wrong in a step.
 struct Verdict {
     double depth = 0, travelled = 0;
-    const Copy* leaving = nullptr;
-    const Copy* obstacle = nullptr;  ///< none: nothing was met
-    const Copy* inside = nullptr;    ///< a copy that does not end outside
-    double sticking = 0;             ///< mm that it would have to go on
+    const JudgedCopy* leaving = nullptr;
+    const JudgedCopy* obstacle = nullptr;  ///< none: nothing was met
+    const JudgedCopy* inside = nullptr;    ///< a copy that does not end outside
+    double sticking = 0;                   ///< mm that it would have to go on
     std::int64_t sweeps = 0;
 };
 
 class PlanReplay {
   public:
-    PlanReplay(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls)
+    PlanReplay(const Packing& packing, int tray, const std::vector<JudgedCopy>& copies,
+               const std::vector<JudgedCopy>& walls)
         : packing_(packing),
           tray_(tray),
           walls_(walls),
@@ -69,7 +70,7 @@ class PlanReplay {
           copy_of_(placements_.size()),
           subassembly_(placements_.size(), kInTray),
           own_step_(placements_.size()) {
-        for (const Copy& copy : copies) {
+        for (const JudgedCopy& copy : copies) {
             copy_of_[static_cast<std::size_t>(copy.placement)] = &copy;
         }
     }
@@ -136,7 +137,7 @@ class PlanReplay {
             if (subassembly_[i] == subassembly) stage.left.push_back(copy_of_[i]);
         }
         if (subassembly == kInTray) {
-            for (const Copy& wall : walls_) {
+            for (const JudgedCopy& wall : walls_) {
                 stage.left.push_back(&wall);
             }
         }
@@ -148,11 +149,11 @@ class PlanReplay {
         Vec3 offset;
         double travelled = 0;
         for (const Vec3& move : plan_.steps[stage.step].path) {
-            for (const Copy* leaving : stage.leaving) {
+            for (const JudgedCopy* leaving : stage.leaving) {
                 const Box box = moved(leaving->box, offset);
                 PosedSolid posed = leaving->posed;
                 posed.pose.translation = posed.pose.translation + offset;
-                for (const Copy* other : stage.left) {
+                for (const JudgedCopy* other : stage.left) {
                     if (!overlap_on_the_way(box, other->box, move)) continue;
                     ++verdict.sweeps;
                     const SweepResult met = sweep(posed, other->posed, move, kCheckTolerance);
@@ -167,10 +168,10 @@ class PlanReplay {
             travelled += length(move);
         }
         Box rest;
-        for (const Copy* other : stage.left) {
+        for (const JudgedCopy* other : stage.left) {
             rest.add(other->box);
         }
-        for (const Copy* leaving : stage.leaving) {
+        for (const JudgedCopy* leaving : stage.leaving) {
             const Box end = moved(leaving->box, offset);
             if (rest.empty() || !overlap(end, rest)) continue;
             double least = Box::kInfinity;
@@ -250,19 +251,19 @@ class PlanReplay {
     }
 
     std::string name(std::size_t placement) const { return copy_name(packing_, placements_[placement]); }
-    std::string name(const Copy* copy) const {
+    std::string name(const JudgedCopy* copy) const {
         return is_wall(copy) ? "the container" : name(static_cast<std::size_t>(copy->placement));
     }
-    static bool is_wall(const Copy* copy) { return copy->placement < 0; }
+    static bool is_wall(const JudgedCopy* copy) { return copy->placement < 0; }
 
     static constexpr int kInTray = 0;
 
     const Packing& packing_;
     const int tray_;
-    const std::vector<Copy>& walls_;
+    const std::vector<JudgedCopy>& walls_;
     const std::vector<Placement>& placements_;
     const Disassembly& plan_;
-    std::vector<const Copy*> copy_of_;                  ///< by placement; null: not there
+    std::vector<const JudgedCopy*> copy_of_;            ///< by placement; null: not there
     std::vector<int> subassembly_;                      ///< by placement: kInTray, else 1 + the step it left in
     std::vector<std::optional<std::size_t>> own_step_;  ///< by placement: the step that took it out by itself
     Replay replay_;
@@ -270,8 +271,8 @@ class PlanReplay {
 
 }  // namespace
 
-Replay replay_plan(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls,
-                   const Workers& workers, const StopToken& stop,
+Replay replay_plan(const Packing& packing, int tray, const std::vector<JudgedCopy>& copies,
+                   const std::vector<JudgedCopy>& walls, const Workers& workers, const StopToken& stop,
                    const std::function<void(std::size_t, std::size_t)>& tell) {
     return PlanReplay(packing, tray, copies, walls).run(workers, stop, tell);
 }

@@ -22,8 +22,8 @@ struct Replay {
 /// placement -1. Precondition: the tray has a plan.
 /// Time: pairs of copies, and a sweep for each whose boxes meet on the way. `tell(done, total)` steps; the result does
 /// not depend on the number of threads.
-Replay replay_plan(const Packing& packing, int tray, const std::vector<Copy>& copies, const std::vector<Copy>& walls,
-                   const Workers& workers, const StopToken& stop,
+Replay replay_plan(const Packing& packing, int tray, const std::vector<JudgedCopy>& copies,
+                   const std::vector<JudgedCopy>& walls, const Workers& workers, const StopToken& stop,
                    const std::function<void(std::size_t, std::size_t)>& tell);
 
 }  // namespace spectralpack

@@ -62,15 +62,15 @@ Walls::Walls(const Packing& packing, const Box& all) : packing_(packing) {
     }
 }
 
-std::vector<Copy> Walls::physical() const {
-    std::vector<Copy> walls;
+std::vector<JudgedCopy> Walls::physical() const {
+    std::vector<JudgedCopy> walls;
     for (const auto& solid : physical_) {
         walls.push_back({-1, {solid.get(), Transform{}}, solid->box()});
     }
     return walls;
 }
 
-std::vector<Finding> Walls::judge(int tray, const std::vector<Copy>& copies, const Workers& workers,
+std::vector<Finding> Walls::judge(int tray, const std::vector<JudgedCopy>& copies, const Workers& workers,
                                   const StopToken& stop) const {
     std::vector<Finding> findings;
     const double wall_gap = packing_.options.wall_gap;

@@ -19,12 +19,12 @@ class Walls {
 
     /// Findings of kind outside: copies of a tray that leave the mesh container or reach into a keep-out by more than
     /// the tolerance, or come nearer to them than the wall gap. Nothing where `stop` came first.
-    std::vector<Finding> judge(int tray, const std::vector<Copy>& copies, const Workers& workers,
+    std::vector<Finding> judge(int tray, const std::vector<JudgedCopy>& copies, const Workers& workers,
                                const StopToken& stop) const;
 
     /// What of a physical container is in the way of what leaves (model/physical_surfaces.hpp), for replay_plan(); none
     /// where it is not physical. Refers to this.
-    std::vector<Copy> physical() const;
+    std::vector<JudgedCopy> physical() const;
 
   private:
     struct Wall {

@@ -17,8 +17,10 @@ std::string copy_name(const Packing& packing, const Placement& placement) {
            std::to_string(placement.copy);
 }
 
+std::string tray_name(int tray) { return "tray " + std::to_string(tray + 1); }
+
 std::string tray_prefix(const Packing& packing, int tray) {
-    return packing.trays.size() > 1 ? "tray " + std::to_string(tray + 1) + ": " : "";
+    return packing.trays.size() > 1 ? tray_name(tray) + ": " : "";
 }
 
 }  // namespace spectralpack

@@ -13,7 +13,10 @@ std::string short_number(double value);
 /// "bracket #3": the part's name and the copy's number, as in the packing file.
 std::string copy_name(const Packing& packing, const Placement& placement);
 
-/// "tray 2: " for the second, where there are several trays.
+/// "tray 2" for the index 1: people count from 1.
+std::string tray_name(int tray);
+
+/// "tray 2: " where there are several trays.
 std::string tray_prefix(const Packing& packing, int tray);
 
 }  // namespace spectralpack

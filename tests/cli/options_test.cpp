@@ -61,10 +61,10 @@ TEST(InputHash, IsThatOfEarlierVersions) {
     EXPECT_EQ(hash_with(kCoarse + many), "45679795795cfd5d444be27d654fdfac");
 }
 
-/// Those with a place in the hash change it, the others do not. The gap counts as the parts', a printer sets others,
-/// and the seed and the tries per tray count where they are used.
+/// Those with a place in the hash change it, the others do not. The gap and upright count as the parts', a printer sets
+/// others, and the seed and the tries per tray count where they are used.
 TEST(InputHash, CoversWhatPlacementsDependOn) {
-    const std::set<std::string_view> count_elsewhere{"gap", "printer"}, unused_here{"seed", "try-per-tray"};
+    const std::set<std::string_view> count_elsewhere{"gap", "printer", "upright"}, unused_here{"seed", "try-per-tray"};
     const std::string plain = hash_with(kCoarse);
     for (const Option& option : option_table()) {
         if (!option.in_pack.get || option.type == OptionType::verify) continue;

@@ -89,7 +89,7 @@ TEST_F(PackModes, APartThatItsOrientationsKeepOutIsNamed) {
     EXPECT_EQ(packing["metrics"]["placed"], 2);
     EXPECT_EQ(packing["unplaced"][0]["part"], 0);
     EXPECT_EQ(packing["unplaced"][0]["reason"], "too_large");
-    EXPECT_TRUE(names(err_, {"rod", 4, "ways"}));
+    EXPECT_TRUE(names(err_, {"rod", 30, 20, "orientations"}));
 }
 
 TEST_F(PackModes, BoxFramesLetATurnedBoxLieDown) {

@@ -151,7 +151,7 @@ TEST_F(Pack, APartTooLargeForTheTrayIsNamedAndListed) {
     const Ran ran = spectralpack({"pack", (samples() / "wedge.obj").string(), (samples() / "nut.stl").string(),
                                   "--tray", "60x40x30", "-o", at("b.json")});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(names(ran.err, {"wedge", 70, 26, 20, "larger than the tray", 60, 40, 30}));
+    EXPECT_TRUE(names(ran.err, {"wedge", 70, 26, 20, "larger than the tray", 60, 40, 30, "--printer"}));
     EXPECT_TRUE(any_unplaced(read_json(at("b.json")), "too_large"));
     // Many are one remark.
     const Ran many = spectralpack({"pack", kSamples, "--tray", "60x40x30"});

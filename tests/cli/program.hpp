@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -11,6 +12,9 @@
 #include "support/process.hpp"
 
 namespace spectralpack::test {
+
+/// The settings of whoever runs the tests are theirs.
+inline const bool kNoUserSettings = setenv("XDG_CONFIG_HOME", "/nonexistent", 1) == 0;
 
 inline Ran spectralpack(std::vector<std::string> arguments, const Moment& interrupt_when = {},
                         const Limits& limits = {}) {

@@ -43,7 +43,7 @@ TEST_F(Render, DrawsHowItComesApart) {
     EXPECT_EQ(render({}, "whole.png").status, 0);
     EXPECT_EQ(render({"--step", "0"}, "0.png").status, 0);
     EXPECT_EQ(render({"--step", "1"}, "1.png").status, 0);
-    EXPECT_EQ(render({"--step", "3", "--tray", "0"}, "3.png").status, 0);
+    EXPECT_EQ(render({"--step", "3", "--tray", "1"}, "3.png").status, 0);
     EXPECT_EQ(render({"--explode", "0.5"}, "apart.png").status, 0);
     const std::string whole = read_text(picture("whole.png"));
     EXPECT_EQ(read_text(picture("0.png")), whole);

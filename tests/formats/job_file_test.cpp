@@ -147,7 +147,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.verify_with, (VerifyWith{EngineKind::reference, 5}));
     EXPECT_EQ(s.options.time_limit, 2.5);
     EXPECT_EQ(s.outputs, std::vector<std::string>{"/jobs/week/b.json"});
-    EXPECT_EQ(s.report, "/r/r.html");
+    EXPECT_EQ(s.reports, (std::vector<std::string>{"/r/r.html"}));
     EXPECT_EQ(s.progress, ProgressStyle::none);
     EXPECT_EQ(s.dry_run, true);
     EXPECT_EQ(s.skip_unusable, true);

@@ -22,6 +22,7 @@ inline Packing small_packing() {
     packing.options.voxel = 1.5;
     packing.options.detail = 3;
     packing.options.rotations = "45";
+    packing.options.upright = true;
     packing.options.gap = 0.25;
     packing.options.wall_gap = 1;
     packing.options.refine = true;
@@ -45,9 +46,13 @@ inline Packing small_packing() {
     packing.options.memory = std::int64_t{1} << 40;
     packing.options.verify_with = VerifyWith{EngineKind::reference, 10};
     packing.options.time_limit = 2.5;
+    packing.defaults = {{"spectralpack.json", "pa12", {"gap", "voxel"}}};
 
     PackedPart bracket;
     bracket.name = "bracket \"left\" & <co>";
+    bracket.priority = 2;
+    bracket.due = "2026-12-01";
+    bracket.value = 4.5;
     bracket.mesh = "/elsewhere/meshes/bracket.stl";
     bracket.count = 3;
     bracket.share = 2;

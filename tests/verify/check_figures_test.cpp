@@ -80,12 +80,12 @@ TEST_F(CheckFigures, TraysAreApart) {
     EXPECT_TRUE(check_stated().ok());
     place(0, {3, 3, 3}, {}, 1);
     CheckReport report = check_stated();
-    expect_only(report, Kind::overlap, {0, 1}, {"tray 1"}, 1);
+    expect_only(report, Kind::overlap, {0, 1}, {"tray 2"}, 1);
     transform(1, 1).translation = {40, 40, 40};
     packing_.trays[1].placements[1].copy = 2;
     packing_.parts[0].count = 5;
     report = check_stated();
-    expect_only(report, Kind::count, {1}, {"tray 0", "tray 1"}, 1);
+    expect_only(report, Kind::count, {1}, {"tray 1", "tray 2"}, 1);
     EXPECT_EQ(report.density.size(), 2u);
 }
 

@@ -36,15 +36,15 @@ std::vector<Option> output_options() {
                      "several trays, those but .json become one file for each tray and one with all of them. Files "
                      "are written whole or not at all; an existing one is replaced.",
              .examples = {"build.3mf", "build.json"}}),
-        kept_in<&JobSettings::report>(
+        kept_in<&JobSettings::reports>(
             {.name = "report",
              .group = Group::result,
              .help_place = 18,
-             .type = Type::file,
+             .type = Type::files,
              .placeholder = "FILE",
              .line = ".html: a page for people; .csv: a line a part",
-             .help = "The page shows each tray, how full it is, the area of each layer, the parts, and what was "
-                     "left over and why. The table has a line for each part.",
+             .help = "More than once. The page shows each tray, how full it is, the area of each layer, the parts, "
+                     "and what was left over and why. The table has a line for each part.",
              .examples = {"build.html"}}),
         kept_in<&JobSettings::material_density>({.name = "material-density",
                                                  .group = Group::result,

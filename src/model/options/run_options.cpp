@@ -100,6 +100,24 @@ std::vector<Option> input_options() {
 
 std::vector<Option> program_options() {
     return {
+        {.name = "profile",
+         .group = Group::result,
+         .help_place = 20,
+         .type = Type::text,
+         .placeholder = "NAME",
+         .line = "settings kept in spectralpack.json",
+         .help = "A profile is a named set of options in a file of settings, for a material or a machine.",
+         .examples = {"pa12"}},
+        {.name = "config",
+         .group = Group::result,
+         .type = Type::file,
+         .placeholder = "FILE",
+         .line = "settings to use instead of the user's and the project's",
+         .help = "Without it options that nobody says come from config.json in ~/.config/spectralpack and from "
+                 "spectralpack.json in the working directory, which comes first. Printers in printers.json beside "
+                 "such a file are known as well.",
+         .examples = {"bureau.json"}},
+        {.name = "no-config", .group = Group::result, .line = "use no file of settings"},
         kept_in<&JobSettings::dry_run>(
             {.name = "dry-run",
              .group = Group::packing,

@@ -61,6 +61,15 @@ std::vector<Option> grid_options() {
                      "lay the part's smallest box along the axes. A job file may allow less for single parts.",
              .examples = {"none", "45", "90+box", "icosahedron:1"},
              .hash_place = 10}),
+        // It counts in the hash as the parts' orientations.
+        kept_in<&PackOptions::upright>(
+            {.name = "upright",
+             .group = Group::parts,
+             .help_place = 2,
+             .line = "parts keep their top up",
+             .help = "They are turned about the vertical only, by the step of --rotations. A part whose orientations "
+                     "are said in a job file or "
+                     "a set file keeps to those."}),
     };
 }
 

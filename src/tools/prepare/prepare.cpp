@@ -57,11 +57,17 @@ class Preparation {
         for (const Part& part : inputs.parts) {
             names_.insert(fs::path(part.mesh.file()).lexically_relative(folder).string());
         }
+        const auto drop = [&](const std::string& file, const std::string& why) {
+            const std::string name = fs::path(file).lexically_relative(folder).string();
+            unusable_.push_back({name, 0, std::string(to_string(Prepared::unusable)), why, "", 0, 0, {}, 0, 1, ""});
+        };
         for (const InputError& error : inputs.unusable) {
             const std::string name = fs::path(error.file()).lexically_relative(folder).string();
             if (name == "." || error.file() == folder.string()) throw error;
-            unusable_.push_back(
-                {name, 0, std::string(to_string(Prepared::unusable)), error.cause(), "", 0, 0, {}, 0, 1, ""});
+            drop(error.file(), error.cause());
+        }
+        for (const std::string& file : inputs.own_builds) {
+            drop(file, "is a whole build, written by this program");
         }
     }
 
