@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -66,6 +67,25 @@ void report_unusable(const std::vector<InputError>& unusable, ProgressDisplay& d
     }
 }
 
+/// "28 Nov 2026", where the program runs.
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    if (!localtime_r(&now, &local)) return "";
+    static constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    return fmt::format("{} {} {}", local.tm_mday, kMonths[local.tm_mon], local.tm_year + 1900);
+}
+
+ReportDetails report_details(const JobSettings& settings) {
+    ReportDetails details;
+    details.job_name = settings.job_name.value_or(std::filesystem::path(settings.file).stem().string());
+    details.date = today();
+    details.material = settings.material.value_or("");
+    details.material_density = settings.material_density;
+    return details;
+}
+
 /// Writes every output; one that fails does not keep the others from being written.
 std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display,
                                        int& status) {
@@ -92,7 +112,7 @@ std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& se
     }
     for (const std::string& report : settings.reports) {
         write([&] {
-            write_report(scene, report, settings.material_density, threads);
+            write_report(scene, report, report_details(settings), threads);
             written.push_back(report);
         });
     }

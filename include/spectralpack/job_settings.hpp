@@ -34,6 +34,8 @@ struct JobSettings {
     std::vector<std::string> outputs;        ///< usable from the working directory
     std::vector<std::string> reports;        ///< the same
     std::optional<double> material_density;  ///< g/cm^3
+    std::optional<std::string> material;     ///< its name, for the report
+    std::optional<std::string> job_name;     ///< the report's heading
     std::optional<ProgressStyle> progress;
     std::optional<bool> dry_run, json, skip_unusable, require_all;
 

@@ -57,8 +57,9 @@ struct PackedPart {
     double unit = 1;                ///< millimetres per unit of the mesh file
     double gap = 0;                 ///< mm
     PartOrientations orientations;  ///< those it may take
-    double priority = 0;            ///< as in Part; likewise the next two
+    double priority = 0;            ///< as in Part; likewise the next three
     std::string due = {};
+    std::string order = {};
     double value = 1;
     double volume = 0;                 ///< signed volume of one scaled copy, mm^3
     std::vector<std::string> repairs;  ///< what was mended on loading, in words
@@ -173,6 +174,25 @@ inline PlansOverview plans_of(const Packing& packing) {
     }
     return plans;
 }
+
+/// Copies are numbered 1, 2, 3 ... through the whole build in the order of the part list, the copies of a part one
+/// after the other. Those left over keep theirs. Files, pictures, plans and sheets say this number.
+class CopyNumbers {
+  public:
+    explicit CopyNumbers(const std::vector<PackedPart>& parts) {
+        int next = 1;
+        for (const PackedPart& part : parts) {
+            first_.push_back(next);
+            next += part.count;
+        }
+    }
+
+    int of(int part, int copy) const { return first_.at(static_cast<std::size_t>(part)) + copy; }
+    int of(const Placement& placement) const { return of(placement.part, placement.copy); }
+
+  private:
+    std::vector<int> first_;  ///< by part
+};
 
 /// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.
 using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;

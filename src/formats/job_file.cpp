@@ -126,7 +126,8 @@ class JobReader {
     void said(const std::vector<std::string>& options) { forget_defaults(options, job_.settings); }
 
     void read_part(const Node& node) {
-        node.expect_keys({"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "value", "orientations"});
+        node.expect_keys(
+            {"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "order", "value", "orientations"});
         Part part;
         part.origin = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -137,6 +138,7 @@ class JobReader {
         if (const auto v = node.find("priority")) part.priority = v->number();
         if (const auto v = node.find("unit")) part.unit = in_mm(v->one_of<LengthUnit>());
         if (const auto v = node.find("due")) part.due = date_of(*v);
+        if (const auto v = node.find("order")) part.order = v->text();
         if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));

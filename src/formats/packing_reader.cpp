@@ -169,6 +169,7 @@ class PackingReader {
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         if (const auto v = node.find("priority")) part.priority = v->number();
         if (const auto v = node.find("due")) part.due = v->text();
+        if (const auto v = node.find("order")) part.order = v->text();
         if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("volume")) part.volume = v->number();
         if (const auto v = node.find("repairs")) {

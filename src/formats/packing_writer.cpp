@@ -185,6 +185,7 @@ class PackingWriter {
                 {"orientations", part_orientations_json(part.orientations)},
                 {"priority", part.priority},
                 {"due", part.due.empty() ? Json(nullptr) : Json(part.due)},
+                {"order", part.order.empty() ? Json(nullptr) : Json(part.order)},
                 {"value", part.value},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};

@@ -63,6 +63,8 @@ inline Packing small_packing() {
     bracket.orientations.yaw = 45;
     bracket.volume = 1000.0 / 3;
     bracket.repairs = {"turned the mesh, which was inside out"};
+    bracket.due = "2026-12-01";
+    bracket.order = "A-2291";
     packing.parts.push_back(bracket);
     PackedPart lid;
     lid.id = 1;

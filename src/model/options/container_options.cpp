@@ -40,9 +40,11 @@ std::vector<Option> output_options() {
              .group = Group::output,
              .type = Type::files,
              .placeholder = "FILE",
-             .line = "report for people to write, repeatable: .html (a page with pictures that prints well) or .csv",
-             .help = "The page shows each tray, densities, the area of each layer, the parts, and what was left over "
-                     "and why. The table has a line for each part.",
+             .line = "report for people to write, repeatable: .html (the operator's sheet, to print) or .csv",
+             .help =
+                 "The sheet is one file of A4 pages: for each tray a picture with the copies' numbers, figures, the "
+                 "area of each layer, the part list, top views to find the copies in the powder by, the order of "
+                 "removal, and what was left over and why. The table has a line for each part.",
              .examples = {"build.html"}}),
         kept_in<&JobSettings::material_density>({.name = "material-density",
                                                  .group = Group::output,
@@ -52,6 +54,19 @@ std::vector<Option> output_options() {
                                                  .placeholder = "G/CM3",
                                                  .line = "g/cm3 of the material; the report then has masses",
                                                  .examples = {"1.01"}}),
+        kept_in<&JobSettings::material>({.name = "material",
+                                         .group = Group::output,
+                                         .type = Type::text,
+                                         .placeholder = "NAME",
+                                         .line = "the material's name, for the report",
+                                         .examples = {"PA 12"}}),
+        kept_in<&JobSettings::job_name>({.name = "job-name",
+                                         .group = Group::output,
+                                         .type = Type::text,
+                                         .placeholder = "NAME",
+                                         .line = "heading of the report",
+                                         .default_means = "the job file's name, else the report's",
+                                         .examples = {"Week 48"}}),
     };
 }
 
