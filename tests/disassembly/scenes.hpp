@@ -77,7 +77,7 @@ class AssemblyScene {
     };
     Answer disassemble(const std::vector<RemovalStep>* told = nullptr) const {
         Disassembler disassembler(
-            setup_, parts_, [](int, int) {}, told);
+            setup_, parts_, [](int, int) {}, {.told = told});
         disassembler.run();
         return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
     }

@@ -29,6 +29,10 @@ class BlockingGraph {
     int blockers(std::size_t copy, AxisDirection direction) const {
         return blockers_[static_cast<std::size_t>(index(direction))][copy];
     }
+    /// Whether it is known to meet that one, which is present.
+    bool meets(std::size_t copy, AxisDirection direction, std::size_t other) const {
+        return row(index(direction), copy)[other / 64] >> (other % 64) & 1;
+    }
     /// The copy leaves, and its edges with it. O(count / 64 + edges).
     void remove(std::size_t copy);
 
