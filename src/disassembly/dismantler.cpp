@@ -14,7 +14,8 @@ Disassembler::Dismantler::Dismantler(Disassembler& owner, std::vector<int> names
       subassembly_(Subassembly::closed(owner.options_, std::move(names), std::move(parts))),
       graph_(subassembly_.size()),
       known_(subassembly_.size()),
-      unpack_(unpack),
+      few_moves_first_(unpack == Unpack::top),
+      from_the_top_(unpack == Unpack::top),
       up_(subassembly_.size()) {
     std::vector<const Body*> standing;
     for (std::size_t i = 0; i < subassembly_.size(); ++i) {
@@ -31,12 +32,14 @@ Disassembler::Dismantler::Dismantler(const Dismantler& founder, const Members& m
       subassembly_(founder.subassembly_, members),
       graph_(founder.graph_.among(members)),
       known_(std::move(known)),
-      turns_(highest_first(subassembly_.movable())) {}
+      turns_(highest_first(subassembly_.movable())),
+      few_moves_first_(founder.few_moves_first_) {}
 
 void Disassembler::Dismantler::run() {
     while (!owner_.options_.stop.stopped()) {
-        if (unpack_ == Unpack::top ? leave_from_the_top() : leave_straight() || leave_by_flood()) continue;
-        if (leave_as_group() || leave_as_told() || leave_beside_the_grid()) continue;
+        if (few_moves_first_ && leave_by_hand()) continue;
+        if (!few_moves_first_ && (leave_straight() || leave_by_flood())) continue;
+        if (leave_as_group(subassembly_.size()) || leave_as_told() || leave_beside_the_grid()) continue;
         if (walls_ && leave_through_the_walls()) continue;
         return;
     }
@@ -181,14 +184,14 @@ bool Disassembler::Dismantler::flood(const Members& members) {
 }
 
 /// Takes out one group, as the blocking graphs suggest; it becomes a subassembly of its own.
-bool Disassembler::Dismantler::leave_as_group() {
+bool Disassembler::Dismantler::leave_as_group(std::size_t most) {
     for (int d = 0; d < BlockingGraph::kDirections; ++d) {
         const AxisDirection direction = BlockingGraph::direction(d);
         for (bool learned = true; learned;) {
             learned = false;
             for (const Members& group : graph_.groups(direction)) {
                 if (owner_.options_.stop.stopped()) return false;
-                if (walls_ && group.size() == standing()) continue;
+                if (group.size() > most || (walls_ && group.size() == standing())) continue;
                 if (!std::all_of(group.begin(), group.end(), [&](std::size_t i) { return subassembly_.movable(i); })) {
                     continue;
                 }

@@ -42,7 +42,7 @@ class Disassembler::Dismantler {
     bool leave_straight();
     bool leave_straight(AxisDirection direction, bool all);
     bool leave_by_flood();
-    bool leave_as_group();
+    bool leave_as_group(std::size_t most);
     bool leave_as_told();
     bool leave_beside_the_grid();
     void found_subassembly(const Members& group, Subassembly::Path path);
@@ -51,9 +51,13 @@ class Disassembler::Dismantler {
     bool flood(const Members& members);
 
     // From the top (from_the_top.cpp).
+    bool leave_by_hand();
     bool leave_from_the_top();
     void find_ways_up();
-    bool leave_by_any_of(const Members& members);
+    Members standing_by_turn() const;
+    bool know(Members::const_iterator begin, Members::const_iterator end);
+    bool leave_by_few_moves(const Members& members);
+    bool leave_by_a_winding_way();
     bool leave_through_the_walls();
     bool leave_straight_through_the_walls();
     /// So many stand that a group of all is no group: walls that give way are not among them.
@@ -65,7 +69,8 @@ class Disassembler::Dismantler {
     std::vector<std::optional<Flooded>> known_;  // of those asked about: a way for good, or the closed region
     std::vector<std::size_t> turns_;             // the order of flood fills, the highest first
     std::size_t turn_ = 0;
-    Unpack unpack_ = Unpack::any;
+    bool few_moves_first_;  // ways of many moves come after groups
+    bool from_the_top_ = false;
     std::vector<std::optional<Subassembly::Path>> up_;  // from the top: straight ways up, for good
     std::optional<std::size_t> walls_;                  // that give way
 };

@@ -6,6 +6,14 @@
 /// Taking a tray apart as one digs (docs/algorithm.md, section 9): upwards, between walls that stand.
 
 namespace spectralpack {
+namespace {
+
+// A way of more is one to be found by hand: what else can go, goes before.
+constexpr std::size_t kFewMoves = 6;
+// Copies that come out as one.
+constexpr std::size_t kHeldAtOnce = 20;
+
+}  // namespace
 
 std::size_t Disassembler::Dismantler::standing() const {
     std::size_t count = 0;
@@ -33,47 +41,80 @@ void Disassembler::Dismantler::find_ways_up() {
     }
 }
 
-/// Takes out one copy: the uppermost that goes straight up; before it, by ways with corners, those that are all above
-/// it, since nobody who rises now can be in their way.
+/// Takes out what is least trouble: one copy straight or by few moves; a group that can be held; one copy by many
+/// moves.
+bool Disassembler::Dismantler::leave_by_hand() {
+    if (from_the_top_ ? leave_from_the_top() : leave_straight() || leave_by_few_moves(standing_by_turn())) return true;
+    return leave_as_group(kHeldAtOnce) || leave_by_a_winding_way();
+}
+
+/// Takes out one copy: the uppermost that goes straight up; or before it, by a way with corners, one that is all above
+/// it and that none of those who go straight up is in the way of, nor of whom that waits for: it will never do so.
 bool Disassembler::Dismantler::leave_from_the_top() {
     find_ways_up();
-    std::optional<std::size_t> straight;
-    Members others;
-    for (const std::size_t i : turns_) {
-        if (!subassembly_.movable(i)) continue;
-        if (up_[i]) {
-            straight = i;
-            break;
-        }
-        others.push_back(i);
+    Members straight, others;
+    for (const std::size_t i : standing_by_turn()) {
+        (up_[i] ? straight : others).push_back(i);
     }
-    if (straight) {
-        const double top = subassembly_.part(*straight).box().max.z;
+    if (!straight.empty()) {
+        const double top = subassembly_.part(straight.front()).box().max.z;
         std::erase_if(others, [&](std::size_t i) { return subassembly_.part(i).box().min.z < top; });
+        if (!others.empty()) {
+            const std::vector<bool> waits = graph_.behind(straight, BlockingGraph::direction(0));
+            std::erase_if(others, [&](std::size_t i) { return waits[i]; });
+        }
     }
-    if (leave_by_any_of(others)) return true;
-    if (!straight || owner_.options_.stop.stopped()) return false;
-    leave({*straight}, *std::exchange(up_[*straight], std::nullopt));
+    if (leave_by_few_moves(others)) return true;
+    if (straight.empty() || owner_.options_.stop.stopped()) return false;
+    const std::size_t uppermost = straight.front();
+    leave({uppermost}, *std::exchange(up_[uppermost], std::nullopt));
     ++owner_.counts_.straight;
     return true;
 }
 
-/// The first of these that has a way.
-bool Disassembler::Dismantler::leave_by_any_of(const Members& members) {
+Disassembler::Dismantler::Members Disassembler::Dismantler::standing_by_turn() const {
+    Members members;
+    for (const std::size_t i : turns_) {
+        if (subassembly_.movable(i)) members.push_back(i);
+    }
+    return members;
+}
+
+/// Asks for the way of the first of these, and of some that come next. False: stopped.
+bool Disassembler::Dismantler::know(Members::const_iterator begin, Members::const_iterator end) {
+    if (known_[*begin]) return true;
+    Members unknown;
+    for (auto at = begin; at != end && unknown.size() < kBatch; ++at) {
+        if (!known_[*at]) unknown.push_back(*at);
+    }
+    return flood(unknown);
+}
+
+/// The first of these that has such a way.
+bool Disassembler::Dismantler::leave_by_few_moves(const Members& members) {
     for (auto next = members.begin(); next != members.end(); ++next) {
-        if (!known_[*next]) {
-            Members unknown;
-            for (auto at = next; at != members.end() && unknown.size() < kBatch; ++at) {
-                if (!known_[*at]) unknown.push_back(*at);
-            }
-            if (!flood(unknown)) return false;
-        }
-        if (stuck(*next)) continue;
+        if (!know(next, members.end())) return false;
+        if (stuck(*next) || known_[*next]->path->size() > kFewMoves) continue;
         leave({*next}, std::move(*known_[*next]->path));
         ++owner_.counts_.flooded;
         return true;
     }
     return false;
+}
+
+/// Whoever has the way of fewest.
+bool Disassembler::Dismantler::leave_by_a_winding_way() {
+    const auto moves = [&](std::size_t i) { return known_[i]->path->size(); };
+    const Members members = standing_by_turn();
+    std::optional<std::size_t> best;
+    for (auto next = members.begin(); next != members.end(); ++next) {
+        if (!know(next, members.end())) return false;
+        if (!stuck(*next) && (!best || moves(*next) < moves(*best))) best = *next;
+    }
+    if (!best) return false;
+    leave({*best}, std::move(*known_[*best]->path));
+    ++owner_.counts_.flooded;
+    return true;
 }
 
 /// Takes out what has no other way than one that the walls are in: one copy straight, or else as told.
@@ -84,14 +125,14 @@ bool Disassembler::Dismantler::leave_through_the_walls() {
     return left;
 }
 
+/// One copy, the uppermost that can.
 bool Disassembler::Dismantler::leave_straight_through_the_walls() {
     struct Try {
         std::size_t i;
         AxisDirection direction;
     };
     std::vector<Try> tries;
-    for (const std::size_t i : turns_) {
-        if (!subassembly_.movable(i)) continue;
+    for (const std::size_t i : standing_by_turn()) {
         for (int d = 0; d < BlockingGraph::kDirections; ++d) {
             const AxisDirection direction = BlockingGraph::direction(d);
             const int walls = graph_.meets(i, direction, *walls_) ? 1 : 0;

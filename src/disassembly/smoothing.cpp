@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "disassembly/ways/moves.hpp"
-#include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 namespace {

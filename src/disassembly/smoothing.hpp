@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "disassembly/subassembly.hpp"
+#include "spectralpack/disassembly.hpp"
 
 namespace spectralpack {
 
