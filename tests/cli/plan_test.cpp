@@ -128,7 +128,7 @@ TEST(Plan, GoesByTheFilesOwnPlanWhereItFindsNoWay) {
     const json plan = read_json(planned)["trays"][0]["disassembly"];
     EXPECT_EQ(plan["steps"], read_json(file)["trays"][0]["disassembly"]["steps"]);
     EXPECT_EQ(plan["through_walls"], json::array({0}));  // it leads out sideways
-    const json report = check_report(planned, 1);  // the file states no figures
+    const json report = check_report(planned, 1);        // the file states no figures
     EXPECT_EQ(report["interlocking"], "none");
     EXPECT_EQ(report["plans"][0]["steps"], 1);
     EXPECT_TRUE(report["plans"][0]["ok"]);
