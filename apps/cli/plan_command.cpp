@@ -43,8 +43,9 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
     }
     const std::string of_groups = groups > 0 ? fmt::format(" ({} of groups)", groups) : "";
     if (plan.complete) {
-        fmt::print("tray {}: comes apart in {} step{}{}, {} move{}\n", tray + 1, plan.steps.size(),
-                   plan.steps.size() == 1 ? "" : "s", of_groups, moves, moves == 1 ? "" : "s");
+        fmt::print("tray {}: comes apart in {} step{}{}, {} move{}{}\n", tray + 1, plan.steps.size(),
+                   plan.steps.size() == 1 ? "" : "s", of_groups, moves, moves == 1 ? "" : "s",
+                   through_walls_text(plan.through_walls.size()));
         return;
     }
     if (plan.interlocked.empty()) {
@@ -121,6 +122,11 @@ Command add_plan_command(CLI::App& app) {
                     "mm between the rays that tell which copy is straight in whose way; what they miss, flood fills "
                     "find [the packing's, or four voxels]")
         ->check(CLI::PositiveNumber);
+    sub->add_option_function<std::string>(
+           "--unpack", [arguments](const std::string& rule) { arguments->settings.unpack = from_string<Unpack>(rule); },
+           "order in which copies are taken out: top (from the top down, between the walls), any (also sideways) [the "
+           "packing's]")
+        ->check(CLI::IsMember({"top", "any"}));
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
     sub->add_flag("--json", arguments->json, "print the findings as JSON");

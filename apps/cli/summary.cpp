@@ -118,8 +118,8 @@ void print_interlocking(const Packing& packing) {
             plans.steps, packing.metrics.placed);
     } else {
         const PhaseSeconds& seconds = packing.metrics.seconds;
-        fmt::print("  interlock  none: comes apart in {} steps (planning {}", plans.steps,
-                   duration_text(seconds.disassemble));
+        fmt::print("  interlock  none: comes apart in {} steps{} (planning {}", plans.steps,
+                   through_walls_text(plans.through_walls), duration_text(seconds.disassemble));
         if (counts.removed > 0) {
             fmt::print("; {} taken out, {} of them put back elsewhere{}, {}", counts.removed, counts.reinserted,
                        counts.added > 0 ? fmt::format(", {} others put in", counts.added) : "",

@@ -26,6 +26,8 @@ std::string wrapped(const std::string& text, std::size_t width);
 std::string duration_text(double seconds);   ///< "0.42 s", "12.3 s", "4 min 05 s", "2 h 07 min"
 std::string bytes_text(std::int64_t bytes);  ///< "812 MB", "3.1 GB"
 std::string percent_text(double share);      ///< "43.9 %"
-std::string length_text(double mm);          ///< at most three decimals, none that are zero
+/// "; 3 of them sideways through the walls", of a plan's steps; nothing for none.
+std::string through_walls_text(std::size_t steps);
+std::string length_text(double mm);  ///< at most three decimals, none that are zero
 
 }  // namespace spectralpack::cli

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "spectralpack/disassembly.hpp"
 #include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
@@ -46,6 +47,7 @@ struct PackOptions {
     Interlock interlock = Interlock::post;     ///< section 4
     Links links = Links::avoid;                ///< with Interlock::post
     TakeOut take_out = TakeOut::thinnest;      ///< the same
+    std::optional<Unpack> unpack;              ///< none: top in boxes, any in container meshes
     std::optional<double> ray_spacing;         ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
     std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
     std::optional<HeightReference> height_at;  ///< none: bottom; top with open height

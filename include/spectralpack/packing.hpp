@@ -163,6 +163,7 @@ struct PlansOverview {
     bool planned = true;   ///< every tray has a plan
     bool complete = true;  ///< that takes out all copies
     std::size_t steps = 0;
+    std::size_t through_walls = 0;  ///< of the steps (Disassembly::through_walls)
 };
 
 inline PlansOverview plans_of(const Packing& packing) {
@@ -171,6 +172,7 @@ inline PlansOverview plans_of(const Packing& packing) {
         plans.planned = plans.planned && tray.disassembly;
         plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
         plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+        plans.through_walls += tray.disassembly ? tray.disassembly->through_walls.size() : 0;
     }
     return plans;
 }

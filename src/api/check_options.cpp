@@ -24,6 +24,10 @@ HeightReference height_reference(const PackOptions& options) {
     return options.height_at.value_or(is_open(options) ? HeightReference::top : HeightReference::bottom);
 }
 
+Unpack unpack_rule(const std::optional<Unpack>& asked, const Container& container) {
+    return asked.value_or(container.mesh ? Unpack::any : Unpack::top);
+}
+
 Vec3 tray_size(const PackOptions& options) {
     Vec3 size = options.tray;
     if (is_open(options) && size.z == 0) size.z = std::max(size.x, size.y);

@@ -100,10 +100,15 @@ Container load_container(const ContainerSource& source, const Vec3& tray, double
 
 Container container_of(const Job& job) {
     Container container = load_container(job.container, job.options.tray, job.unit);
-    if (container.physical && job.options.interlock != Interlock::off && !opens_at_top(container)) {
+    if (job.options.interlock == Interlock::off || opens_at_top(container)) return container;
+    if (container.physical) {
         throw InputError(job.container.mesh->file, job.container.mesh->place,
                          "has no flat face at its top, where a physical container is open: nothing could leave it "
                          "(--interlock off packs it all the same)");
+    }
+    if (job.options.unpack == Unpack::top) {
+        throw InputError(job.container.mesh->file, job.container.mesh->place,
+                         "has no flat face at its top, through which --unpack top could take anything out");
     }
     return container;
 }

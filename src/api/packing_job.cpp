@@ -32,6 +32,7 @@ FillOptions fill_setup(const JobSource& source, Listener& listener, const Worker
     setup.interlock = options.interlock;
     setup.links = options.links;
     setup.take_out = options.take_out;
+    setup.unpack = unpack_rule(options.unpack, container);
     setup.ray_spacing = options.ray_spacing;
     const auto telling = [&listener](Phase phase) {
         return [&listener, phase](int left, int all) {

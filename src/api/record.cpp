@@ -134,6 +134,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     packing.options = run.options;
     packing.options.tray = tray_size(run.options);
     packing.options.height_at = height_reference(run.options);
+    packing.options.unpack = unpack_rule(run.options.unpack, run.container);
     packing.options.height_penalty = run.plan.height_penalty;
     packing.options.engine = run.plan.engine;
     packing.defaults = run.defaults;

@@ -26,6 +26,8 @@ class PlanReader {
         if (const auto v = node.find("interlocked")) {
             v->for_each([&](const Node& set) { plan.interlocked.push_back(placements_of(set)); });
         }
+        if (const auto v = node.find("unpack")) plan.unpack = v->one_of<Unpack>();
+        if (const auto v = node.find("through_walls")) plan.through_walls = steps_in(*v, plan.steps.size());
         return plan;
     }
 
@@ -46,6 +48,20 @@ class PlanReader {
         const auto twice = std::adjacent_find(indices.begin(), indices.end());
         if (twice != indices.end()) node.fail("names placement " + std::to_string(*twice) + " twice");
         return indices;
+    }
+
+    /// Positions of steps, ascending.
+    static std::vector<int> steps_in(const Node& node, std::size_t count) {
+        std::vector<int> positions;
+        node.for_each([&](const Node& element) {
+            const int position = element.integer<int>();
+            if (position < 0 || std::cmp_greater_equal(position, count)) {
+                element.fail("must be the position of a step of this plan, there are " + std::to_string(count));
+            }
+            if (!positions.empty() && position <= positions.back()) element.fail("must be greater than the one before");
+            positions.push_back(position);
+        });
+        return positions;
     }
 
     RemovalStep read_step(const Node& node) {

@@ -85,7 +85,11 @@ Json plan_json(const Disassembly& plan) {
         }
         steps.push_back({{"placements", step.placements}, {"path", std::move(path)}});
     }
-    return {{"complete", plan.complete}, {"steps", std::move(steps)}, {"interlocked", plan.interlocked}};
+    return {{"complete", plan.complete},
+            {"unpack", to_string(plan.unpack)},
+            {"steps", std::move(steps)},
+            {"through_walls", plan.through_walls},
+            {"interlocked", plan.interlocked}};
 }
 
 class PackingWriter {

@@ -113,6 +113,18 @@ std::vector<Option> placing_options() {
                  "the paper's rule, the smallest boxes up to a tenth of all.",
              .examples = {"lightest"},
              .hash_place = 15}),
+        kept_in<&PackOptions::unpack>(
+            {.name = "unpack",
+             .group = Group::search,
+             .none_word = "auto",
+             .placeholder = "ORDER",
+             .line = "order in which the plan takes copies out: top (from the top down, between the walls), any (also "
+                     "sideways)",
+             .help = "A powder cake is dug from above. 'top' takes out the uppermost copy of those that are free, over "
+                     "the top, as if walls and keep-outs were there. What has no way out so leaves as with 'any', and "
+                     "the summary says how many do. Which copies are packed, and where, is the same.",
+             .default_means = "top; any in a container mesh",
+             .examples = {"any"}}),
         kept_in<&PackOptions::ray_spacing>(
             {.name = "ray-spacing",
              .group = Group::search,

@@ -5,7 +5,9 @@
 #include <memory>
 #include <utility>
 
+#include "core/stopwatch.hpp"
 #include "packing/containers/walls.hpp"
+#include "packing/interlocking/final_plan.hpp"
 #include "packing/interlocking/reachable_search.hpp"
 #include "packing/tray/measure.hpp"
 #include "voxel/voxelize.hpp"
@@ -136,9 +138,12 @@ UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const Fil
 void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options,
                                 FilledTray& result) {
     Untangled untangled = untangle(tray, result.placed, context, options);
-    result.plan = std::move(untangled.plan);
     result.interlocked = std::move(untangled.interlocked);
     result.report = untangled.report;
+    const Stopwatch ordering;
+    result.plan = final_plan({options, options_.container, options_.unpack, options_.left}, tray, result.placed,
+                             context, std::move(untangled.plan), result.report.counts);
+    result.report.disassemble_seconds += ordering.seconds();
     untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
 }
 
