@@ -48,7 +48,9 @@ struct PackOptions {
     TakeOut take_out = TakeOut::thinnest;      ///< the same
     std::optional<double> ray_spacing;         ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
     std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
-    std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
+    /// None: at the top without a ceiling and in trays that hold all that is left, else at the bottom; at the bottom
+    /// where a height penalty is given, and with `fill`.
+    std::optional<HeightReference> height_at;
     bool open_height = false;  ///< least height; the tray's z is the reference height (0: its longer side)
     Minimise minimise = Minimise::none;
     bool fill = false;                     ///< as many copies as fit, in the shares that the counts give
