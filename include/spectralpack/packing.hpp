@@ -86,8 +86,9 @@ struct TrayPacking {
     std::vector<Placement> placements;  ///< in the order they were placed
     double density = 0;                 ///< signed volumes / container volume
     double density_bounding_box = 0;
-    Box bounding_box;   ///< of the placed meshes; empty without placements
-    double height = 0;  ///< top of the bounding box
+    Box bounding_box;                          ///< of the placed meshes; empty without placements
+    double height = 0;                         ///< top of the bounding box
+    std::optional<HeightReference> height_at;  ///< where height counted; none: nothing was packed into it
     Layers layers;
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };

@@ -76,6 +76,7 @@ PackingJob packing_job(const JobSource& source, Listener& listener, const Worker
     job.ranks = plan.ranks;
     job.fill = fill_setup(source, listener, workers);
     job.limit = {options.trays, options.try_per_tray};
+    job.choose_heights = !height_reference(options);
     job.in_shares = options.fill;
     job.room = plan.room;
     job.keep = plan.keep;

@@ -232,6 +232,7 @@ class PackingReader {
             tray.bounding_box.max = vector_of(v->element(1));
         }
         if (const auto v = node.find("height")) tray.height = v->number();
+        if (const auto v = node.find("height_at")) tray.height_at = v->one_of<HeightReference>();
         if (const auto layers = node.find("layers")) {
             if (const auto v = layers->find("thickness")) tray.layers.thickness = v->number_from(0);
             if (const auto v = layers->find("area")) {

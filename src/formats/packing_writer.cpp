@@ -216,6 +216,7 @@ class PackingWriter {
                 {"density_bounding_box", tray.density_bounding_box},
                 {"bounding_box", std::move(box)},
                 {"height", tray.height},
+                {"height_at", tray.height_at ? Json(to_string(*tray.height_at)) : Json(nullptr)},
                 {"layers", {{"thickness", tray.layers.thickness}, {"area", tray.layers.area}}},
                 {"disassembly", tray.disassembly ? plan_json(*tray.disassembly) : Json(nullptr)}};
     }

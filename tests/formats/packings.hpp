@@ -83,6 +83,7 @@ inline Packing small_packing() {
     first.density_bounding_box = 1.0 / 3;
     first.bounding_box = {{1, 0.1, 0}, {66, 27, 26}};
     first.height = 26;
+    first.height_at = HeightReference::top;
     first.layers = {1.5, {12.5, 0, 3}};
     first.disassembly = Disassembly{true, {{{0}, {{0, 0, 30.5}, {-70, 0.25, 0}}}}, {}, Unpack::top, {0}};
     TrayPacking second;

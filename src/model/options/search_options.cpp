@@ -149,7 +149,8 @@ std::vector<Option> placing_options() {
              .line = "how much height costs: auto, or p of p z^3",
              .help = "Of two places, the one with the lower cost is taken: how far it is from what stands there, and "
                      "the height penalty. 'auto' is the paper's appendix A.2: 4 where the boxes of all copies are more "
-                     "than 1.2 times the container, else 10^8.",
+                     "than 1.2 times the container, else 10^8. It weighs where height counts at the bottom; a number "
+                     "asks for that.",
              .examples = {"auto", "4"},
              .hash_place = 4}),
         kept_in<&PackOptions::height_at>(
@@ -157,11 +158,14 @@ std::vector<Option> placing_options() {
              .group = Group::search,
              .none_word = "auto",
              .placeholder = "END",
-             .line = "where height counts: bottom, or top (before proximity: lower, in half the time)",
+             .line =
+                 "where height counts: top keeps the build low, bottom is the paper's rule; auto: top where all fits",
              .help =
                  "'bottom' is the paper's: the penalty is of the height of a copy's lower end. With 'top' the place "
-                 "whose upper end is lowest wins, and proximity decides between equals.",
-             .default_means = "bottom; top without a ceiling",
+                 "whose upper end is lowest wins, and proximity decides between equals. 'auto' is top in a tray that "
+                 "holds all copies that are left (so in the last of several) and without a ceiling, and bottom in "
+                 "trays that overflow, which it fills more densely. A tray that turns out otherwise than expected is "
+                 "packed both ways, and the better packing stays.",
              .examples = {"top"},
              .hash_place = 16}),
     };

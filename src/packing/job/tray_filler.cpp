@@ -58,9 +58,16 @@ std::vector<Body> TrayFiller::stand_fixed_copies(int number, Tray& tray, Refinem
     return standing;
 }
 
+Vec3 TrayFiller::room_for_moves(const TrayCopies& wanted) const {
+    const double wall = 2 * options_.wall_gap;
+    return wanted.within ? *wanted.within + Vec3{wall, wall, wall} : options_.container.size;
+}
+
 template <class Pack>
 void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack) {
-    Tray tray(options_.tray);
+    TraySetup setup = options_.tray;
+    setup.size = wanted.within.value_or(setup.size);
+    Tray tray(setup);
     const double dx = options_.tray.voxel_size;
     const int detail = options_.tray.detail;
     PartSurfaces surfaces(part_of_, context_.workers);
@@ -73,7 +80,7 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     std::unique_ptr<Refinement> refinement;
     if (options_.refine) {
         refinement = std::make_unique<Refinement>(
-            RefineOptions{options_.container.size, options_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
+            RefineOptions{room_for_moves(wanted), options_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
             surfaces,
             [&](int part, int orientation, const Vec3& offset) {
                 return !caps || caps->may_stand(part, orientation, offset);
@@ -97,10 +104,13 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     PlacementSearch& search = options_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable)
                               : avoids_links()                       ? static_cast<PlacementSearch&>(unlinked_)
                                                                      : context_.search;
+    CostModel model = options_.model;
+    model.height_at = wanted.height_at.value_or(model.height_at);
+    result.height_at = model.height_at;
     const auto with = [&](PlacementSearch& asked) {
         return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer},
                            wanted.number,
-                           options_.model,
+                           model,
                            {caps ? &*caps : nullptr, options_.most_layers, wanted.give_up_after},
                            settle};
     };
@@ -113,9 +123,7 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
         options.fixed = std::move(fixed);
         make_removable(tray, with(context_.search), options, result);
     }
-    if (!refinement) return;
-    const std::optional<double> gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
-    if (gap && *gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
+    if (refinement) result.least_gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
 }
 
 UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const FilledTray& result) {

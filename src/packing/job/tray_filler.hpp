@@ -38,10 +38,14 @@ struct FillOptions {
 
 /// What one tray is to be filled with.
 struct TrayCopies {
-    int number = 0;            ///< of the tray, from 0: which fixed copies stand in it
-    std::vector<Copy> copies;  ///< in the order to try
-    bool next = false;         ///< another tray follows for what finds no place
-    int give_up_after = 0;     ///< parts that find no place (PlaceLimits)
+    int number = 0;                          ///< of the tray, from 0: which fixed copies stand in it
+    std::vector<Copy> copies;                ///< in the order to try
+    bool next = false;                       ///< another tray follows for what finds no place
+    int give_up_after = 0;                   ///< parts that find no place (PlaceLimits)
+    std::optional<HeightAt> height_at = {};  ///< none: as the model says
+    /// Only this part of the tray, from its lower corner on, mm inside the wall gap; of trays without a mask, caps,
+    /// physical walls and fixed copies. None: all of it.
+    std::optional<Vec3> within = {};
 };
 
 /// What became of one tray.
@@ -49,6 +53,9 @@ struct FilledTray : GreedyResult {
     std::vector<Copy> interlocked;    ///< taken out again: they could not be taken out of the finished packing
     std::optional<Disassembly> plan;  ///< by index into `placed`; none where interlocking was not looked at
     InterlockReport report;
+    HeightAt height_at = HeightAt::bottom;  ///< where it counted
+    /// Least distance between two copies, mm, as refined; none without refinement or with fewer than two.
+    std::optional<double> least_gap;
 };
 
 class TrayFiller {
@@ -66,11 +73,11 @@ class TrayFiller {
     void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
     const PackContext& context() const { return context_; }
+    double voxel_size() const { return options_.tray.voxel_size; }
+    double wall_gap() const { return options_.wall_gap; }
     int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }      ///< over all trays, for the record
     double untangle_seconds() const { return untangle_seconds_; }  ///< the same
-    /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
-    std::optional<double> least_gap() const { return least_gap_; }
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
@@ -78,6 +85,7 @@ class TrayFiller {
     template <class Pack>
     void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack);
 
+    Vec3 room_for_moves(const TrayCopies& wanted) const;
     std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
     UntangleOptions untangle_options(const TrayCopies& wanted, const FilledTray& result);
     void make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options, FilledTray& result);
@@ -90,7 +98,6 @@ class TrayFiller {
     std::optional<PhysicalWalls> physical_;  // where ways out have to pass them
     int trays_with_fixed_ = 0;
     double refine_seconds_ = 0, untangle_seconds_ = 0;
-    std::optional<double> least_gap_;
 };
 
 }  // namespace spectralpack
