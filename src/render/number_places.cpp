@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDigitWidth = 0.66, kDigitHeight = 0.74;  // of the text's height: DejaVu Sans Bold
 constexpr double kLeastRoom = 0.42;  // of half the number's height, from its middle to the copy's edge in sight
-constexpr double kNumberRim = 0.12;        // of the text's height, between two numbers
+constexpr double kNumberRim = 0.12;  // of the text's height, between two numbers
 constexpr std::size_t kMostTries = 400;
 
 struct Pixel {
