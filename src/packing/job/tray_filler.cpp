@@ -7,6 +7,7 @@
 
 #include "packing/containers/walls.hpp"
 #include "packing/interlocking/reachable_search.hpp"
+#include "packing/off_grid/fill_up.hpp"
 #include "packing/tray/measure.hpp"
 #include "voxel/voxelize.hpp"
 
@@ -56,8 +57,8 @@ std::vector<Body> TrayFiller::stand_fixed_copies(int number, Tray& tray, Refinem
     return standing;
 }
 
-template <class Pack>
-void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack) {
+template <class Pack, class FillUp>
+void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up) {
     Tray tray(options_.tray);
     const double dx = options_.tray.voxel_size;
     const int detail = options_.tray.detail;
@@ -103,7 +104,13 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
                            settle};
     };
     if (context_.observer) context_.observer->tray_begun(wanted.number);
-    pack(tray, with(search));
+    const TrayContext packing = with(search);
+    pack(tray, packing);
+    if (refinement && tray.setup().ceiling == Ceiling::closed) {
+        OffGrid off_grid(options_.container, options_.wall_gap, tray, packing, *refinement, surfaces);
+        fill_up(tray, packing, off_grid, surfaces);
+        refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
+    }
     if (options_.interlock != Interlock::off) {
         search.forget();  // planning takes memory of its own
         UntangleOptions options = untangle_options(wanted, result);
@@ -144,13 +151,18 @@ void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const Un
 
 void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result) {
     context_.shapes.start_tray(wanted.copies);
-    fill_one(wanted, result, [&](Tray& tray, const TrayContext& context) {
-        if (options_.beam) {
-            pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
-        } else {
-            pack_greedily(tray, context, wanted.copies, copy_done, result);
-        }
-    });
+    fill_one(
+        wanted, result,
+        [&](Tray& tray, const TrayContext& context) {
+            if (options_.beam) {
+                pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
+            } else {
+                pack_greedily(tray, context, wanted.copies, copy_done, result);
+            }
+        },
+        [&](Tray& tray, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
+            fill_up(off_grid, surfaces, tray, context, wanted.copies, result);
+        });
     if (context_.observer) context_.observer->tray_finished();
 }
 
@@ -160,8 +172,13 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Copy
         copies.push_back({share.part, 0});
     }
     context_.shapes.start_tray(copies);
-    fill_one({}, result,
-             [&](Tray& tray, const TrayContext& context) { pack_in_shares(tray, context, shares, copy_done, result); });
+    fill_one(
+        {}, result,
+        [&](Tray& tray, const TrayContext& context) { pack_in_shares(tray, context, shares, copy_done, result); },
+        [&](Tray&, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
+            fill_up_in_shares(off_grid, surfaces, context, shares, result);
+            copy_done(result.placed.size());
+        });
     std::map<int, int> counts;  // by part: what was interlocked left gaps in their numbers
     bool renumbered = false;
     for (PlacedCopy& placed : result.placed) {

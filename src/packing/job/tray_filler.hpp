@@ -73,9 +73,10 @@ class TrayFiller {
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
-    /// Calls `pack` with a tray in which only fixed copies stand; then makes what it packed come apart.
-    template <class Pack>
-    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack);
+    /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it off
+    /// the grid; then makes what they packed come apart.
+    template <class Pack, class FillUp>
+    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
 
     std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
     UntangleOptions untangle_options(const TrayCopies& wanted, const FilledTray& result);
