@@ -73,8 +73,8 @@ class TrayFiller {
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
-    /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it off
-    /// the grid; then makes what they packed come apart.
+    /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it
+    /// off the grid; then makes what they packed come apart.
     template <class Pack, class FillUp>
     void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
 

@@ -55,7 +55,9 @@ std::optional<Vec3> BoxRoom::lowest(const Vec3& size, double gap, const Accepts&
     for (const StandingBox& standing : standing_) {
         shadows.push_back({forbidden_to(size, gap, standing)});
     }
-    const auto spend = [&](std::size_t tests) { return (work_left_ -= std::ssize(shadows) + static_cast<std::int64_t>(tests)) > 0; };
+    const auto spend = [&](std::size_t tests) {
+        return (work_left_ -= std::ssize(shadows) + static_cast<std::int64_t>(tests)) > 0;
+    };
     int asked = 0;
     for (const double z : ends(shadows, 2, first.z, last.z)) {
         std::vector<Shadow> layer = those_that_hide(shadows, z, 2);

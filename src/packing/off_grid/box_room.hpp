@@ -36,8 +36,8 @@ class BoxRoom {
     /// Whether the box stands free there.
     bool is_free(const Box& box, double gap) const;
 
-    /// The lower corners of a plain lattice of boxes of this size from the room's lower corner on, in the order of z, y,
-    /// x; those that do not stand free left out, and those after the first `most`.
+    /// The lower corners of a plain lattice of boxes of this size from the room's lower corner on, in the order of z,
+    /// y, x; those that do not stand free left out, and those after the first `most`.
     std::vector<Vec3> lattice(const Vec3& size, double gap, std::int64_t most) const;
 
     static constexpr std::int64_t kMostWork = 300'000'000;

@@ -40,9 +40,8 @@ bool surpasses(const std::vector<PlacedCopy>& now, const std::vector<PlacedCopy>
     const auto of_lattice = [&](const PlacedCopy& copy) { return lattice.parts.contains(copy.copy.part); };
     return now.size() > before.size() &&
            std::ranges::count_if(now, of_lattice) >= std::ranges::count_if(before, of_lattice) &&
-           std::ranges::all_of(before, [&](const PlacedCopy& copy) {
-               return of_lattice(copy) || standing.contains(copy.copy);
-           });
+           std::ranges::all_of(
+               before, [&](const PlacedCopy& copy) { return of_lattice(copy) || standing.contains(copy.copy); });
 }
 
 GreedyResult packed_on(const Lattice& lattice, OffGrid& off_grid, Tray& tray, const TrayContext& context,
@@ -57,7 +56,8 @@ GreedyResult packed_on(const Lattice& lattice, OffGrid& off_grid, Tray& tray, co
     context.shapes.start_tray(rest);
     TrayContext unobserved = context;
     unobserved.observer = nullptr;
-    pack_greedily(tray, unobserved, rest, [](std::size_t) {}, result);
+    pack_greedily(
+        tray, unobserved, rest, [](std::size_t) {}, result);
     put_what_has_room(off_grid, context.stop, result, nullptr);
     return result;
 }
@@ -69,8 +69,7 @@ void fill_up(OffGrid& off_grid, PartSurfaces& surfaces, Tray& tray, const TrayCo
     if (result.left_over.empty() || context.stop.stopped()) return;
     put_what_has_room(off_grid, context.stop, result, context.observer);
     if (result.left_over.empty() || context.limits.caps || context.stop.stopped()) return;
-    const std::optional<Lattice> lattice =
-        find_lattice(off_grid, surfaces, wanted, result.placed, result.left_over);
+    const std::optional<Lattice> lattice = find_lattice(off_grid, surfaces, wanted, result.placed, result.left_over);
     if (!lattice) return;
     std::vector<PlacedCopy> before = result.placed;
     off_grid.clear(result.placed);

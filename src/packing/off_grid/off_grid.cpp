@@ -36,9 +36,9 @@ OffGrid::OffGrid(const Container& container, double wall_gap, Tray& tray, const 
       context_(context),
       refinement_(refinement),
       surfaces_(surfaces),
-      has_mesh_walls_(container.mesh || std::ranges::any_of(container.keep_out, [](const KeepOut& keep_out) {
-          return keep_out.mesh.has_value();
-      })),
+      has_mesh_walls_(
+          container.mesh ||
+          std::ranges::any_of(container.keep_out, [](const KeepOut& keep_out) { return keep_out.mesh.has_value(); })),
       room_(room_at_start()) {}
 
 const std::vector<TurnedBox>& OffGrid::boxes_of(int part) {
@@ -49,8 +49,8 @@ const std::vector<TurnedBox>& OffGrid::boxes_of(int part) {
     const double most = kMostTurned / static_cast<double>(std::max<std::size_t>(1, scaled.mesh->vertices.size()));
     for (std::size_t i = 0; i < scaled.orientations->size() && (i == 0 || static_cast<double>(i) < most); ++i) {
         const Box box = box_of_turned(*scaled.mesh, (*scaled.orientations)[i]);
-        const bool seen = std::ranges::any_of(
-            boxes, [&](const TurnedBox& other) { return same_size(other.box.size(), box.size()); });
+        const bool seen =
+            std::ranges::any_of(boxes, [&](const TurnedBox& other) { return same_size(other.box.size(), box.size()); });
         if (!seen) boxes.push_back({static_cast<int>(i), box});
     }
     return boxes;

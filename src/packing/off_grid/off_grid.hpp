@@ -66,8 +66,8 @@ class OffGrid {
     bool has_mesh_walls_ = false;
     std::map<int, std::vector<TurnedBox>> boxes_;  // by part
     BoxRoom room_;
-    std::size_t followed_ = 0;       // of what is placed, in room_
-    std::vector<Refused> refused_;   // no box as large as these has room any more
+    std::size_t followed_ = 0;      // of what is placed, in room_
+    std::vector<Refused> refused_;  // no box as large as these has room any more
 };
 
 }  // namespace spectralpack

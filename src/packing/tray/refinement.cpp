@@ -51,8 +51,7 @@ Settled Refinement::settle(const Copy& copy, const Shape& shape, const BestPlace
 Settled Refinement::stand_at(const Copy& copy, int orientation, const Vec3& offset, int gap_class) {
     const Stopwatch watch;
     take_mesh(copy.part, orientation);
-    Settled settled =
-        put({surfaces_.at(copy.part, orientation), offset, surfaces_.part(copy.part).gap}, gap_class);
+    Settled settled = put({surfaces_.at(copy.part, orientation), offset, surfaces_.part(copy.part).gap}, gap_class);
     seconds_ += watch.seconds();
     return settled;
 }
