@@ -37,10 +37,10 @@ struct Container {
     Vec3 size;  ///< with open height, z is the height reached
     /// Of a vessel, `surface` is that of what it holds (geometry/vessel.hpp), while the vessel itself is a keep-out.
     std::optional<StandingMesh> mesh = {};
-    ContainerIs is = ContainerIs::solid;
     std::vector<KeepOut> keep_out = {};
-    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
-    bool open_height = false;  ///< no wall above
+    bool physical = false;                ///< walls and keep-outs are really there: nothing leaves through them
+    bool open_height = false;             ///< no wall above
+    ContainerIs is = ContainerIs::solid;  ///< of a mesh
 };
 
 /// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.

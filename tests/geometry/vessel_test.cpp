@@ -65,8 +65,10 @@ TEST(Vessel, RunsOverAtTheLowestPointOfItsRim) {
 
 TEST(Vessel, HoldsNothingUpsideDownOrOnItsSide) {
     const Mesh mesh = beaker({20, 20, 20, 20});
-    EXPECT_FALSE(largest_cavity(transformed(mesh, {{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {}})));
-    EXPECT_FALSE(largest_cavity(transformed(mesh, {{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}, {}})));
+    const Mat3 upside_down{{Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}}};
+    const Mat3 on_its_side{{Vec3{1, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 1, 0}}};
+    EXPECT_FALSE(largest_cavity(transformed(mesh, {upside_down, {}})));
+    EXPECT_FALSE(largest_cavity(transformed(mesh, {on_its_side, {}})));
     EXPECT_FALSE(largest_cavity(cube_mesh(10)));
     EXPECT_FALSE(largest_cavity(torus_mesh(20, 4)));
     EXPECT_FALSE(largest_cavity({}));

@@ -61,7 +61,9 @@ class TrayFiller {
     void fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
-    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew.
+    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew. Where one part
+    /// found no further place long before the others, the tray is filled once more with that part first, and the
+    /// filling stays that has more of its share.
     void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
     const PackContext& context() const { return context_; }
@@ -77,6 +79,10 @@ class TrayFiller {
     /// off the grid; then makes what they packed come apart.
     template <class Pack, class FillUp>
     void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
+
+    void fill_in_shares(const std::vector<PartShare>& shares, const FirstCopies& first, const CopyDone& copy_done,
+                        FilledTray& result);
+    FirstCopies lagging(const std::vector<PartShare>& shares, const std::vector<PlacedCopy>& placed) const;
 
     std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
     UntangleOptions untangle_options(const TrayCopies& wanted, const FilledTray& result);

@@ -140,14 +140,25 @@ void share_out(const std::vector<PartShare>& shares, std::vector<int>& placed,
 }
 
 void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
-                    const CopyDone& copy_done, GreedyResult& result) {
+                    const FirstCopies& first, const CopyDone& copy_done, GreedyResult& result) {
     ShapeStore& shapes = context.shapes;
     Placer placer(tray, context, result);
     std::vector<int> placed(shares.size(), 0);
-    share_out(shares, placed, [&](std::size_t i, const Copy& copy) {
+    const auto place = [&](std::size_t i, const Copy& copy) {
         const PlaceOutcome outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
-        if (outcome == PlaceOutcome::no_place) shapes.release(i, true);
         if (outcome != PlaceOutcome::stopped) copy_done(result.placed.size());
+        return outcome;
+    };
+    while (placed[first.index] < first.count) {
+        const Copy copy{shares[first.index].part, placed[first.index]};
+        const PlaceOutcome outcome = place(first.index, copy);
+        if (outcome == PlaceOutcome::stopped) return;
+        if (outcome == PlaceOutcome::no_place) break;
+        ++placed[first.index];
+    }
+    share_out(shares, placed, [&](std::size_t i, const Copy& copy) {
+        const PlaceOutcome outcome = place(i, copy);
+        if (outcome == PlaceOutcome::no_place) shapes.release(i, true);
         return outcome;
     });
 }
