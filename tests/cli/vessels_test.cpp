@@ -1,5 +1,7 @@
 /// Container meshes that hold something: what they hold is filled.
 
+#include <algorithm>
+
 #include "cli/whole_job.hpp"
 
 namespace spectralpack::test {
@@ -41,7 +43,10 @@ TEST_F(Vessels, ACopyInTheWallIsFound) {
     json packing = build();
     json& transform = packing["trays"][0]["placements"][0]["transform"];
     transform[0][3] = 0;  // out of the cup's room
-    EXPECT_EQ(finding_of(packing)["kind"], "outside");
+    std::ofstream(at("build.json")) << packing;
+    const json findings = check_report(at("build.json"), 1)["findings"];
+    EXPECT_TRUE(std::ranges::any_of(findings, [](const json& finding) { return finding["kind"] == "outside"; }))
+        << findings;
 }
 
 TEST_F(Vessels, WhatIsSaidDecides) {

@@ -120,7 +120,8 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     if (context_.observer) context_.observer->tray_begun(wanted.number);
     const TrayContext packing = with(search);
     pack(tray, packing);
-    if (refinement && tray.setup().ceiling == Ceiling::closed) {
+    // Off the grid nothing tells of places that can be reached now.
+    if (refinement && tray.setup().ceiling == Ceiling::closed && options_.interlock != Interlock::place) {
         OffGrid off_grid(options_.container, options_.wall_gap, tray, packing, *refinement, surfaces);
         fill_up(tray, packing, off_grid, surfaces);
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
