@@ -1,5 +1,6 @@
 #include "formats/job_file.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "formats/date.hpp"
