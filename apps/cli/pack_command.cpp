@@ -131,8 +131,8 @@ int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& int
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
-int run_job(const Job& job, const JobSettings& settings, ProgressDisplay& display, const Interrupts& interrupts,
-            bool& unusable) {
+int run_job(const Job& job, const JobSettings& settings, const TakenOver& taken, ProgressDisplay& display,
+            const Interrupts& interrupts, bool& unusable) {
     int status = kDone;
     const PackResult result = pack(job, {&display, interrupts.token()});
     report_unusable(result.unusable, display);
@@ -150,7 +150,7 @@ int run_job(const Job& job, const JobSettings& settings, ProgressDisplay& displa
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
     } else {
-        print_summary(result, written, !settings.outputs.empty());
+        print_summary(result, written, !settings.outputs.empty(), taken);
     }
     if (status != kDone) return status;
     if (result.stopped == StopReason::cancelled) return kInterrupted;
@@ -180,13 +180,16 @@ int run_pack(const PackArguments& arguments) {
     job.own_printers = settings.own_printers;
     job.defaults = settings.defaults;
     job.enough_orders = interrupts.half_time();
-    settle_container(arguments, settings, job);
+    const TakenOver taken = settle_container(arguments, settings, job);
+    for (const std::string& remark : taken.remarks) {
+        display.on_warning(remark);
+    }
     if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
     const int status = settings.dry_run.value_or(false) ? run_estimate(job, display, interrupts, unusable)
-                                                        : run_job(job, settings, display, interrupts, unusable);
+                                                        : run_job(job, settings, taken, display, interrupts, unusable);
     if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;
     }

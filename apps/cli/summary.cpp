@@ -42,6 +42,27 @@ void print_left_over(const Packing& packing) {
     }
 }
 
+/// Where the counts are a whole round of shares or more from those asked for: which part found no further place.
+void print_uneven_shares(const Packing& packing) {
+    const auto rounds = [](const PackedPart& part) { return static_cast<double>(part.count) / part.share; };
+    std::vector<const PackedPart*> shared;
+    for (const PackedPart& part : packing.parts) {
+        if (part.share > 0) shared.push_back(&part);
+    }
+    if (shared.size() < 2) return;
+    const auto [least, most] = std::ranges::minmax(shared, {}, [&](const PackedPart* part) { return rounds(*part); });
+    if (rounds(*most) - rounds(*least) < 1) return;
+    std::string came, asked;
+    for (std::size_t i = 0; i < shared.size() && i < kMostListed; ++i) {
+        const char* const before = i > 0 ? " : " : "";
+        const double round = std::max(1.0, rounds(*least));
+        came += fmt::format("{}{:.3g}", before, shared[i]->count / round);
+        asked += fmt::format("{}{}", before, shared[i]->share);
+    }
+    fmt::print("             {} for the {} asked, as no further {} found a free place\n", came, asked,
+               printable(least->name));
+}
+
 /// What came of the shares.
 void print_shares(const Packing& packing) {
     for (std::size_t i = 0; i < packing.parts.size() && i < kMostListed; ++i) {
@@ -50,6 +71,7 @@ void print_shares(const Packing& packing) {
     }
     if (packing.parts.size() > kMostListed)
         fmt::print("             and {} more parts\n", packing.parts.size() - kMostListed);
+    print_uneven_shares(packing);
 }
 
 void print_caps(const Packing& packing) {
@@ -131,19 +153,22 @@ void print_interlocking(const Packing& packing) {
 
 }  // namespace
 
-void print_summary(const PackResult& result, const std::vector<std::string>& written, bool files_named) {
+void print_summary(const PackResult& result, const std::vector<std::string>& written, bool files_named,
+                   const TakenOver& taken) {
     const Packing& packing = result.packing;
     const Metrics& metrics = packing.metrics;
     const PhaseSeconds& seconds = metrics.seconds;
     if (result.stopped == StopReason::cancelled) fmt::print("Interrupted: this is the packing so far.\n");
     if (result.stopped == StopReason::time_limit) fmt::print("Time limit: this is the packing so far.\n");
-    fmt::print("Placed {} of {} copies in {}\n", metrics.placed, metrics.copies, container_text(packing.container));
+    const auto as_in = [&](bool it_is) { return it_is ? fmt::format(", as in {}", printable(taken.file)) : ""; };
+    fmt::print("Placed {} of {} copies in {}{}\n", metrics.placed, metrics.copies, container_text(packing.container),
+               as_in(taken.container));
     if (const std::int64_t fixed = fixed_copies(packing)) fmt::print("  fixed      {} of them stood there\n", fixed);
     print_trays(packing);
     if (packing.options.fill) print_shares(packing);
     if (packing.options.max_density || packing.options.max_layer_fill) print_caps(packing);
-    fmt::print("  gap        {} mm between copies, {} mm to the walls\n", length_text(packing.options.gap),
-               length_text(packing.options.wall_gap));
+    fmt::print("  gap        {} mm between copies{}, {} mm to the walls{}\n", length_text(packing.options.gap),
+               as_in(taken.gap && !taken.wall_gap), length_text(packing.options.wall_gap), as_in(taken.wall_gap));
     if (metrics.min_gap) fmt::print("  least gap  {} mm, measured\n", length_text(*metrics.min_gap));
     const std::string refining =
         packing.options.refine ? fmt::format(", refining {}", duration_text(seconds.refine)) : "";

@@ -82,6 +82,9 @@ struct KeepOutSource {
 
 struct ContainerSource {
     std::optional<MeshSource> mesh = {};  ///< none: the box of PackOptions::tray
+    /// None: a vessel where the mesh holds a third of its own volume or more, else a solid. A vessel that is open at
+    /// the top is physical.
+    std::optional<ContainerIs> is = {};
     std::vector<KeepOutSource> keep_out = {};
     bool physical = false;  ///< walls and keep-outs are really there: copies leave over the open top alone
 };

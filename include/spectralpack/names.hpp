@@ -55,6 +55,8 @@ template <>
 inline constexpr Words<3> kWords<LengthUnit>{"mm", "inch", "m"};
 template <>
 inline constexpr Words<4> kWords<ProgressStyle>{"auto", "bar", "json", "none"};
+template <>
+inline constexpr Words<2> kWords<ContainerIs>{"solid", "vessel"};
 /// Axes and matrices have no word: files list them.
 template <>
 inline constexpr Words<3> kWords<PartOrientations::Kind>{"any", "fixed", "upright"};

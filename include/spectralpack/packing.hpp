@@ -29,13 +29,18 @@ struct KeepOut {
     std::optional<StandingMesh> mesh = {};
 };
 
+/// What of a container mesh is filled: its solid, or what it holds inside.
+enum class ContainerIs { solid, vessel };
+
 /// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
 struct Container {
     Vec3 size;  ///< with open height, z is the height reached
+    /// Of a vessel, `surface` is that of what it holds (geometry/vessel.hpp), while the vessel itself is a keep-out.
     std::optional<StandingMesh> mesh = {};
     std::vector<KeepOut> keep_out = {};
-    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
-    bool open_height = false;  ///< no wall above
+    bool physical = false;                ///< walls and keep-outs are really there: nothing leaves through them
+    bool open_height = false;             ///< no wall above
+    ContainerIs is = ContainerIs::solid;  ///< of a mesh
 };
 
 /// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.

@@ -25,6 +25,12 @@ LoadedMesh* find_object(std::vector<LoadedMesh>& meshes, const PackedPart& part)
     return nullptr;
 }
 
+/// Who loads the vessel adds it again.
+bool is_vessel_itself(const Container& container, const KeepOut& keep_out) {
+    return container.is == ContainerIs::vessel && keep_out.mesh && keep_out.mesh->file == container.mesh->file &&
+           keep_out.mesh->transform == container.mesh->transform;
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& packing_file) {
@@ -65,8 +71,12 @@ ContainerSource container_source(const Packing& packing) {
     const auto source_of = [](const StandingMesh& mesh) { return MeshSource{mesh.file, "", mesh.transform}; };
     ContainerSource source;
     const Container& container = packing.container;
-    if (container.mesh) source.mesh = source_of(*container.mesh);
+    if (container.mesh) {
+        source.mesh = source_of(*container.mesh);
+        source.is = container.is;
+    }
     for (const KeepOut& keep_out : container.keep_out) {
+        if (is_vessel_itself(container, keep_out)) continue;
         source.keep_out.push_back({keep_out.box});
         if (keep_out.mesh) source.keep_out.back().mesh = source_of(*keep_out.mesh);
     }

@@ -1,5 +1,6 @@
 #include "formats/job_file.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "formats/date.hpp"
@@ -60,11 +61,14 @@ class JobReader {
 
   private:
     void read_container(const Node& node) {
-        node.expect_keys({"size", "mesh", "transform", "unit", "physical"});
+        node.expect_keys({"size", "mesh", "transform", "unit", "is", "physical"});
         ContainerSource& container = job_.settings.container;
         if (const auto v = node.find("physical")) container.physical = v->boolean();
+        if (const auto v = node.find("is")) container.is = v->one_of<ContainerIs>();
         const auto size = node.find("size"), mesh = node.find("mesh");
-        if (const auto v = node.find("transform"); v && !mesh) v->fail("needs a mesh");
+        for (const char* key : {"transform", "is"}) {
+            if (const auto v = node.find(key); v && !mesh) v->fail("needs a mesh");
+        }
         if (mesh && size) size->fail("is that of the mesh: leave one of them out");
         if (!mesh && !size) node.at("size");
         const auto options = root_.find("options");
@@ -123,7 +127,11 @@ class JobReader {
         if (node.find("tray") || node.find("printer")) job_.settings.sized = true;
     }
 
-    void said(const std::vector<std::string>& options) { forget_defaults(options, job_.settings); }
+    void said(const std::vector<std::string>& options) {
+        forget_defaults(options, job_.settings);
+        job_.settings.says_gap = job_.settings.says_gap || std::ranges::count(options, "gap") > 0;
+        job_.settings.says_wall_gap = job_.settings.says_wall_gap || std::ranges::count(options, "wall-gap") > 0;
+    }
 
     void read_part(const Node& node) {
         node.expect_keys(

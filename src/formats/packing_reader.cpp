@@ -143,6 +143,7 @@ class PackingReader {
         if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
         Container& container = packing_.container;
         if (const auto mesh = node.find("mesh")) container.mesh = standing_mesh(*mesh, node);
+        if (const auto is = node.find("is"); is && container.mesh) container.is = is->one_of<ContainerIs>();
         if (const auto keep_out = node.find("keep_out")) {
             keep_out->for_each([&](const Node& zone) {
                 if (const auto mesh = zone.find("mesh")) {

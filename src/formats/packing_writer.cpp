@@ -150,6 +150,7 @@ class PackingWriter {
                      {"open_height", container.open_height},
                      {"mesh", container.mesh ? Json(container_path_) : Json(nullptr)},
                      {"transform", container.mesh ? transform_json(container.mesh->transform) : Json(nullptr)},
+                     {"is", container.mesh ? Json(to_string(container.is)) : Json(nullptr)},
                      {"keep_out", Json::array()},
                      {"physical", container.physical}};
         for (std::size_t i = 0; i < container.keep_out.size(); ++i) {

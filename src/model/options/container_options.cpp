@@ -1,4 +1,5 @@
 #include "model/options/entries.hpp"
+#include "spectralpack/names.hpp"
 #include "spectralpack/printers.hpp"
 
 namespace spectralpack {
@@ -124,8 +125,20 @@ std::vector<Option> container_options() {
          .placeholder = "MESH",
          .line = "closed mesh to fill instead of a box",
          .help = "It is moved to the origin; its box takes the place of --tray. A voxel is free only if all of it lies "
-                 "inside. In a job file: the key 'container'.",
+                 "inside. A cup is filled inside (--container-is). In a job file: the key 'container'.",
          .examples = {"cup.stl"}},
+        {.name = "container-is",
+         .group = Group::container,
+         .type = Type::word,
+         .words = words_of<ContainerIs>(),
+         .placeholder = "WHAT",
+         .line = "what of the container mesh is filled: solid, or vessel (its inside)",
+         .help =
+             "solid: the mesh's own volume. vessel: what it holds inside, up to where it would run over. Without "
+             "it a mesh is a vessel where that is at least a third of its own volume; the program says which. A vessel "
+             "that is open at the top is physical: what leaves, leaves over it. In a job file: 'is' of "
+             "'container'.",
+         .examples = {"vessel"}},
         {.name = "keep-out",
          .group = Group::container,
          .type = Type::files,

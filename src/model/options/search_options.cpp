@@ -78,8 +78,10 @@ std::vector<Option> placing_options() {
             {.name = "refine",
              .group = Group::search,
              .line = "slide copies together off the grid, gap kept on the true meshes",
-             .help = "Once its place on the grid is found, a copy slides along the axes towards lower cost, "
-                     "two voxels a way at most, until it meets a copy or a wall (section 3.2 of the paper).",
+             .help =
+                 "Once its place on the grid is found, a copy slides along the axes towards lower cost, "
+                 "two voxels a way at most, until it meets a copy or a wall (section 3.2 of the paper). What found no "
+                 "place on the grid is then tried off it, between the boxes of what stands.",
              .off_line = "stay on the grid",
              .hash_place = 12}),
         kept_in<&PackOptions::interlock>(

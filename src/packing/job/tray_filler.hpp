@@ -69,7 +69,9 @@ class TrayFiller {
     void fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
-    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew.
+    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew. Where one part
+    /// found no further place long before the others, the tray is filled once more with that part first, and the
+    /// filling stays that has more of its share.
     void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
     const PackContext& context() const { return context_; }
@@ -81,9 +83,14 @@ class TrayFiller {
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
-    /// Calls `pack` with a tray in which only fixed copies stand; then makes what it packed come apart.
-    template <class Pack>
-    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack);
+    /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it
+    /// off the grid; then makes what they packed come apart.
+    template <class Pack, class FillUp>
+    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
+
+    void fill_in_shares(const std::vector<PartShare>& shares, const FirstCopies& first, const CopyDone& copy_done,
+                        FilledTray& result);
+    FirstCopies lagging(const std::vector<PartShare>& shares, const std::vector<PlacedCopy>& placed) const;
 
     Vec3 room_for_moves(const TrayCopies& wanted) const;
     std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
