@@ -132,8 +132,8 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     if (context_.observer) context_.observer->tray_begun(wanted.number);
     const TrayContext packing = with(search);
     pack(tray, packing);
-    // Off the grid nothing tells of places that can be reached now. On part of the base what is left over says that this
-    // part is too small.
+    // Off the grid nothing tells of places that can be reached now. On part of the base what is left over says that
+    // this part is too small.
     if (refinement && tray.setup().ceiling == Ceiling::closed && options_.interlock != Interlock::place &&
         !wanted.within) {
         OffGrid off_grid(options_.container, options_.wall_gap, tray, packing, *refinement, surfaces);
@@ -237,7 +237,6 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Copy
     const FirstCopies first = lagging(shares, result.placed);
     if (first.count > 0 && !context_.stop.stopped()) {
         FilledTray other;
-        const std::optional<double> gap = std::exchange(least_gap_, std::nullopt);
         context_.search.forget();
         fill_in_shares(shares, first, copy_done, other);
         const bool better = !context_.stop.stopped() && std::ranges::min(rounds_of(shares, other.placed)) >
@@ -246,7 +245,6 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Copy
         if (better) {
             result = std::move(other);
         } else {
-            least_gap_ = gap;
             if (context_.observer) tell_anew(*context_.observer, 0, result.placed);
         }
         result.searches = searches;

@@ -6,7 +6,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr double kRounding = 1e-9;  // mm: boxes that overlap by less touch
+constexpr double kTouching = 1e-9;  // mm: boxes that overlap by less touch
 constexpr int kMostAsked = 1000;    // corners that `accepts` turns down before one is given up
 
 /// Where a lower corner may not be: within `forbidden`, its faces left out.
@@ -14,7 +14,7 @@ struct Shadow {
     Box forbidden;
 
     bool hides(double at, int axis) const {
-        return at > forbidden.min[axis] + kRounding && at < forbidden.max[axis] - kRounding;
+        return at > forbidden.min[axis] + kTouching && at < forbidden.max[axis] - kTouching;
     }
 };
 
@@ -68,8 +68,8 @@ std::optional<Vec3> BoxRoom::lowest(const Vec3& size, double gap, const Accepts&
             double x = first.x;
             const auto try_here = [&] { return ++asked <= kMostAsked && accepts({x, y, z}); };
             for (const Shadow& shadow : layer) {
-                if (!shadow.hides(y, 1) || shadow.forbidden.max.x - kRounding <= x) continue;
-                if (shadow.forbidden.min.x + kRounding >= x && try_here()) return Vec3{x, y, z};
+                if (!shadow.hides(y, 1) || shadow.forbidden.max.x - kTouching <= x) continue;
+                if (shadow.forbidden.min.x + kTouching >= x && try_here()) return Vec3{x, y, z};
                 x = shadow.forbidden.max.x;
                 if (x > last.x) break;
             }

@@ -10,6 +10,9 @@
 
 namespace spectralpack {
 
+/// Boxes whose sides differ by less are of one size, mm.
+inline constexpr double kSameSize = 1e-6;
+
 /// A box that others keep a gap from, along every axis by itself (so at least as far as the gap).
 struct StandingBox {
     Box box;

@@ -9,8 +9,6 @@ namespace spectralpack {
 namespace {
 
 constexpr std::size_t kMostParts = 16;  // left over, of which lattices are tried
-constexpr double kSameSize = 1e-6;      // mm
-
 class LatticeSearch {
   public:
     LatticeSearch(OffGrid& off_grid, PartSurfaces& surfaces, const std::vector<Copy>& wanted,

@@ -10,7 +10,6 @@
 namespace spectralpack {
 namespace {
 
-constexpr double kSameSize = 1e-6;  // mm
 /// Vertices turned to learn a part's boxes: of many orientations of a large mesh the first that come to so many.
 constexpr double kMostTurned = 2e7;
 
