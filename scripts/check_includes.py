@@ -55,7 +55,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"fftw3": ["search/reference"],
     r"hwy/": CPU,
     r"cuda|cufft": ["search/cuda"],
-    r"embree|png\.h": ["render"],
+    r"embree|png\.h|stb": ["render"],
     r"fcl/": ["verify"],
     r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
     r"meshoptimizer": ["tools"],

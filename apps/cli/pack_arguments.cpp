@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "keep_outs.hpp"
 #include "text.hpp"
 
@@ -61,6 +63,34 @@ const Printer& known_printer(const std::string& name, std::span<const Printer> o
                                  near ? fmt::format(" did you mean {}?", *near) : ""));
 }
 
+std::string box_text(const Vec3& size) {
+    return fmt::format("{} x {} x {}", length_text(size.x), length_text(size.y), length_text(size.z));
+}
+
+/// Those of the build that is topped up, where nothing else is said.
+TakenOver take_gaps(const PackArguments& arguments, const JobSettings& settings, Job& job) {
+    TakenOver taken;
+    taken.file = std::filesystem::path(*settings.onto).filename().string();
+    const PackOptions& build = job.onto->packing.options;
+    const bool by_printer = arguments.has("printer");
+    const auto take = [&](bool said, const char* what, double PackOptions::*gap) {
+        if (!said) {
+            job.options.*gap = build.*gap;
+            return true;
+        }
+        if (job.options.*gap != build.*gap) {
+            taken.remarks.push_back(fmt::format("the {} is {} mm; {} was packed with {} mm, which its copies keep",
+                                                what, length_text(job.options.*gap), taken.file,
+                                                length_text(build.*gap)));
+        }
+        return false;
+    };
+    taken.gap = take(settings.says_gap || by_printer || arguments.has("gap"), "gap", &PackOptions::gap);
+    taken.wall_gap =
+        take(settings.says_wall_gap || by_printer || arguments.has("wall-gap"), "wall gap", &PackOptions::wall_gap);
+    return taken;
+}
+
 }  // namespace
 
 void add_pack_options(CLI::App& app, PackArguments& arguments) {
@@ -71,6 +101,7 @@ void add_pack_options(CLI::App& app, PackArguments& arguments) {
 }
 
 JobSettings override_settings(JobSettings settings, const PackArguments& arguments) {
+    if (arguments.has("container-is")) require_accepted(*find_option("container-is"), arguments.text("container-is"));
     if (arguments.has("printer")) {
         apply(known_printer(arguments.text("printer"), settings.own_printers), settings.options);
         forget_defaults(set_by_printer(), settings);
@@ -85,7 +116,8 @@ JobSettings override_settings(JobSettings settings, const PackArguments& argumen
     return settings;
 }
 
-void settle_container(const PackArguments& arguments, const JobSettings& settings, Job& job) {
+TakenOver settle_container(const PackArguments& arguments, const JobSettings& settings, Job& job) {
+    TakenOver taken;
     const bool box = arguments.has("tray") || arguments.has("printer");
     job.container = settings.container;
     if (arguments.has("container")) {
@@ -95,20 +127,40 @@ void settle_container(const PackArguments& arguments, const JobSettings& setting
     }
     if (settings.onto) {
         job.onto = load_scene(*settings.onto);
-        if (!arguments.has("container") && !box && !settings.sized) {
+        taken = take_gaps(arguments, settings, job);
+        std::vector<std::string> taken_over;  // options, which files of defaults no longer say
+        if (taken.gap) taken_over.emplace_back("gap");
+        if (taken.wall_gap) taken_over.emplace_back("wall-gap");
+        taken.container = !arguments.has("container") && !box && !settings.sized;
+        if (taken.container) {
             job.options.tray = job.onto->packing.container.size;
+            job.options.printer = job.onto->packing.options.printer;
             ContainerSource same = container_source(job.onto->packing);
             same.keep_out.insert(same.keep_out.end(), job.container.keep_out.begin(), job.container.keep_out.end());
             same.physical = same.physical || job.container.physical;
             job.container = std::move(same);
+            taken_over.insert(taken_over.end(), {"tray", "printer"});
+        } else if (!arguments.has("container") && job.options.tray != job.onto->packing.container.size) {
+            taken.remarks.push_back(fmt::format("the container is {} mm; {} was packed into {} mm",
+                                                box_text(job.options.tray), taken.file,
+                                                box_text(job.onto->packing.container.size)));
         }
+        JobSettings rest;
+        rest.defaults = std::move(job.defaults);
+        forget_defaults(taken_over, rest);
+        job.defaults = std::move(rest.defaults);
     }
     if (arguments.has("keep-out")) {
         for (const std::string& keep_out : arguments.given.at("keep-out")) {
             job.container.keep_out.push_back(parse_keep_out(keep_out, job.options.tray));
         }
     }
+    if (arguments.has("container-is")) {
+        if (!job.container.mesh) throw UsageError("--container-is tells what a container mesh is; there is none here");
+        job.container.is = from_string<ContainerIs>(arguments.text("container-is"));
+    }
     job.container.physical = job.container.physical || arguments.has("physical");
+    return taken;
 }
 
 }  // namespace spectralpack::cli

@@ -28,8 +28,15 @@ void add_pack_options(CLI::App& app, PackArguments& arguments);
 /// words that no option takes.
 JobSettings override_settings(JobSettings settings, const PackArguments& arguments);
 
-/// The container: what the command line says, else the job file, else that of the build to be topped up. `settings` are
-/// the job file's, overridden. Throws as load_scene() does, and UsageError.
-void settle_container(const PackArguments& arguments, const JobSettings& settings, Job& job);
+/// What a job has from the build that it tops up.
+struct TakenOver {
+    std::string file;  ///< the build's; empty where there is none
+    bool container = false, gap = false, wall_gap = false;
+    std::vector<std::string> remarks;  ///< on what is said otherwise than the build has it
+};
+
+/// The container and the gaps: what the command line says, else the job file, else those of the build to be topped up.
+/// `settings` are the job file's, overridden. Throws as load_scene() does, and UsageError.
+TakenOver settle_container(const PackArguments& arguments, const JobSettings& settings, Job& job);
 
 }  // namespace spectralpack::cli

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -61,6 +62,25 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
     return settings;
 }
 
+/// "28 Nov 2026", where the program runs.
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    if (!localtime_r(&now, &local)) return "";
+    static constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    return fmt::format("{} {} {}", local.tm_mday, kMonths[local.tm_mon], local.tm_year + 1900);
+}
+
+ReportDetails report_details(const JobSettings& settings) {
+    ReportDetails details;
+    details.job_name = settings.job_name.value_or(std::filesystem::path(settings.file).stem().string());
+    details.date = today();
+    details.material = settings.material.value_or("");
+    details.material_density = settings.material_density;
+    return details;
+}
+
 /// Writes every output; one that fails does not keep the others from being written.
 void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display, RunFacts& facts,
                    int& status) {
@@ -89,7 +109,7 @@ void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisp
     }
     for (const std::string& report : settings.reports) {
         write([&] {
-            write_report(scene, report, settings.material_density, threads);
+            write_report(scene, report, report_details(settings), threads);
             facts.reports.push_back(report);
         });
     }
@@ -146,12 +166,11 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
     return settings.require_all.value_or(false) && !result.packing.unplaced.empty() ? kLeftOver : kDone;
 }
 
-RunFacts facts_of(const Job& job, const JobSettings& settings) {
+RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& taken) {
     RunFacts facts;
     facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
-    facts.onto = settings.onto;
+    facts.taken = taken;
     facts.own_printers = settings.own_printers;
-    facts.tray_of_onto = job.onto && job.onto->packing.container.size == job.options.tray;
     if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
     facts.details = settings.details.value_or(false);
     facts.require_all = settings.require_all.value_or(false);
@@ -187,14 +206,17 @@ int run_pack(const PackArguments& arguments) {
     job.own_printers = settings.own_printers;
     job.defaults = settings.defaults;
     job.enough_orders = interrupts.half_time();
-    settle_container(arguments, settings, job);
+    const TakenOver taken = settle_container(arguments, settings, job);
+    for (const std::string& remark : taken.remarks) {
+        display.on_warning(remark);
+    }
     if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
     const int status = settings.dry_run.value_or(false)
                            ? run_estimate(job, display, interrupts, unusable)
-                           : run_job(job, settings, facts_of(job, settings), display, interrupts, unusable);
+                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;

@@ -23,8 +23,9 @@ struct PlanArguments {
 
 std::string steps_text(const Disassembly& plan) {
     const auto groups = std::ranges::count_if(plan.steps, [](const auto& step) { return step.placements.size() > 1; });
-    return fmt::format("{} step{}{}", plan.steps.size(), plan.steps.size() == 1 ? "" : "s",
-                       groups > 0 ? fmt::format(", {} of them with several copies at once", groups) : "");
+    return fmt::format("{} step{}{}{}", plan.steps.size(), plan.steps.size() == 1 ? "" : "s",
+                       groups > 0 ? fmt::format(", {} of them with several copies at once", groups) : "",
+                       through_walls_text(plan.through_walls.size()));
 }
 
 void print_plan(const Packing& packing, std::size_t tray, const Disassembly& plan) {
@@ -112,6 +113,11 @@ Command add_plan_command(CLI::App& app) {
     sub->add_option("--ray-spacing", arguments->settings.ray_spacing,
                     "mm between the rays that tell which copy is straight in whose way [the packing's, or 4 voxels]")
         ->check(CLI::PositiveNumber);
+    sub->add_option_function<std::string>(
+           "--unpack", [arguments](const std::string& rule) { arguments->settings.unpack = from_string<Unpack>(rule); },
+           "order in which copies are taken out: top (from the top down, between the walls), any (also sideways) [the "
+           "packing's]")
+        ->check(CLI::IsMember({"top", "any"}));
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
     sub->add_flag("--json", arguments->json, "print the plan's findings as JSON");

@@ -8,6 +8,7 @@
 
 #include <spectralpack/spectralpack.hpp>
 
+#include "pack_arguments.hpp"
 #include "time_probe.hpp"
 
 namespace spectralpack::cli {
@@ -23,9 +24,8 @@ struct RunFacts {
     std::vector<WrittenFile> written;
     std::vector<std::string> reports;
     bool files_named = false;
-    std::optional<std::string> onto;  ///< the build that was topped up
-    bool tray_of_onto = false;        ///< its tray was taken
-    std::optional<double> onto_height;
+    TakenOver taken;                    ///< from the build that was topped up
+    std::optional<double> onto_height;  ///< of that build
     std::vector<Printer> own_printers;  ///< known besides those of the table
     bool details = false;
     bool require_all = false;

@@ -54,6 +54,10 @@ void add_kind(const char* kind, const std::string& files, std::string& text) {
 
 void add_file(const std::string& file, std::string& files) { files += (files.empty() ? "" : ", ") + printable(file); }
 
+std::string as_in(const TakenOver& taken) {
+    return ", as in " + printable(std::filesystem::path(taken.file).filename().string());
+}
+
 /// The packing file of this run; empty where none was written.
 std::string packing_file(const RunFacts& facts) {
     for (const WrittenFile& written : facts.written) {
@@ -114,9 +118,7 @@ std::string tray_text(const Packing& packing, const RunFacts& facts) {
     const Printer* printer =
         packing.options.printer ? find_printer(*packing.options.printer, facts.own_printers) : nullptr;
     if (printer && printer->size == container.size) text += ", " + printable(printer->title);
-    if (facts.tray_of_onto) {
-        text += ", as in " + printable(std::filesystem::path(*facts.onto).filename().string());
-    }
+    if (facts.taken.container) text += as_in(facts.taken);
     if (!container.keep_out.empty()) {
         text += fmt::format(", {} keep-out{}", container.keep_out.size(), container.keep_out.size() == 1 ? "" : "s");
     }
@@ -149,39 +151,44 @@ std::string filled_text(const Packing& packing) {
 }
 
 std::string shares_text(const Packing& packing) {
+    std::vector<const PackedPart*> parts;
+    for (const PackedPart& part : packing.parts) {
+        if (part.share > 0) parts.push_back(&part);
+    }
+    const auto rounds = [](const PackedPart* part) { return static_cast<double>(part->count) / part->share; };
+    const auto [least, most] = std::ranges::minmax(parts, {}, rounds);
     std::string names, came, asked;
-    double least = 0;
-    std::size_t shown = 0, parts = 0;
-    for (const PackedPart& part : packing.parts) {
-        if (part.share == 0) continue;
-        const double per_share = static_cast<double>(part.count) / part.share;
-        if (part.count > 0 && (least == 0 || per_share < least)) least = per_share;
-        ++parts;
-    }
-    for (const PackedPart& part : packing.parts) {
-        if (part.share == 0 || shown == kMostShares) continue;
-        const char* separator = shown > 0 ? " : " : "";
-        names += fmt::format("{}{}{}{}", shown > 0 ? ", " : "", part.count, kBond, printable(part.name));
-        came += fmt::format("{}{:g}", separator, least > 0 ? std::round(10 * part.count / least) / 10 : 0);
+    const std::size_t shown = std::min(parts.size(), kMostShares);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const PackedPart& part = *parts[i];
+        names += fmt::format("{}{}{}{}", i > 0 ? ", " : "", part.count, kBond, printable(part.name));
+        const char* separator = i > 0 ? " : " : "";
+        came += fmt::format("{}{:g}", separator, std::round(10 * part.count / std::max(1.0, rounds(least))) / 10);
         asked += fmt::format("{}{}", separator, part.share);
-        ++shown;
     }
-    if (parts > shown) names += fmt::format(" and {} more parts", parts - shown);
-    return parts > 1 && parts == shown ? fmt::format("{}: {} for the {} asked", names, came, asked) : names;
+    if (parts.size() > shown) names += fmt::format(" and {} more parts", parts.size() - shown);
+    if (parts.size() < 2 || parts.size() > shown) return names;
+    std::string text = fmt::format("{}: {} for the {} asked", names, came, asked);
+    // Where a whole round is missing, the part that stopped it.
+    if (rounds(most) - rounds(least) >= 1) {
+        text += fmt::format(", as no further {} found a free place", printable(least->name));
+    }
+    return text;
 }
 
-std::string gap_text(const Packing& packing) {
+std::string gap_text(const Packing& packing, const TakenOver& taken) {
     const PackOptions& options = packing.options;
     std::string note;
-    if (options.gap < kCustomaryGap && !options.printer) {
+    if (options.gap < kCustomaryGap && !options.printer && !taken.gap) {
         note = fmt::format(" ({}print bureaus ask for 1 mm or more)",
                            options.gap == PackOptions{}.gap ? "the default; " : "");
     }
     const auto own =
         std::ranges::count_if(packing.parts, [&](const PackedPart& part) { return part.gap != options.gap; });
     const std::string of_parts = own > 0 ? fmt::format(", {} part{} with its own", own, own == 1 ? "" : "s") : "";
-    return fmt::format("{} mm between copies{}{}, {} mm to the walls", gap_number(options.gap), note, of_parts,
-                       gap_number(options.wall_gap));
+    return fmt::format("{} mm between copies{}{}{}, {} mm to the walls{}", gap_number(options.gap), note, of_parts,
+                       taken.gap && !taken.wall_gap ? as_in(taken) : "", gap_number(options.wall_gap),
+                       taken.wall_gap ? as_in(taken) : "");
 }
 
 std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& facts) {
@@ -199,7 +206,8 @@ std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& f
         if (fresh < metrics.placed) {
             add(fmt::format("{} {} apart", copies_text(fresh, " new"), fresh == 1 ? "comes" : "come"));
         } else if (packing.trays.size() == 1) {
-            add(fmt::format("comes apart in {} step{}", plans.steps, plans.steps == 1 ? "" : "s"));
+            add(fmt::format("comes apart in {} step{}{}", plans.steps, plans.steps == 1 ? "" : "s",
+                            through_walls_text(plans.through_walls)));
         } else if (text.empty()) {
             add("comes apart");
         }

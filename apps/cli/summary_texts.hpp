@@ -16,7 +16,7 @@ std::string tray_text(const Packing& packing, const RunFacts& facts);
 std::string height_text(const Packing& packing, const RunFacts& facts);
 std::string filled_text(const Packing& packing);
 std::string shares_text(const Packing& packing);
-std::string gap_text(const Packing& packing);
+std::string gap_text(const Packing& packing, const TakenOver& taken);
 std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& facts);
 std::string written_text(const RunFacts& facts, bool several_trays);
 std::string took_text(const Metrics& metrics);

@@ -97,6 +97,10 @@ std::string bytes_text(std::int64_t bytes) {
     return fmt::format("{:.1f} GB", value / 1e9);
 }
 
+std::string through_walls_text(std::size_t steps) {
+    return steps == 0 ? "" : fmt::format("; {} of them sideways through the walls", steps);
+}
+
 std::string percent_text(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string length_text(double mm) { return fmt::format("{:g}", std::round(mm * 1000) / 1000); }

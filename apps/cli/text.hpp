@@ -39,7 +39,9 @@ std::string wrapped(const std::string& text, std::size_t width);
 std::string duration_text(double seconds);   ///< "0.4 s", "12 s", "4 min 05 s", "2 h 07 min"
 std::string bytes_text(std::int64_t bytes);  ///< "812 MB", "3.1 GB"
 std::string percent_text(double share);      ///< "43.9 %"
-std::string length_text(double mm);          ///< at most three decimals, none that are zero
-std::string gap_number(double mm);           ///< "2.0", "0.25": one decimal, more where it has more
+/// "; 3 of them sideways through the walls", of a plan's steps; nothing for none.
+std::string through_walls_text(std::size_t steps);
+std::string length_text(double mm);  ///< at most three decimals, none that are zero
+std::string gap_number(double mm);   ///< "2.0", "0.25": one decimal, more where it has more
 
 }  // namespace spectralpack::cli

@@ -39,10 +39,12 @@ struct Finding {
 struct PlanReport {
     bool complete = false;  ///< it says so, and every copy that is not fixed has a step of its own
     std::int64_t steps = 0;
-    std::int64_t sweeps = 0;        ///< moves of one copy past another that were followed on the meshes
-    std::vector<int> failed_steps;  ///< ascending
-    std::vector<int> without_step;  ///< placements that are not fixed and that no step takes out, ascending
-    std::string message;            ///< for people: "plan: 12 steps replayed, ok"
+    std::int64_t sweeps = 0;         ///< moves of one copy past another that were followed on the meshes
+    std::vector<int> failed_steps;   ///< ascending
+    std::vector<int> without_step;   ///< placements that are not fixed and that no step takes out, ascending
+    Unpack unpack = Unpack::any;     ///< the plan's
+    std::int64_t through_walls = 0;  ///< steps that it says leave through the walls
+    std::string message;             ///< for people: "plan: 12 steps replayed, ok"
 
     bool ok() const { return failed_steps.empty(); }
 };

@@ -12,6 +12,11 @@
 
 namespace spectralpack {
 
+/// By which rule the copies of a tray leave it. any: by any way, whatever is free, as if the container's walls were not
+/// there (unless it is physical). top: the uppermost first of those that are free, as one digs, over the container's
+/// top, past its walls and keep-outs; only what then has no way out leaves by any.
+enum class Unpack { any, top };
+
 /// One copy, or several as one rigid group, leave their subassembly.
 struct RemovalStep {
     std::vector<int>
@@ -49,6 +54,10 @@ struct Disassembly {
     /// What the plan does not take apart: sets of placements that hold each other, where known. With these empty and
     /// `complete` false, the search for a plan was ended early.
     std::vector<std::vector<int>> interlocked;
+    Unpack unpack = Unpack::any;  ///< the rule that the steps follow
+    /// With Unpack::top: positions in `steps` of those that leave the tray by any way, through walls or keep-outs,
+    /// ascending. All others that leave the tray end above the container's top and keep clear of both.
+    std::vector<int> through_walls = {};
 };
 
 }  // namespace spectralpack

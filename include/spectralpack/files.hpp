@@ -62,9 +62,16 @@ std::vector<std::filesystem::path> write_output(const Scene& scene, const std::f
 /// Endings that write_report() knows: .html .csv.
 bool is_report_file(const std::filesystem::path& path);
 
-/// A report for people: a page with pictures and figures (.html), or a table of the parts (.csv). With the material's
-/// density in g/cm^3 it has masses. Whole or not at all.
-void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
-                  int threads);
+/// What a report says besides the packing. What is not known is left out of it.
+struct ReportDetails {
+    std::string job_name = {};                    ///< the heading; empty: the report's file name
+    std::string date = {};                        ///< as it is to be printed: "28 Nov 2026"
+    std::string material = {};                    ///< "PA 12"
+    std::optional<double> material_density = {};  ///< g/cm^3: adds masses
+};
+
+/// A report for people: the operator's sheet, A4 pages with pictures, part list, top views and the order of removal
+/// (.html, all in one file), or a table of the parts (.csv). Whole or not at all.
+void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads);
 
 }  // namespace spectralpack

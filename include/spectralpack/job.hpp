@@ -61,6 +61,7 @@ struct Part {
     std::optional<double> unit = {};  ///< mm per unit where the file does not say; none: the job's
     double priority = 0;              ///< higher goes first
     std::string due = {};             ///< "2026-12-01": earlier goes first; empty: last
+    std::string order = {};           ///< whose it is, for people
     double value = 1;                 ///< what a copy is worth; kept for the record, nothing is decided by it yet
     std::string origin = {};          ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
 };
@@ -81,6 +82,9 @@ struct KeepOutSource {
 
 struct ContainerSource {
     std::optional<MeshSource> mesh = {};  ///< none: the box of PackOptions::tray
+    /// None: a vessel where the mesh holds a third of its own volume or more, else a solid. A vessel that is open at
+    /// the top is physical.
+    std::optional<ContainerIs> is = {};
     std::vector<KeepOutSource> keep_out = {};
     bool physical = false;  ///< walls and keep-outs are really there: copies leave over the open top alone
 };

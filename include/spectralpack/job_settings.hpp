@@ -26,7 +26,8 @@ struct JobSettings {
     std::string file;                ///< the job file, for messages
     std::optional<LengthUnit> unit;  ///< of mesh files that do not say theirs
     PackOptions options;
-    bool sized = false;  ///< the file says how large the tray is, or by which printer
+    bool sized = false;                            ///< the file says how large the tray is, or by which printer
+    bool says_gap = false, says_wall_gap = false;  ///< the same of the gaps
     ContainerSource container;
     std::vector<FixedSource> fixed;
     std::optional<std::string> onto;  ///< a packing file, usable from the working directory
@@ -34,6 +35,8 @@ struct JobSettings {
     std::vector<std::string> outputs;        ///< usable from the working directory
     std::vector<std::string> reports;        ///< the same
     std::optional<double> material_density;  ///< g/cm^3
+    std::optional<std::string> material;     ///< its name, for the report
+    std::optional<std::string> job_name;     ///< the report's heading
     std::optional<ProgressStyle> progress;
     std::optional<bool> dry_run, json, details, skip_unusable, require_all;
 

@@ -40,6 +40,8 @@ inline constexpr Words<2> kWords<Links>{"allow", "avoid"};
 template <>
 inline constexpr Words<3> kWords<TakeOut>{"smallest", "lightest", "thinnest"};
 template <>
+inline constexpr Words<2> kWords<Unpack>{"any", "top"};
+template <>
 inline constexpr Words<5> kWords<Order>{"size", "input", "random", "volume", "mixed"};
 template <>
 inline constexpr Words<4> kWords<EngineKind>{"auto", "cpu", "cuda", "reference"};
@@ -53,6 +55,8 @@ template <>
 inline constexpr Words<3> kWords<LengthUnit>{"mm", "inch", "m"};
 template <>
 inline constexpr Words<4> kWords<ProgressStyle>{"auto", "bar", "json", "none"};
+template <>
+inline constexpr Words<2> kWords<ContainerIs>{"solid", "vessel"};
 /// Axes and matrices have no word: files list them.
 template <>
 inline constexpr Words<3> kWords<PartOrientations::Kind>{"any", "fixed", "upright"};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "spectralpack/disassembly.hpp"
 #include "spectralpack/geometry.hpp"
 
 namespace spectralpack {
@@ -35,20 +36,23 @@ struct PackOptions {
     int trays = 1;             ///< containers to fill, at most; 0: as many as it takes
     /// Of several trays one is full once so many parts found no place in it; 0: never before all were tried.
     int try_per_tray = 1000;
-    std::optional<std::string> printer;        ///< preset that other values come from; kept for the record
-    double voxel = 2;                          ///< dx, mm
-    int detail = 2;                            ///< s: collisions between copies are decided on voxels of dx / s
-    std::string rotations = "90";              ///< model/orientation.hpp
-    bool upright = false;                      ///< parts that say nothing of their orientations keep their top up
-    double gap = 0.2;                          ///< least distance between two copies, mm
-    double wall_gap = 0;                       ///< least distance to the container, mm
-    bool refine = true;                        ///< continuous refinement (section 3.2)
-    Interlock interlock = Interlock::post;     ///< section 4
-    Links links = Links::avoid;                ///< with Interlock::post
-    TakeOut take_out = TakeOut::thinnest;      ///< the same
-    std::optional<double> ray_spacing;         ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
-    std::optional<double> height_penalty;      ///< p of equation 5; none: appendix A.2
-    std::optional<HeightReference> height_at;  ///< none: bottom; top with open height
+    std::optional<std::string> printer;     ///< preset that other values come from; kept for the record
+    double voxel = 2;                       ///< dx, mm
+    int detail = 2;                         ///< s: collisions between copies are decided on voxels of dx / s
+    std::string rotations = "90";           ///< model/orientation.hpp
+    bool upright = false;                   ///< parts that say nothing of their orientations keep their top up
+    double gap = 0.2;                       ///< least distance between two copies, mm
+    double wall_gap = 0;                    ///< least distance to the container, mm
+    bool refine = true;                     ///< continuous refinement (section 3.2)
+    Interlock interlock = Interlock::post;  ///< section 4
+    Links links = Links::avoid;             ///< with Interlock::post
+    TakeOut take_out = TakeOut::thinnest;   ///< the same
+    std::optional<Unpack> unpack;           ///< none: top in boxes, any in container meshes
+    std::optional<double> ray_spacing;      ///< mm, of rays that look for ways out (section 4.4); none: 4 dx / s
+    std::optional<double> height_penalty;   ///< p of equation 5; none: appendix A.2
+    /// None: at the top without a ceiling and in trays that hold all that is left, else at the bottom; at the bottom
+    /// where a height penalty is given, and with `fill`.
+    std::optional<HeightReference> height_at;
     bool open_height = false;  ///< least height; the tray's z is the reference height (0: its longer side)
     Minimise minimise = Minimise::none;
     bool fill = false;                     ///< as many copies as fit, in the shares that the counts give

@@ -29,13 +29,18 @@ struct KeepOut {
     std::optional<StandingMesh> mesh = {};
 };
 
+/// What of a container mesh is filled: its solid, or what it holds inside.
+enum class ContainerIs { solid, vessel };
+
 /// A box, or a closed mesh within one. The wall gap holds for keep-outs as for walls.
 struct Container {
     Vec3 size;  ///< with open height, z is the height reached
+    /// Of a vessel, `surface` is that of what it holds (geometry/vessel.hpp), while the vessel itself is a keep-out.
     std::optional<StandingMesh> mesh = {};
     std::vector<KeepOut> keep_out = {};
-    bool physical = false;     ///< walls and keep-outs are really there: nothing leaves through them
-    bool open_height = false;  ///< no wall above
+    bool physical = false;                ///< walls and keep-outs are really there: nothing leaves through them
+    bool open_height = false;             ///< no wall above
+    ContainerIs is = ContainerIs::solid;  ///< of a mesh
 };
 
 /// What densities are of: of a mesh container, the mesh's; keep-outs are not taken off.
@@ -57,8 +62,9 @@ struct PackedPart {
     double unit = 1;                ///< millimetres per unit of the mesh file
     double gap = 0;                 ///< mm
     PartOrientations orientations;  ///< those it may take
-    double priority = 0;            ///< as in Part; likewise the next two
+    double priority = 0;            ///< as in Part; likewise the next three
     std::string due = {};
+    std::string order = {};
     double value = 1;
     double volume = 0;                 ///< signed volume of one scaled copy, mm^3
     std::vector<std::string> repairs;  ///< what was mended on loading, in words
@@ -85,8 +91,9 @@ struct TrayPacking {
     std::vector<Placement> placements;  ///< in the order they were placed
     double density = 0;                 ///< signed volumes / container volume
     double density_bounding_box = 0;
-    Box bounding_box;   ///< of the placed meshes; empty without placements
-    double height = 0;  ///< top of the bounding box
+    Box bounding_box;                          ///< of the placed meshes; empty without placements
+    double height = 0;                         ///< top of the bounding box
+    std::optional<HeightReference> height_at;  ///< where height counted; none: nothing was packed into it
     Layers layers;
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
@@ -172,6 +179,7 @@ struct PlansOverview {
     bool planned = true;   ///< every tray has a plan
     bool complete = true;  ///< that takes out all copies
     std::size_t steps = 0;
+    std::size_t through_walls = 0;  ///< of the steps (Disassembly::through_walls)
 };
 
 inline PlansOverview plans_of(const Packing& packing) {
@@ -180,9 +188,29 @@ inline PlansOverview plans_of(const Packing& packing) {
         plans.planned = plans.planned && tray.disassembly;
         plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
         plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
+        plans.through_walls += tray.disassembly ? tray.disassembly->through_walls.size() : 0;
     }
     return plans;
 }
+
+/// Copies are numbered 1, 2, 3 ... through the whole build in the order of the part list, the copies of a part one
+/// after the other. Those left over keep theirs. Files, pictures, plans and sheets say this number.
+class CopyNumbers {
+  public:
+    explicit CopyNumbers(const std::vector<PackedPart>& parts) {
+        int next = 1;
+        for (const PackedPart& part : parts) {
+            first_.push_back(next);
+            next += part.count;
+        }
+    }
+
+    int of(int part, int copy) const { return first_.at(static_cast<std::size_t>(part)) + copy; }
+    int of(const Placement& placement) const { return of(placement.part, placement.copy); }
+
+  private:
+    std::vector<int> first_;  ///< by part
+};
 
 /// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.
 using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;

@@ -16,6 +16,7 @@ struct PlanOptions {
     std::optional<double> voxel =
         {};  ///< of the flood fill, mm; none: that of the packing's collisions, voxel / detail
     std::optional<double> ray_spacing = {};  ///< mm; none: that of the packing's options, or else four voxels
+    std::optional<Unpack> unpack = {};       ///< none: that of the packing's options, or else as `pack` chooses
     int threads = 0;                         ///< 0: all the machine has
 };
 

@@ -16,6 +16,12 @@ struct Image {
     std::vector<std::uint8_t> rgb;  ///< row by row from the top, 3 bytes a pixel
 };
 
+/// A look inside: what lies between the camera and this plane is cut away.
+struct Section {
+    int axis = 2;   ///< 0 to 2: the plane stands across x, y or z
+    double at = 0;  ///< mm from the container's lower corner
+};
+
 struct RenderOptions {
     int width = 1600, height = 1200;
     double azimuth = 35;    ///< degrees: where the camera stands round the container; 0 looks along
@@ -23,11 +29,14 @@ struct RenderOptions {
     double elevation = 28;  ///< degrees above it, in [-90, 90]; from below there is no floor
     int tray = -1;          ///< which tray; -1: all, side by side
     int samples = 3;        ///< per pixel and axis, against jagged edges
-    /// Copies drawn apart along their ways out, the tray stretched by 1 + this (>= 0) that way.
+    /// The tray in layers of about 50 mm, one above the other (>= 0): at 1 so far apart that none hides the next.
     std::optional<double> explode = {};
     /// The disassembly plan's step from 1 on: its copies highlighted half way, with what is left of
     /// those they stood together with. 0: the whole tray. Needs one tray to be chosen.
     std::optional<int> step = {};
+    std::optional<Section> section = {};  ///< needs one tray to be chosen
+    bool marks = true;                    ///< a scale bar of 50 mm, the z arrow, "front" and "right"
+    bool numbers = true;                  ///< the copies' numbers, where there is room
 };
 
 /// A shaded picture: each copy in its own colour (copies of one part in neighbouring shades), the container outlined,

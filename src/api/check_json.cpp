@@ -46,6 +46,8 @@ std::string check_report_json(const Scene& scene, const CheckReport& report) {
         if (!plan) return "null";
         return "{\"ok\": " + std::string(json_truth(plan->ok())) + ", \"complete\": " + json_truth(plan->complete) +
                ", \"steps\": " + std::to_string(plan->steps) + ", \"sweeps\": " + std::to_string(plan->sweeps) +
+               ", \"unpack\": \"" + std::string(to_string(plan->unpack)) +
+               "\", \"through_walls\": " + std::to_string(plan->through_walls) +
                ", \"failed_steps\": " + int_list(plan->failed_steps) +
                ", \"without_step\": " + int_list(plan->without_step) + "}";
     };

@@ -20,8 +20,16 @@ constexpr int kMostRays = 20;
 
 bool is_open(const PackOptions& options) { return options.open_height || options.minimise == Minimise::box; }
 
-HeightReference height_reference(const PackOptions& options) {
-    return options.height_at.value_or(is_open(options) ? HeightReference::top : HeightReference::bottom);
+std::optional<HeightReference> height_reference(const PackOptions& options) {
+    if (options.height_at) return options.height_at;
+    if (is_open(options)) return HeightReference::top;
+    // A penalty weighs at the bottom only; what is filled with as many copies as fit is never roomy.
+    if (options.height_penalty || options.fill) return HeightReference::bottom;
+    return std::nullopt;
+}
+
+Unpack unpack_rule(const std::optional<Unpack>& asked, const Container& container) {
+    return asked.value_or(container.mesh ? Unpack::any : Unpack::top);
 }
 
 Vec3 tray_size(const PackOptions& options) {

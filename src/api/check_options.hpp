@@ -1,6 +1,8 @@
 #pragma once
 /// What pack options come to, and which of them make no sense.
 
+#include <optional>
+
 #include "spectralpack/pack.hpp"
 
 namespace spectralpack {
@@ -8,8 +10,11 @@ namespace spectralpack {
 /// True where the packing has no ceiling.
 bool is_open(const PackOptions& options);
 
-/// Where height counts, unless the options say so.
-HeightReference height_reference(const PackOptions& options);
+/// Where height counts in all trays; none: in each where it serves best (HeightChoice).
+std::optional<HeightReference> height_reference(const PackOptions& options);
+
+/// By which rule the plan takes copies out of that container, unless the options say so.
+Unpack unpack_rule(const std::optional<Unpack>& asked, const Container& container);
 
 /// The tray with its z set where it was left open: the container, or with open height its base and reference height.
 Vec3 tray_size(const PackOptions& options);

@@ -17,7 +17,7 @@ Estimate estimate(const Job& job, const Control& control) {
     check_options(options);
     check_together(job);
     const Workers workers(options.threads);
-    const Container container = container_of(job);
+    const Container container = container_of(job, listener);
     warn_of_keep_outs(container, listener);
     options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);

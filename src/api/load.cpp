@@ -222,6 +222,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
                          std::string problem) {
         const bool of_file = part.name == std::filesystem::path(part.mesh).stem().string();
         names.push_back({part.name, part.mesh, !of_file, !source.name.empty(), part.scale});
+        part.order = source.order;
         part.id = static_cast<int>(result.parts.size());
         result.parts.push_back(std::move(part));
         result.meshes.push_back(std::move(mesh));

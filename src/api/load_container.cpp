@@ -7,6 +7,7 @@
 
 #include "formats/mesh_reader.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "geometry/vessel.hpp"
 #include "model/physical_surfaces.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/mesh_figures.hpp"
@@ -16,6 +17,10 @@ namespace {
 
 /// Below the origin by more than this a container is not where it should be.
 constexpr double kRounding = 1e-6;  ///< mm
+
+/// What a mesh holds and what it is made of together are taken for a vessel where it holds more than this share of
+/// them: a cup with a thick wall is one, a block with a dimple is not.
+constexpr double kVesselHolds = 0.25;
 
 std::string point_text(const Vec3& p) {
     char text[96];
@@ -61,6 +66,45 @@ KeepOut load_keep_out(const KeepOutSource& source, double default_unit) {
     return keep_out;
 }
 
+std::string number_text(const char* format, double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, number);
+    return text;
+}
+
+std::string cm3_text(double volume) { return number_text("%.4g cm3", volume / 1000); }
+
+/// Whether the container's mesh is a vessel, and then what it holds takes the mesh's place and the mesh becomes a
+/// keep-out.
+void settle_vessel(const MeshSource& source, const std::optional<ContainerIs>& is, Container& container,
+                   Listener& listener) {
+    StandingMesh& mesh = *container.mesh;
+    const double material = signed_volume(*mesh.surface);
+    std::optional<Cavity> cavity = largest_cavity(*mesh.surface);
+    if (is == ContainerIs::vessel && !cavity) {
+        throw InputError(mesh.file, source.place,
+                         "holds nothing as it stands: what is filled into it would run out (--container-is solid "
+                         "fills the mesh's own volume)");
+    }
+    const bool vessel =
+        is ? *is == ContainerIs::vessel : cavity && cavity->volume > kVesselHolds * (cavity->volume + material);
+    if (!vessel) {
+        listener.on_warning(mesh.file + ": filled is the volume of the mesh itself, " + cm3_text(material) +
+                            (cavity ? "; --container-is vessel fills what it holds, " + cm3_text(cavity->volume) : ""));
+        return;
+    }
+    listener.on_warning(
+        mesh.file + ": is a vessel; filled is what it holds, " + cm3_text(cavity->volume) +
+        (cavity->open ? ", up to the brim at " + number_text("%.4g mm", cavity->brim) + "; what leaves, leaves over it"
+                      : ", a hollow without an opening") +
+        "; --container-is solid fills the mesh itself, " + cm3_text(material));
+    container.is = ContainerIs::vessel;
+    container.physical = container.physical || cavity->open;
+    container.keep_out.push_back({bounding_box(*mesh.surface), mesh});
+    mesh.surface = std::make_shared<const Mesh>(std::move(cavity->room));
+    container.size = bounding_box(*mesh.surface).max;
+}
+
 }  // namespace
 
 StandingMesh load_standing_mesh(const MeshSource& source, double default_unit) {
@@ -71,7 +115,7 @@ StandingMesh load_standing_mesh(const MeshSource& source, double default_unit) {
     return standing;
 }
 
-Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit) {
+Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit, Listener& listener) {
     Container container{tray};
     container.physical = source.physical;
     if (source.mesh) {
@@ -91,6 +135,7 @@ Container load_container(const ContainerSource& source, const Vec3& tray, double
         }
         container.size = box.max;
         container.mesh = std::move(mesh);
+        settle_vessel(*source.mesh, source.is, container, listener);
     }
     for (const KeepOutSource& keep_out : source.keep_out) {
         container.keep_out.push_back(load_keep_out(keep_out, default_unit));
@@ -98,12 +143,17 @@ Container load_container(const ContainerSource& source, const Vec3& tray, double
     return container;
 }
 
-Container container_of(const Job& job) {
-    Container container = load_container(job.container, job.options.tray, job.unit);
-    if (container.physical && job.options.interlock != Interlock::off && !opens_at_top(container)) {
+Container container_of(const Job& job, Listener& listener) {
+    Container container = load_container(job.container, job.options.tray, job.unit, listener);
+    if (job.options.interlock == Interlock::off || opens_at_top(container)) return container;
+    if (container.physical) {
         throw InputError(job.container.mesh->file, job.container.mesh->place,
                          "has no flat face at its top, where a physical container is open: nothing could leave it "
                          "(--interlock off packs it all the same)");
+    }
+    if (job.options.unpack == Unpack::top) {
+        throw InputError(job.container.mesh->file, job.container.mesh->place,
+                         "has no flat face at its top, through which --unpack top could take anything out");
     }
     return container;
 }
@@ -113,6 +163,11 @@ void load_surfaces(Container& container) {
         standing = load_standing_mesh({standing.file, "", standing.transform}, 1);
     };
     if (container.mesh) load(*container.mesh);
+    if (container.is == ContainerIs::vessel) {
+        std::optional<Cavity> cavity = largest_cavity(*container.mesh->surface);
+        if (!cavity) throw InputError(container.mesh->file, "", "as a vessel, it holds nothing");
+        container.mesh->surface = std::make_shared<const Mesh>(std::move(cavity->room));
+    }
     for (KeepOut& keep_out : container.keep_out) {
         if (!keep_out.mesh) continue;
         load(*keep_out.mesh);

@@ -142,7 +142,7 @@ std::int64_t surfaces_memory(const Plan& plan, const LoadedJob& loaded, const Pa
 Extent grid_of_ways(double dx, const Extent& grid, const Plan& plan, const PackOptions& options) {
     if (options.interlock == Interlock::off) return {};
     const int s = options.detail;
-    const int margin = plan.physical ? walls_margin(dx / s, options.wall_gap) : 0;
+    const int margin = plan.walls ? walls_margin(dx / s, options.wall_gap) : 0;
     return {s * grid.x + 2 * margin, s * grid.y + 2 * margin, s * grid.z + margin};
 }
 
@@ -150,7 +150,7 @@ Extent grid_of_ways(double dx, const Extent& grid, const Plan& plan, const PackO
 /// is put back; of walls; and of the outlines of all that stands.
 std::int64_t companies_memory(const Extent& ways, const Plan& plan) {
     constexpr int kCompanies = 3;
-    const auto sets = kCompanies * static_cast<std::int64_t>(plan.gap_classes.size()) + (plan.physical ? 1 : 0);
+    const auto sets = kCompanies * static_cast<std::int64_t>(plan.gap_classes.size()) + (plan.walls ? 1 : 0);
     return sets * (ways.count() / 8) + Outlines::bytes_for(ways);
 }
 

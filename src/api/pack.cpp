@@ -77,7 +77,7 @@ class JobRun {
     void load() {
         check_options(options_);
         check_together(job_);
-        container_ = container_of(job_);
+        container_ = container_of(job_, listener_);
         warn_of_keep_outs(container_, listener_);
         options_.tray = container_.size;
         loaded_ = load_parts(job_, workers_, listener_);

@@ -32,6 +32,7 @@ FillOptions fill_setup(const JobSource& source, Listener& listener, const Worker
     setup.interlock = options.interlock;
     setup.links = options.links;
     setup.take_out = options.take_out;
+    setup.unpack = unpack_rule(options.unpack, container);
     setup.ray_spacing = options.ray_spacing;
     const auto telling = [&listener](Phase phase) {
         return [&listener, phase](int left, int all) {
@@ -75,6 +76,7 @@ PackingJob packing_job(const JobSource& source, Listener& listener, const Worker
     job.ranks = plan.ranks;
     job.fill = fill_setup(source, listener, workers);
     job.limit = {options.trays, options.try_per_tray};
+    job.choose_heights = !height_reference(options);
     job.in_shares = options.fill;
     job.room = plan.room;
     job.keep = plan.keep;

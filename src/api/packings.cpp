@@ -3,12 +3,14 @@
 #include <map>
 
 #include "api/load_container.hpp"
+#include "api/sheet_pictures.hpp"
 #include "core/atomic_file.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
-#include "formats/report.hpp"
+#include "formats/report/report.hpp"
 #include "render/render.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/printers.hpp"
 #include "spectralpack/typed_text.hpp"
 #include "verify/check.hpp"
 
@@ -21,6 +23,12 @@ LoadedMesh* find_object(std::vector<LoadedMesh>& meshes, const PackedPart& part)
         if (loaded.object == part.object && loaded.item_transform == part.item_transform) return &loaded;
     }
     return nullptr;
+}
+
+/// Who loads the vessel adds it again.
+bool is_vessel_itself(const Container& container, const KeepOut& keep_out) {
+    return container.is == ContainerIs::vessel && keep_out.mesh && keep_out.mesh->file == container.mesh->file &&
+           keep_out.mesh->transform == container.mesh->transform;
 }
 
 }  // namespace
@@ -63,8 +71,12 @@ ContainerSource container_source(const Packing& packing) {
     const auto source_of = [](const StandingMesh& mesh) { return MeshSource{mesh.file, "", mesh.transform}; };
     ContainerSource source;
     const Container& container = packing.container;
-    if (container.mesh) source.mesh = source_of(*container.mesh);
+    if (container.mesh) {
+        source.mesh = source_of(*container.mesh);
+        source.is = container.is;
+    }
     for (const KeepOut& keep_out : container.keep_out) {
+        if (is_vessel_itself(container, keep_out)) continue;
         source.keep_out.push_back({keep_out.box});
         if (keep_out.mesh) source.keep_out.back().mesh = source_of(*keep_out.mesh);
     }
@@ -132,24 +144,23 @@ bool is_report_file(const std::filesystem::path& path) {
     return ending == ".html" || ending == ".csv";
 }
 
-void write_report(const Scene& scene, const std::filesystem::path& path, std::optional<double> material_density,
-                  int threads) {
+void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads) {
     if (!is_report_file(path)) {
         throw UsageError("cannot tell the kind of report " + path.string() + " by its ending: use .html or .csv");
     }
-    ReportExtras extras;
-    extras.material_density = material_density;
     if (ending_of(path) == ".csv") {
-        replace_file(path, report_csv(scene.packing, extras));
+        replace_file(path, report_csv(scene.packing, details.material_density));
         return;
     }
-    RenderOptions options;
-    const Workers workers(threads);
-    for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {
-        options.tray = static_cast<int>(tray);
-        extras.pictures.push_back(encode_png(render(scene.packing, scene.meshes, options, workers)));
-    }
-    replace_file(path, report_html(scene.packing, extras));
+    ReportContents contents;
+    contents.job_name = details.job_name.empty() ? path.stem().string() : details.job_name;
+    contents.date = details.date;
+    contents.material = details.material;
+    contents.material_density = details.material_density;
+    if (const Printer* printer = find_printer(scene.packing.options.printer.value_or("")))
+        contents.printer = printer->title;
+    add_pictures(scene, contents, Workers(threads));
+    replace_file(path, report_html(scene.packing, contents));
 }
 
 Image render(const Scene& scene, const RenderOptions& options, int threads) {

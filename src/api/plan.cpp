@@ -126,7 +126,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.reads_all = plan.engine == EngineKind::reference ||
                      (options.verify_with && resolve_engine(options.verify_with->engine) == EngineKind::reference);
     plan_orientations(loaded, options, workers, plan);
-    plan.physical = container.physical;
+    plan.walls = container.physical || unpack_rule(options.unpack, container) == Unpack::top;
     plan.room = space_inside(options);
     plan.gap_classes = {};
     const double container_volume = volume_of(container);

@@ -26,7 +26,7 @@ struct Plan {
     bool reads_all = false;                       ///< voxels of all orientations are asked for
     Vec3 room;                                    ///< for the copies' boxes, mm
     Extent grid;                                  ///< with open height, as high as it starts
-    bool physical = false;                        ///< copies leave by the container's open top alone
+    bool walls = false;                           ///< of the container stand where ways out are looked for
     int most_layers = 0;                          ///< open height: as high as memory lets it grow
     std::int64_t memory = 0;              ///< bytes the run takes, meshes included, without what more was allowed
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size

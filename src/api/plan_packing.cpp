@@ -7,8 +7,9 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/plan.hpp"
-#include "disassembly/disassembler.hpp"
+#include "disassembly/unpacking.hpp"
 #include "geometry/mesh_edges.hpp"
+#include "model/physical_surfaces.hpp"
 #include "packing/containers/physical_walls.hpp"
 #include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
@@ -31,15 +32,16 @@ TraySetup grid_around(const Box& copies, double voxel, double wall_gap, Vec3& co
 /// One tray's copies as they stand.
 class StandingTray {
   public:
-    StandingTray(const TrayPacking& tray, const PartMeshes& meshes, const Container& container, double voxel,
-                 double ray_spacing, double wall_gap, const Workers& workers)
+    /// `walls`: those of the container stand, too.
+    StandingTray(const TrayPacking& tray, const PartMeshes& meshes, const Container& container, bool walls,
+                 double voxel, double ray_spacing, double wall_gap, const Workers& workers)
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
         make_surfaces();
         Box box;
         for (const Body& part : parts_) {
             box.add(part.box());
         }
-        if (container.physical) box.add({{}, container.size});
+        if (walls) box.add({{}, container.size});
         setup_.grid = grid_around(box, voxel, wall_gap, setup_.corner);
         workers.for_each(static_cast<std::int64_t>(parts_.size()), [&](std::int64_t k) {
             const auto i = static_cast<std::size_t>(k);
@@ -48,7 +50,7 @@ class StandingTray {
             parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
                                 tray_.placements[i].fixed};
         });
-        if (container.physical) parts_.push_back(standing_walls(container, setup_.grid, setup_.corner, workers));
+        if (walls) parts_.push_back(standing_walls(container, setup_.grid, setup_.corner, workers));
         setup_.ray_spacing = ray_spacing;
         setup_.on_grid = [this](int i) {
             return std::make_shared<const BitGrid>(voxelize(turned(static_cast<std::size_t>(i)), voxel_, workers_));
@@ -56,7 +58,7 @@ class StandingTray {
         setup_.workers = workers;
     }
 
-    /// The copies, then the walls of a physical container.
+    /// The copies, then the walls.
     const std::vector<Body>& parts() const { return parts_; }
     DisassemblyOptions& setup() { return setup_; }
 
@@ -104,20 +106,34 @@ class StandingTray {
     DisassemblyOptions setup_;
 };
 
-/// Makes the plan for bodies that stand, by the steps `told` where it finds none (may be null). `interlocked` names the
-/// sets that hold each other, of the first `copies` bodies: what comes after them is a container.
-Disassembly plan_disassembly(const DisassemblyOptions& options, std::vector<Body> bodies, std::size_t copies,
-                             const Disassembler::Left& left, const std::vector<RemovalStep>* told) {
-    Disassembler disassembler(options, std::move(bodies), left, told);
+/// A tray as it is to be taken apart.
+struct PlanSetup {
+    const DisassemblyOptions& options;
+    std::vector<Body> bodies;  ///< the copies, then walls
+    std::size_t copies;
+    bool physical;                         ///< the walls never give way
+    Unpack unpack;                         ///< top: with walls
+    const std::vector<RemovalStep>* told;  ///< steps that are tried where no others are found; null: none
+    Disassembler::Left left;
+};
+
+/// `interlocked` names the sets that hold each other, of copies alone.
+Disassembly plan_disassembly(const PlanSetup& setup) {
+    std::vector<Body> standing = setup.bodies;
+    if (!setup.physical) standing.resize(setup.copies);
+    Disassembler disassembler(setup.options, std::move(standing), setup.left, {.told = setup.told});
     disassembler.run();
     Disassembly plan;
     plan.steps = disassembler.steps();
-    if (!options.stop.stopped()) plan.interlocked = disassembler.stuck();
+    if (!setup.options.stop.stopped()) plan.interlocked = disassembler.stuck();
     for (std::vector<int>& set : plan.interlocked) {
-        std::erase_if(set, [&](int body) { return static_cast<std::size_t>(body) >= copies; });
+        std::erase_if(set, [&](int body) { return static_cast<std::size_t>(body) >= setup.copies; });
     }
     plan.complete = disassembler.standing() == 0;
-    return plan;
+    Unpacking unpacking{.unpack = setup.unpack};
+    if (!setup.physical && setup.bodies.size() > setup.copies) unpacking.walls = setup.copies;
+    InterlockCounts counts;
+    return unpacked(setup.options, setup.bodies, unpacking, std::move(plan), counts);
 }
 
 }  // namespace
@@ -132,6 +148,12 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
                                                                  ? DisassemblyOptions::spacing_for(voxel)
                                                                  : *scene.packing.options.ray_spacing);
     check_ray_spacing(ray_spacing, voxel);
+    const Container& container = scene.packing.container;
+    const Unpack unpack = unpack_rule(settings.unpack ? settings.unpack : scene.packing.options.unpack, container);
+    if (unpack == Unpack::top && !opens_at_top(container)) {
+        throw UsageError(
+            "the container has no flat face at its top, through which --unpack top could take anything out");
+    }
     const Workers workers(settings.threads);
     std::int64_t total = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
@@ -147,8 +169,8 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
             continue;
         }
         const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
-        StandingTray standing(tray, scene.meshes, scene.packing.container, voxel, ray_spacing,
-                              scene.packing.options.wall_gap, workers);
+        StandingTray standing(tray, scene.meshes, container, container.physical || unpack == Unpack::top, voxel,
+                              ray_spacing, scene.packing.options.wall_gap, workers);
         standing.setup().search = engine.get();
         standing.setup().stop = stop;
         const auto left = [&](int, int) {
@@ -157,7 +179,8 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
             listener.on_progress({Phase::disassemble, done, total, 0, work});
         };
         const std::vector<RemovalStep>* told = tray.disassembly ? &tray.disassembly->steps : nullptr;
-        plans.push_back(plan_disassembly(standing.setup(), standing.parts(), tray.placements.size(), left, told));
+        plans.push_back(plan_disassembly(
+            {standing.setup(), standing.parts(), tray.placements.size(), container.physical, unpack, told, left}));
     }
     return plans;
 }

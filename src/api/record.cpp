@@ -111,7 +111,7 @@ Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& wo
     for (const TrayPacking& tray : packing.trays) {
         metrics.density += tray.density / static_cast<double>(packing.trays.size());
     }
-    metrics.min_gap = run.trays.least_gap;
+    metrics.min_gap = run.trays.least_gap();
     metrics.searches = run.trays.searches();
     metrics.verified = run.verified;
     metrics.orders = run.orders;
@@ -137,6 +137,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     packing.options = run.options;
     packing.options.tray = tray_size(run.options);
     packing.options.height_at = height_reference(run.options);
+    packing.options.unpack = unpack_rule(run.options.unpack, run.container);
     packing.options.height_penalty = run.plan.height_penalty;
     packing.options.engine = run.plan.engine;
     packing.defaults = run.defaults;
@@ -149,7 +150,11 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     packing.trays.resize(std::max(packing.trays.size(), run.trays.trays.size()));
     for (std::size_t t = 0; t < packing.trays.size(); ++t) {
         TrayPacking& tray = packing.trays[t];
-        if (t < run.trays.trays.size()) add_placed(run, run.trays.trays[t], tray, settled);
+        if (t < run.trays.trays.size()) {
+            const FilledTray& filled = run.trays.trays[t];
+            tray.height_at = filled.height_at == HeightAt::top ? HeightReference::top : HeightReference::bottom;
+            add_placed(run, filled, tray, settled);
+        }
         if (packing.container.open_height && !tray.placements.empty()) {
             packing.container.size.z = reached_height(tray, run.loaded.meshes);
         }

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <list>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "disassembly/subassembly.hpp"
@@ -15,17 +17,30 @@ class Disassembler {
   public:
     using Left = std::function<void(int left, int all)>;  ///< told how many movable copies still stand
 
-    /// `parts` are named by their index. `options` is referred to, and so is `told`: the steps of a plan that was there
-    /// before (null: none), which are tried where nothing else is found.
-    Disassembler(const DisassemblyOptions& options, std::vector<Body> parts, Left left,
-                 const std::vector<RemovalStep>* told = nullptr);
+    struct Rules {
+        /// The steps of a plan that was there before (null: none), which are tried where nothing else is found.
+        const std::vector<RemovalStep>* told = nullptr;
+        /// top: upwards, the uppermost first (docs/algorithm.md, section 9).
+        Unpack unpack = Unpack::any;
+        /// With Unpack::top, a part that never moves: the walls of a container that may give way. What has no other way
+        /// out leaves straight through them, or as told.
+        std::optional<std::size_t> walls = {};
+    };
+
+    /// `parts` are named by their index. `options` is referred to, and so is what is told.
+    Disassembler(const DisassemblyOptions& options, std::vector<Body> parts, Left left, const Rules& rules);
+    Disassembler(const DisassemblyOptions& options, std::vector<Body> parts, Left left)
+        : Disassembler(options, std::move(parts), std::move(left), Rules{}) {}
     ~Disassembler();
 
     /// Takes out all that comes out, which does not depend on the order: what leaves is in nobody's way any more.
-    /// May be called again after discard(). Ends early when stopped.
+    /// (Where walls give way, all that comes out without them, if a plan for it is told.) May be called again after
+    /// discard(). Ends early when stopped.
     void run();
 
     const std::vector<RemovalStep>& steps() const { return steps_; }
+    /// Positions in steps() of those that the walls gave way to, ascending.
+    const std::vector<int>& through_walls() const { return through_walls_; }
     /// Movable copies that have neither left nor been discarded.
     int standing() const { return standing_; }
     /// Copies that hold each other, fixed ones among them: each a subassembly of which no copy and no group of copies
@@ -41,9 +56,10 @@ class Disassembler {
 
     const DisassemblyOptions& options_;
     Left left_;
-    const std::vector<RemovalStep>* told_;
+    Rules rules_;
     std::list<Dismantler> dismantlers_;
     std::vector<RemovalStep> steps_;
+    std::vector<int> through_walls_;
     InterlockCounts counts_;
     int all_ = 0, standing_ = 0;  // movable copies
 };

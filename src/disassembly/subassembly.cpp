@@ -153,7 +153,7 @@ std::optional<Subassembly::Pair> Subassembly::meeting(const Move& move, const Hi
         for (const std::int64_t id : index_.near(way)) {
             const auto other = static_cast<std::size_t>(id);
             if (!meet(way, boxes_[other])) continue;
-            if (std::binary_search(move.members.begin(), move.members.end(), other)) continue;
+            if (other == aside_ || std::binary_search(move.members.begin(), move.members.end(), other)) continue;
             if (hints.known && hints.known->passed(member, direction, other)) continue;
             double distance = direction.sign > 0 ? boxes_[other].min[direction.axis] - box.max[direction.axis]
                                                  : box.min[direction.axis] - boxes_[other].max[direction.axis];
@@ -191,9 +191,16 @@ Box Subassembly::box_of(const Members& members) const {
     return box;
 }
 
+Box Subassembly::box_of_others(const Members& members) const {
+    if (!aside_) return hull_.without(members);
+    Members gone = members;
+    gone.insert(std::upper_bound(gone.begin(), gone.end(), *aside_), *aside_);
+    return hull_.without(gone);
+}
+
 Subassembly::Straight Subassembly::straight_way(const Members& members, const Vec3& from, AxisDirection direction,
                                                 const Hints& hints) const {
-    const Box others = hull_.without(members);
+    const Box others = box_of_others(members);
     if (others.empty()) return {};
     const Box own = moved(box_of(members), from);
     const double way = std::max(way_past(own, others, direction), 0.0) + kClearance;
@@ -254,7 +261,7 @@ Subassembly::Flood Subassembly::flood(std::size_t i) const {
 }
 
 bool Subassembly::leads_out(const Members& members, const Path& path) const {
-    const Box others = hull_.without(members);
+    const Box others = box_of_others(members);
     if (others.empty()) return true;
     const bool along_axes = std::ranges::all_of(path, [](const Vec3& move) {
         const AxisDirection direction = direction_of(move);

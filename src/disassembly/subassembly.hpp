@@ -60,6 +60,10 @@ class Subassembly {
 
     std::size_t add(int name, Body part);
     void remove(std::size_t i);
+    /// From now on that part is in nobody's way, as if it were not there; none: all are again. What flood() tells of
+    /// does not change.
+    void set_aside(std::optional<std::size_t> part) { aside_ = part; }
+    std::optional<std::size_t> aside() const { return aside_; }
 
     /// A member and one of the others.
     struct Pair {
@@ -124,12 +128,14 @@ class Subassembly {
     /// Whom they would meet. Appends whom they pass.
     std::optional<Pair> meeting(const Move& move, const Hints& hints, std::vector<Pair>& passed) const;
     Box box_of(const Members& members) const;
+    Box box_of_others(const Members& members) const;
 
     const DisassemblyOptions& options_;
     std::vector<int> names_;
     std::vector<Body> parts_;
     std::vector<Box> boxes_;
     std::vector<bool> present_;
+    std::optional<std::size_t> aside_;
     BoxIndex index_;
     StandingHull hull_, voxel_hull_;
     VoxelIndex origin_;  // of the tray, in the options' grid

@@ -1,5 +1,6 @@
 #include "formats/job_file.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "formats/date.hpp"
@@ -60,11 +61,14 @@ class JobReader {
 
   private:
     void read_container(const Node& node) {
-        node.expect_keys({"size", "mesh", "transform", "unit", "physical"});
+        node.expect_keys({"size", "mesh", "transform", "unit", "is", "physical"});
         ContainerSource& container = job_.settings.container;
         if (const auto v = node.find("physical")) container.physical = v->boolean();
+        if (const auto v = node.find("is")) container.is = v->one_of<ContainerIs>();
         const auto size = node.find("size"), mesh = node.find("mesh");
-        if (const auto v = node.find("transform"); v && !mesh) v->fail("needs a mesh");
+        for (const char* key : {"transform", "is"}) {
+            if (const auto v = node.find(key); v && !mesh) v->fail("needs a mesh");
+        }
         if (mesh && size) size->fail("is that of the mesh: leave one of them out");
         if (!mesh && !size) node.at("size");
         const auto options = root_.find("options");
@@ -123,10 +127,15 @@ class JobReader {
         if (node.find("tray") || node.find("printer")) job_.settings.sized = true;
     }
 
-    void said(const std::vector<std::string>& options) { forget_defaults(options, job_.settings); }
+    void said(const std::vector<std::string>& options) {
+        forget_defaults(options, job_.settings);
+        job_.settings.says_gap = job_.settings.says_gap || std::ranges::count(options, "gap") > 0;
+        job_.settings.says_wall_gap = job_.settings.says_wall_gap || std::ranges::count(options, "wall-gap") > 0;
+    }
 
     void read_part(const Node& node) {
-        node.expect_keys({"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "value", "orientations"});
+        node.expect_keys(
+            {"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "order", "value", "orientations"});
         Part part;
         part.origin = node.path();
         part.mesh = path_of(node.at("mesh"));
@@ -137,6 +146,7 @@ class JobReader {
         if (const auto v = node.find("priority")) part.priority = v->number();
         if (const auto v = node.find("unit")) part.unit = in_mm(v->one_of<LengthUnit>());
         if (const auto v = node.find("due")) part.due = date_of(*v);
+        if (const auto v = node.find("order")) part.order = v->text();
         if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         job_.parts.push_back(std::move(part));

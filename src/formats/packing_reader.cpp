@@ -41,6 +41,8 @@ class PlanReader {
         if (const auto v = node.find("interlocked")) {
             v->for_each([&](const Node& set) { plan.interlocked.push_back(placements_of(set)); });
         }
+        if (const auto v = node.find("unpack")) plan.unpack = v->one_of<Unpack>();
+        if (const auto v = node.find("through_walls")) plan.through_walls = steps_in(*v, plan.steps.size());
         return plan;
     }
 
@@ -61,6 +63,20 @@ class PlanReader {
         const auto twice = std::adjacent_find(indices.begin(), indices.end());
         if (twice != indices.end()) node.fail("names placement " + std::to_string(*twice) + " twice");
         return indices;
+    }
+
+    /// Positions of steps, ascending.
+    static std::vector<int> steps_in(const Node& node, std::size_t count) {
+        std::vector<int> positions;
+        node.for_each([&](const Node& element) {
+            const int position = element.integer<int>();
+            if (position < 0 || std::cmp_greater_equal(position, count)) {
+                element.fail("must be the position of a step of this plan, there are " + std::to_string(count));
+            }
+            if (!positions.empty() && position <= positions.back()) element.fail("must be greater than the one before");
+            positions.push_back(position);
+        });
+        return positions;
     }
 
     RemovalStep read_step(const Node& node) {
@@ -142,6 +158,7 @@ class PackingReader {
         if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
         Container& container = packing_.container;
         if (const auto mesh = node.find("mesh")) container.mesh = standing_mesh(*mesh, node);
+        if (const auto is = node.find("is"); is && container.mesh) container.is = is->one_of<ContainerIs>();
         if (const auto keep_out = node.find("keep_out")) {
             keep_out->for_each([&](const Node& zone) {
                 if (const auto mesh = zone.find("mesh")) {
@@ -184,6 +201,7 @@ class PackingReader {
         if (const auto v = node.find("orientations")) part.orientations = part_orientations_of(*v);
         if (const auto v = node.find("priority")) part.priority = v->number();
         if (const auto v = node.find("due")) part.due = v->text();
+        if (const auto v = node.find("order")) part.order = v->text();
         if (const auto v = node.find("value")) part.value = v->number_from(0);
         if (const auto v = node.find("volume")) part.volume = v->number();
         if (const auto v = node.find("repairs")) {
@@ -230,6 +248,7 @@ class PackingReader {
             tray.bounding_box.max = vector_of(v->element(1));
         }
         if (const auto v = node.find("height")) tray.height = v->number();
+        if (const auto v = node.find("height_at")) tray.height_at = v->one_of<HeightReference>();
         if (const auto layers = node.find("layers")) {
             if (const auto v = layers->find("thickness")) tray.layers.thickness = v->number_from(0);
             if (const auto v = layers->find("area")) {

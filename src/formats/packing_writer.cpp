@@ -85,7 +85,11 @@ Json plan_json(const Disassembly& plan) {
         }
         steps.push_back({{"placements", step.placements}, {"path", std::move(path)}});
     }
-    return {{"complete", plan.complete}, {"steps", std::move(steps)}, {"interlocked", plan.interlocked}};
+    return {{"complete", plan.complete},
+            {"unpack", to_string(plan.unpack)},
+            {"steps", std::move(steps)},
+            {"through_walls", plan.through_walls},
+            {"interlocked", plan.interlocked}};
 }
 
 class PackingWriter {
@@ -146,6 +150,7 @@ class PackingWriter {
                      {"open_height", container.open_height},
                      {"mesh", container.mesh ? Json(container_path_) : Json(nullptr)},
                      {"transform", container.mesh ? transform_json(container.mesh->transform) : Json(nullptr)},
+                     {"is", container.mesh ? Json(to_string(container.is)) : Json(nullptr)},
                      {"keep_out", Json::array()},
                      {"physical", container.physical}};
         for (std::size_t i = 0; i < container.keep_out.size(); ++i) {
@@ -185,6 +190,7 @@ class PackingWriter {
                 {"orientations", part_orientations_json(part.orientations)},
                 {"priority", part.priority},
                 {"due", part.due.empty() ? Json(nullptr) : Json(part.due)},
+                {"order", part.order.empty() ? Json(nullptr) : Json(part.order)},
                 {"value", part.value},
                 {"volume", part.volume},
                 {"repairs", part.repairs}};
@@ -211,6 +217,7 @@ class PackingWriter {
                 {"density_bounding_box", tray.density_bounding_box},
                 {"bounding_box", std::move(box)},
                 {"height", tray.height},
+                {"height_at", tray.height_at ? Json(to_string(*tray.height_at)) : Json(nullptr)},
                 {"layers", {{"thickness", tray.layers.thickness}, {"area", tray.layers.area}}},
                 {"disassembly", tray.disassembly ? plan_json(*tray.disassembly) : Json(nullptr)}};
     }

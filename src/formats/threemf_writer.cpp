@@ -32,7 +32,8 @@ constexpr const char* kRelationships =
 
 class ModelWriter {
   public:
-    ModelWriter(const Packing& packing, const PartMeshes& meshes) : packing_(packing), meshes_(meshes) {}
+    ModelWriter(const Packing& packing, const PartMeshes& meshes)
+        : packing_(packing), meshes_(meshes), numbers_(packing.parts) {}
 
     std::string write() {
         out_ += R"(<?xml version="1.0" encoding="UTF-8"?>
@@ -107,12 +108,13 @@ class ModelWriter {
             append("{} {} {} ", column.x + 0.0, column.y + 0.0, column.z + 0.0);  // + 0: no "-0"
         }
         const Vec3& t = placement.transform.translation;
-        append("{} {} {}\" partnumber=\"{}\"/>\n", t.x + shift, t.y + 0.0, t.z + 0.0,
+        append("{} {} {}\" partnumber=\"{} {}\"/>\n", t.x + shift, t.y + 0.0, t.z + 0.0, numbers_.of(placement),
                xml_attribute(packing_.parts.at(part).name));
     }
 
     const Packing& packing_;
     const PartMeshes& meshes_;
+    CopyNumbers numbers_;
     std::map<const Mesh*, int> ids_;  ///< looked up only, never walked: its order is by address
     std::string out_;
 };

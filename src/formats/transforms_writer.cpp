@@ -7,7 +7,8 @@
 namespace spectralpack {
 
 void write_transforms_csv(const Packing& packing, const std::filesystem::path& path, std::size_t first) {
-    std::string text = "tray,part,name,copy,orientation,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\r\n";
+    std::string text = "tray,part,name,copy,orientation,m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23,number\r\n";
+    const CopyNumbers numbers(packing.parts);
     for (std::size_t tray = 0; tray < packing.trays.size(); ++tray) {
         for (const Placement& placement : packing.trays[tray].placements) {
             const PackedPart& part = packing.parts.at(static_cast<std::size_t>(placement.part));
@@ -18,7 +19,7 @@ void write_transforms_csv(const Packing& packing, const std::filesystem::path& p
                 fmt::format_to(std::back_inserter(text), ",{},{},{},{}", r.x, r.y, r.z,
                                placement.transform.translation[row]);
             }
-            text += "\r\n";
+            fmt::format_to(std::back_inserter(text), ",{}\r\n", numbers.of(placement));
         }
     }
     replace_file(path, text);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/palette.hpp"
+#include "model/palette.hpp"
 
 namespace spectralpack {
 namespace {
@@ -14,7 +14,7 @@ constexpr double kTouching = 2e-3;  // stage units: a surface this near the edge
 }  // namespace
 
 Outline::Outline(const Stage& stage)
-    : pixel_(std::max(0.8, std::min(stage.camera.width, stage.camera.height) / 1200.0)) {
+    : lens_(stage.camera.lens), pixel_(std::max(0.8, std::min(stage.camera.width, stage.camera.height) / 1200.0)) {
     for (const auto& [from, to] : stage.edges) {
         edges_.push_back({stage.camera.project(from), stage.camera.project(to), kNear});
     }
@@ -62,7 +62,8 @@ double Outline::opacity(const Edge& edge, double x, double y, double depth) cons
     if (cover == 0) return 0;
     // Perspective keeps 1 / depth straight.
     const double t = on_edge / length;
-    const double edge_depth = 1 / ((1 - t) / edge.from.depth + t / edge.to.depth);
+    const double edge_depth = lens_ == Lens::parallel ? (1 - t) * edge.from.depth + t * edge.to.depth
+                                                      : 1 / ((1 - t) / edge.from.depth + t / edge.to.depth);
     if (edge_depth < depth + kTouching) return edge.strength * cover;
     const bool dash = std::fmod(on_edge, (kDash + kSpace) * pixel_) < kDash * pixel_;
     return dash ? kHidden * cover : 0;

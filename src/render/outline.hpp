@@ -27,6 +27,7 @@ class Outline {
 
   private:
     std::vector<Edge> edges_;
+    Lens lens_;
     double pixel_ = 1;  ///< what widths are multiplied by: 1 in a picture of 1200 pixels
 };
 

@@ -5,11 +5,16 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "render/stage.hpp"
+#include "render/tile_painter.hpp"
 #include "spectralpack/mesh.hpp"
 #include "spectralpack/packing.hpp"
 #include "spectralpack/render.hpp"
 
 namespace spectralpack {
+
+/// The picture of a stage whose meshes are there.
+Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Workers& workers);
 
 /// `meshes`: by part; null for parts without placements. Throws as render(Scene) does.
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,

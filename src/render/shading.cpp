@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/palette.hpp"
+#include "model/palette.hpp"
 
 namespace spectralpack {
 namespace {
@@ -62,7 +62,7 @@ double handed_on(double open, double albedo) {
 
 }  // namespace
 
-Shading::Shading(const Camera& camera) : camera_(camera) {
+Shading::Shading(const Camera& camera, Backdrop backdrop) : camera_(camera), backdrop_(backdrop) {
     const double left = kKeyLeft * std::numbers::pi / 180, up = kKeyUp * std::numbers::pi / 180;
     const Vec3 back = unit(cross(camera.right, Vec3{0, 0, 1}));  // level, from the scene towards the viewer
     key_ = unit(std::cos(up) * (-std::sin(left) * camera.right + std::cos(left) * back) + Vec3{0, 0, std::sin(up)});
@@ -111,6 +111,7 @@ Vec3 Shading::surface(const Vec3& albedo, const Vec3& normal, const Vec3& view, 
 }
 
 Vec3 Shading::background(double x, double y) const {
+    if (backdrop_ == Backdrop::white) return {1, 1, 1};
     const double across = 2 * x / camera_.width - 1, down = 2 * y / camera_.height - 1;
     const double off = std::min(1.0, (0.6 * across * across + (down - 0.1) * (down - 0.1)) / 1.6);
     return from_oklch(0.985 - 0.055 * off, 0.004 + 0.006 * off, 250);

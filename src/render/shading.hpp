@@ -6,6 +6,7 @@
 
 #include "render/camera.hpp"
 #include "render/ray_scene.hpp"
+#include "render/stage.hpp"
 
 namespace spectralpack {
 
@@ -16,7 +17,7 @@ struct Exposure {
 
 class Shading {
   public:
-    explicit Shading(const Camera& camera);
+    explicit Shading(const Camera& camera, Backdrop backdrop = Backdrop::floor);
 
     /// Neighbouring pixels look along different rays; the mean over any 6 x 6 of them has seen all.
     static constexpr int kPattern = 6;
@@ -42,6 +43,7 @@ class Shading {
     static constexpr int kCells = kPattern * kPattern;
 
     Camera camera_;
+    Backdrop backdrop_;
     Vec3 key_;                                      ///< unit vector towards the key light
     std::array<Vec3, kCells * kSkyRays> sky_rays_;  ///< about +z, denser where light counts more
     std::array<Vec3, kCells * kKeyRays> key_rays_;

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
+#include "model/palette.hpp"
 #include "render/feature_edges.hpp"
-#include "render/palette.hpp"
 #include "render/taking_apart.hpp"
 #include "spectralpack/error.hpp"
 
@@ -17,6 +17,8 @@ constexpr double kBehind = 1.3;   // space between two rows, of the trays' heigh
 constexpr double kSteepest = 15;  // degrees: seen from lower than this, rows would hide one another
 
 const Vec3 kGrey{0.3, 0.3, 0.3};
+const Vec3 kWhite{1, 1, 1};
+constexpr double kPale = 0.72;   // of a pale copy's colour that is white
 constexpr double kMuted = 0.75;  // of a copy's colour that is grey where another is what matters
 
 std::array<Vec3, 8> corners(const Box& box) {
@@ -47,9 +49,8 @@ bool drawable(const Transform& t) {
 
 class StageBuilder {
   public:
-    StageBuilder(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                 const RenderOptions& options)
-        : packing_(packing), meshes_(meshes), options_(options) {}
+    StageBuilder(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes, const View& view)
+        : packing_(packing), meshes_(meshes), view_(view), options_(view.options), numbers_(packing.parts) {}
 
     Stage build() {
         choose_trays();
@@ -57,6 +58,8 @@ class StageBuilder {
         measure();
         set_out();
         normalize();
+        cut();
+        stage_.backdrop = view_.backdrop;
         stage_.camera = fit(stage_corners());
         return std::move(stage_);
     }
@@ -89,27 +92,36 @@ class StageBuilder {
         }
         for (const TrayPacking* tray : trays_) {
             shown_copies_.emplace_back(tray ? tray->placements.size() : 0);
-            if (!options_.step && !options_.explode) continue;
-            if (!tray || !tray->disassembly) {
-                throw UsageError("the packing has no disassembly plan" +
-                                 (trays_.size() > 1 ? " for tray " + std::to_string(shown_copies_.size()) : "") +
-                                 ", so how it comes apart cannot be drawn");
-            }
+            if (!tray) continue;
             if (options_.step) {
-                const auto steps = static_cast<int>(tray->disassembly->steps.size());
-                if (*options_.step < 0 || *options_.step > steps) {
-                    throw UsageError("there is no step " + std::to_string(*options_.step) + ": the plan has " +
-                                     std::to_string(steps) + ", counted from 1");
-                }
-                shown_copies_.back() = show_step(*tray, *options_.step);
-            } else {
-                std::vector<Box> boxes;
-                for (const Placement& placement : tray->placements) {
-                    boxes.push_back(moved(bounding_box(*mesh_of(placement)), placement.transform));
-                }
-                shown_copies_.back() = show_exploded(*tray, boxes, *options_.explode);
+                shown_copies_.back() = shown_step(*tray);
+            } else if (options_.explode) {
+                shown_copies_.back() = exploded(*tray);
             }
         }
+    }
+
+    std::vector<ShownCopy> shown_step(const TrayPacking& tray) const {
+        if (!tray.disassembly) {
+            throw UsageError("the packing has no disassembly plan, so how it comes apart cannot be drawn");
+        }
+        const auto steps = static_cast<int>(tray.disassembly->steps.size());
+        if (*options_.step < 0 || *options_.step > steps) {
+            throw UsageError("there is no step " + std::to_string(*options_.step) + ": the plan has " +
+                             std::to_string(steps) + ", counted from 1");
+        }
+        return show_step(tray, *options_.step);
+    }
+
+    std::vector<ShownCopy> exploded(const TrayPacking& tray) {
+        std::vector<Box> boxes;
+        for (const Placement& placement : tray.placements) {
+            boxes.push_back(moved(bounding_box(*mesh_of(placement)), placement.transform));
+        }
+        const ExplodedTray apart =
+            show_exploded(boxes, packing_.container.size, options_.azimuth, options_.elevation, *options_.explode);
+        floors_.push_back(apart.floors);
+        return apart.copies;
     }
 
     /// The copy's own transform, moved to where it is drawn.
@@ -120,12 +132,15 @@ class StageBuilder {
     }
 
     bool is_drawn(std::size_t tray, std::size_t i) const {
-        return shown_copies_[tray][i].drawn && drawable(pose_of(tray, i));
+        return shown_copies_[tray][i].drawn && look_of(i) != Look::gone && drawable(pose_of(tray, i));
     }
+
+    Look look_of(std::size_t i) const { return i < view_.looks.size() ? view_.looks[i] : Look::strong; }
 
     Vec3 colour_of(std::size_t tray, std::size_t i) const {
         const Placement& placement = trays_[tray]->placements[i];
-        const Vec3 colour = copy_colour(placement.part, placement.copy, static_cast<int>(packing_.parts.size()));
+        const Vec3 colour = copy_colour(placement.part, placement.copy);
+        if (look_of(i) == Look::pale) return kPale * kWhite + (1 - kPale) * colour;
         if (!options_.step || *options_.step == 0) return colour;
         return shown_copies_[tray][i].leaving ? from_oklch(0.68, 0.2, 40) : kMuted * kGrey + (1 - kMuted) * colour;
     }
@@ -142,8 +157,11 @@ class StageBuilder {
     /// Box of a tray with all that is in it, in container coordinates. Exact only where a copy's
     /// turned box leaves the container, which saves going through all vertices of all copies.
     void measure() {
-        const Box container{{0, 0, 0}, packing_.container.size};
-        shown_ = container;
+        shown_ = {{0, 0, 0}, packing_.container.size};
+        if (!floors_.empty()) shown_.max.z = 0;  // what is drawn apart reaches as high as it does
+        for (const std::vector<double>& floors : floors_) {
+            shown_.max.z = std::max(shown_.max.z, floors.back());
+        }
         std::map<const Mesh*, Box> boxes;
         for (std::size_t tray = 0; tray < trays_.size(); ++tray) {
             for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
@@ -195,6 +213,10 @@ class StageBuilder {
     }
 
     Camera fit(const std::vector<Vec3>& points) const {
+        if (view_.lens == Lens::parallel) {
+            return fit_parallel_camera(points, options_.azimuth, options_.elevation, options_.width, options_.height,
+                                       view_.margin);
+        }
         return fit_camera(points, options_.azimuth, options_.elevation, options_.width, options_.height);
     }
 
@@ -224,28 +246,84 @@ class StageBuilder {
         to_stage_.translation = -(0.5 * scale) * (all.min + all.max);
         stage_.floor = to_stage_.translation.z + scale * shown_.min.z;
 
-        std::map<const Mesh*, int> known;
+        stage_.millimetre = scale;
+
         for (std::size_t tray = 0; tray < trays_.size(); ++tray) {
             Transform place = to_stage_;
             place.translation = to_stage_ * tray_origin(tray);
             stage_.containers.push_back({place * Vec3{}, place * packing_.container.size});
-            outline_walls(place);
+            outline_walls(tray, place);
             for (std::size_t i = 0; i < shown_copies_[tray].size(); ++i) {
                 if (!is_drawn(tray, i)) continue;
-                const auto& mesh = mesh_of(trays_[tray]->placements[i]);
-                const auto [index, fresh] = known.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
-                if (fresh) stage_.meshes.push_back(mesh);
-                stage_.copies.push_back({index->second, place * pose_of(tray, i), colour_of(tray, i)});
+                const Placement& placement = trays_[tray]->placements[i];
+                stage_.copies.push_back({staged_mesh(mesh_of(placement)), place * pose_of(tray, i), colour_of(tray, i),
+                                         numbers_.of(placement), static_cast<int>(i), placement.fixed, look_of(i)});
             }
         }
     }
 
-    void outline_walls(const Transform& place) {
-        const Container& container = packing_.container;
-        outline(container.mesh, {{}, container.size}, place);
-        for (const KeepOut& keep_out : container.keep_out) {
-            outline(keep_out.mesh, keep_out.box, place);
+    int staged_mesh(const std::shared_ptr<const Mesh>& mesh) {
+        const auto [index, fresh] = known_.try_emplace(mesh.get(), static_cast<int>(stage_.meshes.size()));
+        if (fresh) stage_.meshes.push_back(mesh);
+        return index->second;
+    }
+
+    /// A section keeps what lies behind its plane as the camera sees it.
+    void cut() {
+        if (view_.slab) {
+            const double base = to_stage_.translation.z, mm = stage_.millimetre;
+            stage_.kept = Kept{2, base + mm * view_.slab->first, base + mm * view_.slab->second};
         }
+        if (!options_.section) return;
+        if (trays_.size() > 1) throw UsageError("a section is one tray's: choose the tray");
+        const Section& section = *options_.section;
+        const double size = packing_.container.size[section.axis];
+        if (!(section.at >= 0 && section.at <= size)) {
+            throw UsageError("a section lies inside the tray, which is " + std::to_string(std::lround(size)) +
+                             " mm long that way");
+        }
+        Kept kept{section.axis};
+        const double at = to_stage_.translation[section.axis] + stage_.millimetre * section.at;
+        (fit(stage_corners()).forward[section.axis] > 0 ? kept.low : kept.high) = at;
+        stage_.kept = kept;
+        stage_.hatched_cuts = true;
+    }
+
+    void outline_walls(std::size_t tray, const Transform& place) {
+        const Container& container = packing_.container;
+        if (tray < floors_.size()) {
+            for (const double floor : floors_[tray]) {
+                outline_floor(floor, place);
+                if (tray == 0) stage_.layers.push_back((place * Vec3{0, 0, floor}).z);
+            }
+            return;
+        }
+        if (view_.outlines) outline(container.mesh, {{}, container.size}, place);
+        for (const KeepOut& keep_out : container.keep_out) {
+            if (view_.outlines) outline(keep_out.mesh, keep_out.box, place);
+            const bool is_mesh = keep_out.mesh && keep_out.mesh->surface;
+            const auto mesh = is_mesh ? keep_out.mesh->surface : std::make_shared<const Mesh>(box_of(keep_out.box));
+            stage_.keep_outs.push_back({staged_mesh(mesh), place, {}});
+        }
+    }
+
+    void outline_floor(double height, const Transform& place) {
+        const Vec3& size = packing_.container.size;
+        const std::array<Vec3, 4> corners{Vec3{0, 0, height}, Vec3{size.x, 0, height}, Vec3{size.x, size.y, height},
+                                          Vec3{0, size.y, height}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            stage_.edges.emplace_back(place * corners[i], place * corners[(i + 1) % 4]);
+        }
+    }
+
+    static Mesh box_of(const Box& box) {
+        Mesh mesh;
+        for (const Vec3& corner : corners(box)) {
+            mesh.vertices.push_back(corner);
+        }
+        mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                          {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+        return mesh;
     }
 
     /// A mesh without sharp edges, and one that has not been loaded, are shown by their boxes.
@@ -260,9 +338,13 @@ class StageBuilder {
 
     const Packing& packing_;
     const std::vector<std::shared_ptr<const Mesh>>& meshes_;
+    const View& view_;
     const RenderOptions& options_;
+    CopyNumbers numbers_;
     std::vector<const TrayPacking*> trays_;             ///< null: a packing without trays
     std::vector<std::vector<ShownCopy>> shown_copies_;  ///< by tray and placement
+    std::vector<std::vector<double>> floors_;           ///< by tray that is drawn apart: heights of its layers, mm
+    std::map<const Mesh*, int> known_;                  ///< index into Stage::meshes; looked up only
     Box shown_;
     Vec3 to_right_, to_back_;  ///< from a tray to the next of its row, and to the next row
     int columns_ = 1;
@@ -272,9 +354,32 @@ class StageBuilder {
 
 }  // namespace
 
-Stage set_stage(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-                const RenderOptions& options) {
-    return StageBuilder(packing, meshes, options).build();
+Stage set_stage(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes, const View& view) {
+    return StageBuilder(packing, meshes, view).build();
+}
+
+Stage set_part_stage(const std::shared_ptr<const Mesh>& mesh, const Vec3& colour, int width, int height) {
+    constexpr double kAzimuth = 35, kElevation = 28, kPartMargin = 0.02;
+    const Box box = bounding_box(*mesh);
+    const double size = length(box.size());
+    Stage stage;
+    stage.backdrop = Backdrop::white;
+    stage.meshes = {mesh};
+    StagedCopy copy;
+    copy.colour = colour;
+    if (size > 0 && std::isfinite(size)) {
+        const double scale = 2 / size;
+        copy.pose = {scale * Mat3{}, -(0.5 * scale) * (box.min + box.max)};
+        stage.millimetre = scale;
+        stage.copies = {copy};
+    }
+    std::vector<Vec3> points;
+    for (const Vec3& vertex : mesh->vertices) {
+        points.push_back(copy.pose * vertex);
+    }
+    if (points.empty()) points = {{-1, -1, -1}, {1, 1, 1}};
+    stage.camera = fit_parallel_camera(points, kAzimuth, kElevation, width, height, kPartMargin);
+    return stage;
 }
 
 }  // namespace spectralpack

@@ -1,5 +1,11 @@
 #include "render/taking_apart.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/slabs.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -25,37 +31,28 @@ Vec3 walk(const std::vector<Vec3>& path, double distance) {
     return at;
 }
 
-/// How far the box's middle lies from the rear of `all`, seen along `direction` (of length 1).
-double reached(const Box& box, const Box& all, const Vec3& direction) {
-    double rear = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        rear += std::min(direction[axis] * all.min[axis], direction[axis] * all.max[axis]);
-    }
-    return 0.5 * dot(direction, box.min + box.max) - rear;
-}
-
 }  // namespace
 
-std::vector<ShownCopy> show_exploded(const TrayPacking& tray, const std::vector<Box>& boxes, double factor) {
-    std::vector<ShownCopy> shown(tray.placements.size());
-    Box all;
-    for (const Box& box : boxes) {
-        all.add(box);
-    }
-    for (const RemovalStep& step : tray.disassembly->steps) {
-        Box group;
-        for (const int placement : step.placements) {
-            group.add(boxes[static_cast<std::size_t>(placement)]);
+ExplodedTray show_exploded(const std::vector<Box>& boxes, const Vec3& container, double azimuth, double elevation,
+                           double factor) {
+    // From steeper above than this, layers would have to be very far apart.
+    constexpr double kSteepest = 60, kRadians = std::numbers::pi / 180;
+    const double a = azimuth * kRadians, e = std::clamp(std::abs(elevation), 0.0, kSteepest) * kRadians;
+    const double depth = std::abs(std::sin(a)) * container.x + std::abs(std::cos(a)) * container.y;
+    ExplodedTray tray;
+    tray.copies.resize(boxes.size());
+    const std::vector<Slab> slabs = slabs_of(boxes);
+    double raised = 0;
+    for (std::size_t i = slabs.size(); i-- > 0;) {
+        double top = slabs[i].high;
+        for (const int placement : slabs[i].placements) {
+            tray.copies[static_cast<std::size_t>(placement)].offset.z = raised;
+            top = std::max(top, boxes[static_cast<std::size_t>(placement)].max.z);
         }
-        const Vec3 way = walk(step.path, path_length(step.path));
-        if (!(length(way) > 0)) continue;
-        const Vec3 offset = walk(step.path, factor * reached(group, all, 1 / length(way) * way));
-        for (const int placement : step.placements) {
-            Vec3& of_copy = shown[static_cast<std::size_t>(placement)].offset;
-            of_copy = of_copy + offset;
-        }
+        tray.floors.push_back(slabs[i].low + raised);
+        raised += factor * (depth * std::tan(e) + top - slabs[i].high);
     }
-    return shown;
+    return tray;
 }
 
 std::vector<ShownCopy> show_step(const TrayPacking& tray, int step) {

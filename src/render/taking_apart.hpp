@@ -1,5 +1,5 @@
 #pragma once
-/// Where the copies of a tray are drawn while its disassembly plan takes it apart.
+/// Where the copies of a tray are drawn in pictures that take it apart.
 
 #include <vector>
 
@@ -14,10 +14,15 @@ struct ShownCopy {
     bool leaving = false;  ///< it is what the picture is about
 };
 
-/// Each copy goes along its way out, the farther the farther it stands in the direction of that: copies that leave
-/// alike spread as if the tray were 1 + factor times as long that way, in their order. What has no step, and the last
-/// one, which needs no way, stays. `boxes`: by placement. Precondition: the tray has a plan.
-std::vector<ShownCopy> show_exploded(const TrayPacking& tray, const std::vector<Box>& boxes, double factor);
+struct ExplodedTray {
+    std::vector<ShownCopy> copies;
+    std::vector<double> floors;  ///< at what height each layer is drawn, from the lowest up, mm
+};
+
+/// The tray's slabs (model/slabs.hpp) one above the other, so far apart at `factor` 1 that none hides the next from a
+/// camera at these angles. `boxes`: by placement.
+ExplodedTray show_exploded(const std::vector<Box>& boxes, const Vec3& container, double azimuth, double elevation,
+                           double factor);
 
 /// Step `step` (from 1 on) being made: its copies half way, and what is left of those that they stood together with.
 /// Step 0: the tray as it stands. Precondition: the tray has a plan of at least so many steps.

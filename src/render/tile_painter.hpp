@@ -4,9 +4,9 @@
 
 #include "render/outline.hpp"
 #include "render/ray_scene.hpp"
-#include "render/render.hpp"
 #include "render/shading.hpp"
 #include "render/stage.hpp"
+#include "spectralpack/render.hpp"
 
 namespace spectralpack {
 
@@ -21,8 +21,14 @@ struct PaintInput {
     int samples;  ///< per pixel and axis
 };
 
+/// A picture, and which copy each of its pixels shows: an index into Stage::copies, or less than 0.
+struct Picture {
+    Image image;
+    std::vector<int> seen;
+};
+
 /// Paints the tile whose upper left pixel is (left, top). About 4 MB of working memory at 3
 /// samples.
-void paint_tile(const PaintInput& input, int left, int top, Image& image);
+void paint_tile(const PaintInput& input, int left, int top, Picture& picture);
 
 }  // namespace spectralpack

@@ -47,33 +47,32 @@ std::pair<double, double> TileSamples::place(int sx, int sy) const {
 
 double TileSamples::flatness(const Vec3& position) const {
     constexpr double kPixels = 3;
-    const double pixel = 2 * stage_.camera.tan_y / stage_.camera.height;  // at depth 1
-    return kPixels * pixel * length(position - stage_.camera.eye);
+    return kPixels * stage_.camera.pixel_size(position);
 }
 
 TileSamples::Seen TileSamples::look(int sx, int sy) const {
     const Camera& camera = stage_.camera;
     const auto [x, y] = place(sx, sy);
-    const Vec3 ray = camera.ray(x, y);
-    Seen seen{rays_.first(camera.eye, ray), {}};
-    const double above = camera.eye.z - stage_.floor;
-    if (seen.hit.copy == kNothing && ray.z < 0 && above > 0) {
+    const Vec3 ray = camera.ray(x, y), origin = camera.origin(x, y);
+    Seen seen{rays_.first(origin, ray), {}};
+    const double above = origin.z - stage_.floor;
+    if (stage_.backdrop == Backdrop::floor && seen.hit.copy == kNothing && ray.z < 0 && above > 0) {
         seen.hit = {kFloor, above / -ray.z, {0, 0, 1}, {0, 0, 1}};
     }
-    seen.position = camera.eye + seen.hit.at * ray;
+    seen.position = origin + seen.hit.at * ray;
     return seen;
 }
 
 /// Whether the first looks of a pixel and of those around it all fall on one surface.
 bool TileSamples::uniform(int x, int y) const {
     const Seen& here = first_look_[2 * pixel(x, y)];
-    const Fragment surface{here.hit.copy, here.position, here.hit.face, here.hit.smooth, {}, {}};
+    const Fragment surface{here.hit.copy, here.hit.cut, here.position, here.hit.face, here.hit.smooth, {}, {}};
     const double flatness = this->flatness(here.position);
     for (int j = std::max(0, y - 1); j <= std::min(side_ - 1, y + 1); ++j) {
         for (int i = std::max(0, x - 1); i <= std::min(side_ - 1, x + 1); ++i) {
             for (const std::size_t k : {0, 1}) {
                 const Seen& other = first_look_[2 * pixel(i, j) + k];
-                if (!surface.same_surface(other.hit.copy, other.hit.smooth) ||
+                if (!surface.same_surface(other.hit.copy, other.hit.cut, other.hit.smooth) ||
                     std::abs(dot(other.position - here.position, here.hit.face)) > flatness) {
                     return false;
                 }
@@ -90,11 +89,12 @@ void TileSamples::trace_pixel(int x, int y) {
         for (int sx = x * n_; sx < (x + 1) * n_; ++sx) {
             const Seen seen = all_alike ? first_look_[2 * pixel(x, y)] : look(sx, sy);
             std::size_t i = first;
-            while (i < fragments_.size() && !fragments_[i].same_surface(seen.hit.copy, seen.hit.smooth)) {
+            while (i < fragments_.size() && !fragments_[i].same_surface(seen.hit.copy, seen.hit.cut, seen.hit.smooth)) {
                 ++i;
             }
             if (i == fragments_.size()) {
-                fragments_.push_back({seen.hit.copy, seen.position, seen.hit.face, seen.hit.smooth, {}, {}});
+                fragments_.push_back(
+                    {seen.hit.copy, seen.hit.cut, seen.position, seen.hit.face, seen.hit.smooth, {}, {}});
             }
             Sample& sample = samples_[index(sx, sy)];
             sample.fragment = static_cast<int>(i);

@@ -19,12 +19,13 @@ inline constexpr int kNothing = -1, kFloor = -2;  ///< in place of a copy
 /// The samples of one pixel that see one surface: one copy, about one normal.
 struct Fragment {
     int copy = kNothing;
+    bool cut = false;             ///< where the section cuts it
     Vec3 position, face, smooth;  ///< of its first sample; see RayHit
     Exposure exposure;
     Vec3 colour;
 
-    bool same_surface(int other_copy, const Vec3& other_smooth) const {
-        return copy == other_copy && (copy == kNothing || dot(smooth, other_smooth) > 0.9);
+    bool same_surface(int other_copy, bool other_cut, const Vec3& other_smooth) const {
+        return copy == other_copy && cut == other_cut && (copy == kNothing || dot(smooth, other_smooth) > 0.9);
     }
 };
 

@@ -182,7 +182,7 @@ CheckReport check_packing(const Packing& packing, const std::vector<std::shared_
         report.plans.emplace_back();
         if (has_plan && !report.stopped) {
             const Replay replay =
-                replay_plan(packing, tray, here, walls->physical(), workers, stop,
+                replay_plan(packing, tray, here, walls->standing(), workers, stop,
                             [&](std::size_t done, std::size_t total) { tell(done, total, comparing, 1 - comparing); });
             report.stopped = replay.stopped;
             report.plans.back() = replay.report;

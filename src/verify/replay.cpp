@@ -1,6 +1,7 @@
 #include "verify/replay.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "verify/sweep.hpp"
@@ -46,6 +47,7 @@ bool overlap_on_the_way(const Box& a, const Box& b, const Vec3& move) {
 struct Stage {
     std::size_t step = 0;
     std::vector<const JudgedCopy*> leaving, left;
+    bool walls = false;  ///< are in the way, too
 };
 
 /// What went wrong in a step.
@@ -79,6 +81,8 @@ class PlanReplay {
                const std::function<void(std::size_t, std::size_t)>& tell) {
         const std::size_t count = plan_.steps.size();
         replay_.report.steps = static_cast<std::int64_t>(count);
+        replay_.report.unpack = plan_.unpack;
+        replay_.report.through_walls = std::ssize(plan_.through_walls);
         for (std::size_t begin = 0; begin < count; begin += kBatch) {
             std::vector<Stage> stages;
             for (std::size_t step = begin; step < std::min(begin + kBatch, count); ++step) {
@@ -130,18 +134,24 @@ class PlanReplay {
             subassembly_[i] = fresh;
             if (step.placements.size() == 1) own_step_[i] = index;
         }
-        Stage stage{index, {}, {}};
+        Stage stage{index, {}, {}, subassembly == kInTray && between_walls(index)};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             if (!copy_of_[i]) continue;
             if (subassembly_[i] == fresh) stage.leaving.push_back(copy_of_[i]);
             if (subassembly_[i] == subassembly) stage.left.push_back(copy_of_[i]);
         }
-        if (subassembly == kInTray) {
+        if (stage.walls) {
             for (const JudgedCopy& wall : walls_) {
                 stage.left.push_back(&wall);
             }
         }
         return stage;
+    }
+
+    bool between_walls(std::size_t step) const {
+        if (walls_.empty() || packing_.container.physical) return !walls_.empty();
+        return plan_.unpack == Unpack::top &&
+               !std::binary_search(plan_.through_walls.begin(), plan_.through_walls.end(), static_cast<int>(step));
     }
 
     Verdict judge(const Stage& stage) const {
@@ -198,7 +208,7 @@ class PlanReplay {
         if (verdict.inside) {
             find(stage.step, {verdict.inside->placement}, verdict.sticking,
                  name(verdict.inside) + " ends inside the bounding box of what is left" +
-                     (walls_.empty() ? ", " : " and of the container, ") + short_number(verdict.sticking) +
+                     (!stage.walls ? ", " : " and of the container, ") + short_number(verdict.sticking) +
                      " mm from outside");
         }
     }
@@ -222,6 +232,9 @@ class PlanReplay {
         report.message = tray_prefix(packing_, tray_) + "plan: " + std::to_string(report.steps) +
                          (report.steps == 1 ? " step replayed, " : " steps replayed, ") +
                          (report.ok() ? "ok" : std::to_string(report.failed_steps.size()) + " failed");
+        if (report.through_walls > 0) {
+            report.message += "; " + std::to_string(report.through_walls) + " of them sideways through the walls";
+        }
         if (report.complete) return;
         report.message += "; INCOMPLETE";
         if (!report.without_step.empty()) report.message += ": no way out for " + names(report.without_step);

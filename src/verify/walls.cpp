@@ -1,5 +1,7 @@
 #include "verify/walls.hpp"
 
+#include <algorithm>
+
 #include "model/physical_surfaces.hpp"
 #include "spectralpack/error.hpp"
 #include "verify/words.hpp"
@@ -55,14 +57,17 @@ Walls::Walls(const Packing& packing, const Box& all) : packing_(packing) {
         if (!keep_out.mesh) add_box(box, keep_out.box);
         add("keep-out " + std::to_string(i), keep_out.mesh ? surface_of(*keep_out.mesh) : box);
     }
-    if (!container.physical) return;
+    const auto dug = [](const TrayPacking& tray) {
+        return tray.disassembly && tray.disassembly->unpack == Unpack::top;
+    };
+    if (!container.physical && std::ranges::none_of(packing.trays, dug)) return;
     for (const Mesh& surface : physical_surfaces(container)) {
         if (surface.triangles.empty()) continue;
         physical_.push_back(std::make_unique<const Solid>(surface, Transform{}, deep_enough(kCheckTolerance)));
     }
 }
 
-std::vector<JudgedCopy> Walls::physical() const {
+std::vector<JudgedCopy> Walls::standing() const {
     std::vector<JudgedCopy> walls;
     for (const auto& solid : physical_) {
         walls.push_back({-1, {solid.get(), Transform{}}, solid->box()});

@@ -22,9 +22,9 @@ class Walls {
     std::vector<Finding> judge(int tray, const std::vector<JudgedCopy>& copies, const Workers& workers,
                                const StopToken& stop) const;
 
-    /// What of a physical container is in the way of what leaves (model/physical_surfaces.hpp), for replay_plan(); none
-    /// where it is not physical. Refers to this.
-    std::vector<JudgedCopy> physical() const;
+    /// What of the container is in the way of what leaves (model/physical_surfaces.hpp), for replay_plan(): of one that
+    /// is physical, or where a plan says that it goes between walls (Unpack::top). Refers to this.
+    std::vector<JudgedCopy> standing() const;
 
   private:
     struct Wall {

@@ -68,6 +68,8 @@ TEST_F(Bench, OrdersArePackedInATrayAndAsAFixedSet) {
     std::map<std::string, double> density;
     for (const auto& row : all) {
         EXPECT_TRUE(contains(row.at("command"), "spectralpack pack ")) << row.at("command");
+        EXPECT_EQ(contains(row.at("command"), "--height-at bottom --height-penalty auto"), row.at("kind") == "tray")
+            << "the paper's rule under a ceiling: " << row.at("command");
         EXPECT_FALSE(row.at("commit").empty());
         EXPECT_FALSE(row.at("machine").empty());
         EXPECT_GT(std::stod(row.at("cpu_seconds")), 0);

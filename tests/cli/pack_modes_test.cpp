@@ -171,6 +171,19 @@ TEST_F(PackModes, FillingTakesAsManyAsFitInTheirShares) {
     EXPECT_TRUE(names(out_, {"die", n_dice, 2, "rod", rods, 1})) << "counts and shares";
 }
 
+TEST_F(PackModes, FillingGivesLargePartsTheirShare) {
+    stl("die.stl", cube_mesh(10));
+    stl("crate.stl", cube_mesh(60));
+    const std::vector<std::string> tray{"--tray", "200x200x200", "--fill"};
+    const int alone = packed(tray + std::vector<std::string>{at("crate.stl")})["metrics"]["placed"];
+    EXPECT_EQ(alone, 27);
+    const json both = packed(tray + std::vector<std::string>{at("crate.stl"), at("die.stl:3")});
+    const int crates = both["parts"][0]["count"], dice = both["parts"][1]["count"];
+    EXPECT_EQ(crates, alone) << "dice stand in the way of crates";
+    EXPECT_GT(dice, 3 * crates);
+    EXPECT_TRUE(names(out_, {"1 : ", "for the 1 : 3 asked", "no further crate found a free place"})) << out_;
+}
+
 TEST_F(PackModes, CapsAreKeptAndSaid) {
     const std::vector<std::string> call{kSamples, "--tray", "110x90x100", "--voxel", "4"};
     const json thin = packed(call + std::vector<std::string>{"--max-density", "0.1"});

@@ -125,8 +125,10 @@ TEST(Plan, GoesByTheFilesOwnPlanWhereItFindsNoWay) {
     write_packing(packing, file);
     const Ran ran = spectralpack({"plan", file, "-o", planned});
     EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
-    EXPECT_EQ(read_json(planned)["trays"][0]["disassembly"], read_json(file)["trays"][0]["disassembly"]);
-    const json report = check_report(planned, 1);  // the file states no figures
+    const json plan = read_json(planned)["trays"][0]["disassembly"];
+    EXPECT_EQ(plan["steps"], read_json(file)["trays"][0]["disassembly"]["steps"]);
+    EXPECT_EQ(plan["through_walls"], json::array({0}));  // it leads out sideways
+    const json report = check_report(planned, 1);        // the file states no figures
     EXPECT_EQ(report["interlocking"], "none");
     EXPECT_EQ(report["plans"][0]["steps"], 1);
     EXPECT_TRUE(report["plans"][0]["ok"]);
@@ -152,6 +154,109 @@ TEST(Plan, EveryPackedCopyComesOutOnce) {
         EXPECT_EQ(out, all);
         EXPECT_EQ(spectralpack({"plan", packed}).status, 0) << interlock;
     }
+}
+
+/// Where a copy's box ends in the tray as its step's path has been gone.
+double top_before(const json& tray, const json& step) {
+    double top = 0;
+    for (const json& i : step["placements"]) {
+        top = std::max(top, tray["placements"][i.get<std::size_t>()]["transform"][2][3].get<double>());
+    }
+    return top;
+}
+
+TEST(Plan, GoesFromTheTopDownInABox) {
+    const TemporaryFolder folder;
+    write_stl(cube_mesh(10), folder / "cube.stl");
+    const std::string packed = (folder / "b.json").string(), planned = (folder / "p.json").string();
+    const Ran ran = spectralpack({"pack", (folder / "cube.stl").string() + ":27", "--tray", "34x34x34", "-o", packed});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.out, {27, "steps"}));
+    EXPECT_FALSE(contains(ran.out, "through the walls")) << ran.out;
+    EXPECT_EQ(read_json(packed)["options"]["unpack"], "top");
+    const json tray = read_json(packed)["trays"][0], plan = tray["disassembly"];
+    EXPECT_EQ(plan["unpack"], "top");
+    EXPECT_EQ(plan["through_walls"], json::array());
+    ASSERT_EQ(plan["steps"].size(), 27u);
+    double last = 100;
+    for (const json& step : plan["steps"]) {
+        EXPECT_LE(top_before(tray, step), last + 1e-9);
+        last = top_before(tray, step);
+        ASSERT_EQ(step["path"].size(), 1u);
+        EXPECT_GT(step["path"][0][2], 0);
+    }
+    EXPECT_EQ(check_report(packed, 0)["plans"][0]["unpack"], "top");
+
+    // Likewise `plan`, unless it is told otherwise, and for files that know nothing of it.
+    json old = read_json(packed);
+    old["options"].erase("unpack");
+    for (const char* key : {"unpack", "through_walls"}) {
+        old["trays"][0]["disassembly"].erase(key);
+    }
+    std::ofstream(folder / "old.json") << old;
+    ASSERT_EQ(spectralpack({"check", (folder / "old.json").string(), "--require-plan"}).status, 0);
+    ASSERT_EQ(spectralpack({"plan", (folder / "old.json").string(), "-o", planned}).status, 0);
+    EXPECT_EQ(read_json(planned)["trays"][0]["disassembly"], plan);
+    ASSERT_EQ(spectralpack({"plan", packed, "--unpack", "any", "-o", planned}).status, 0);
+    EXPECT_EQ(read_json(planned)["trays"][0]["disassembly"]["unpack"], "any");
+    EXPECT_EQ(spectralpack({"plan", packed, "--unpack", "up"}).status, 2);
+}
+
+/// The same copies stand in the same places, and all still comes apart.
+TEST(Plan, OrderChangesNoPlacement) {
+    const TemporaryFolder folder;
+    json placements;
+    for (const std::string unpack : {"any", "top"}) {
+        for (const std::vector<std::string>& tray :
+             {std::vector<std::string>{"--tray", "120x100x80"}, {"--tray", "120x100", "--open-height"}}) {
+            const std::string packed = (folder / (unpack + tray.back() + ".json")).string();
+            std::vector<std::string> arguments{"pack", kSampleFolder, "--unpack", unpack, "-o", packed};
+            arguments.insert(arguments.end(), tray.begin(), tray.end());
+            const Ran ran = spectralpack(arguments);
+            ASSERT_EQ(ran.status, 0) << ran.err;
+            const json build = read_json(packed);
+            EXPECT_EQ(build["trays"][0]["disassembly"]["unpack"], unpack);
+            json& known = placements[tray.back()];
+            if (known.is_null()) known = build["trays"][0]["placements"];
+            EXPECT_EQ(build["trays"][0]["placements"], known);
+            const Ran checked = spectralpack({"check", packed, "--require-plan"});
+            EXPECT_EQ(checked.status, 0) << checked.out;
+        }
+    }
+}
+
+/// A die in a box whose only door is a side of it, against the tray's wall.
+TEST(Plan, SaysWhatLeavesThroughTheWalls) {
+    const TemporaryFolder folder;
+    Packing packing;
+    packing.container.size = packing.options.tray = {24, 20, 20};
+    packing.options.voxel = 1;
+    packing.trays.resize(1);
+    Mesh shelf = box_mesh({0, 0, 0}, {20, 20, 6});
+    shelf = merged(shelf, box_mesh({0, 0, 12}, {20, 20, 20}));
+    shelf = merged(shelf, box_mesh({0, 0, 6}, {12, 20, 12}));
+    const std::vector<Mesh> meshes{shelf, box_mesh({12, 7, 6}, {24, 13, 12})};
+    for (int i = 0; i < 2; ++i) {
+        PackedPart part;
+        part.name = i == 0 ? "shelf" : "die";
+        part.mesh = (folder / (part.name + ".stl")).string();
+        part.count = 1;
+        write_stl(meshes[static_cast<std::size_t>(i)], part.mesh);
+        packing.parts.push_back(part);
+        packing.trays[0].placements.push_back({i, 0, 0, i == 0, {}});
+    }
+    packing.metrics.copies = packing.metrics.placed = 2;
+    const std::string file = (folder / "b.json").string(), planned = (folder / "planned.json").string();
+    write_packing(packing, file);
+    const Ran ran = spectralpack({"plan", file, "-o", planned});
+    ASSERT_EQ(ran.status, 0) << ran.out << ran.err;
+    EXPECT_TRUE(contains(ran.out, "1 of them sideways through the walls")) << ran.out;
+    EXPECT_EQ(read_json(planned)["trays"][0]["disassembly"]["through_walls"], json::array({0}));
+    const json report = check_report(planned, 1);  // the file states no figures
+    EXPECT_TRUE(report["plans"][0]["ok"]);
+    EXPECT_EQ(report["plans"][0]["through_walls"], 1);
+    EXPECT_TRUE(contains(spectralpack({"check", planned}).out, "1 of them sideways through the walls"));
+    EXPECT_FALSE(contains(spectralpack({"plan", file, "--unpack", "any"}).out, "walls"));
 }
 
 }  // namespace

@@ -17,8 +17,13 @@ class Render : public PackedCubes {
     }
 
     Ran render(const std::vector<std::string>& options, const std::string& name) {
-        return spectralpack(
-            std::vector<std::string>{"render", file(), "-o", picture(name).string(), "--size", "120x90"} + options);
+        return spectralpack(std::vector<std::string>{"render", file(), "-o", picture(name).string()} + sized(options));
+    }
+
+    static std::vector<std::string> sized(std::vector<std::string> options) {
+        if (options.empty() || options.front() != "--size")
+            options = std::vector<std::string>{"--size", "120x90"} + options;
+        return options;
     }
 
     fs::path picture(const std::string& name) const { return folder_ / name; }
@@ -34,7 +39,7 @@ TEST_F(Render, DrawsThePackingInTheSizeThatIsAskedFor) {
 }
 
 TEST_F(Render, DrawsHowItComesApart) {
-    const Ran without = render({"--explode", "1"}, "none.png");
+    const Ran without = render({"--step", "1"}, "none.png");
     EXPECT_EQ(without.status, 2);
     EXPECT_TRUE(names(without.err, {"plan"}));
     EXPECT_FALSE(fs::exists(picture("none.png")));
@@ -55,6 +60,24 @@ TEST_F(Render, DrawsHowItComesApart) {
     EXPECT_EQ(render({"--explode", "-1"}, "none.png").status, 2);
     EXPECT_EQ(render({"--explode", "1", "--step", "1"}, "none.png").status, 2);
     EXPECT_FALSE(fs::exists(picture("none.png")));
+}
+
+TEST_F(Render, LooksInside) {
+    EXPECT_EQ(render({}, "whole.png").status, 0);
+    EXPECT_EQ(render({"--section", "y=5"}, "cut.png").status, 0);
+    EXPECT_NE(read_text(picture("cut.png")), read_text(picture("whole.png")));
+    for (const char* wrong : {"5", "y", "w=5", "y=", "y=5mm", "y=-1", "y=51"}) {
+        const Ran ran = render({"--section", wrong}, "none.png");
+        EXPECT_EQ(ran.status, 2) << wrong;
+        EXPECT_TRUE(names(ran.err, {"section"})) << ran.err;
+    }
+    EXPECT_FALSE(fs::exists(picture("none.png")));
+}
+
+TEST_F(Render, WritesNumbersUnlessItIsPlain) {
+    EXPECT_EQ(render({"--size", "600x500"}, "numbered.png").status, 0);
+    EXPECT_EQ(render({"--size", "600x500", "--plain"}, "plain.png").status, 0);
+    EXPECT_NE(read_text(picture("numbered.png")), read_text(picture("plain.png")));
 }
 
 }  // namespace

@@ -41,6 +41,43 @@ TEST_F(StandingCopies, TopsUpABuildWithoutTouchingIt) {
     expect_sound();
 }
 
+TEST_F(StandingCopies, TheGapsAreThoseOfTheBuild) {
+    const auto run = [&](const std::vector<std::string>& arguments) {
+        const Ran ran = spectralpack(std::vector<std::string>{"pack"} + arguments +
+                                     std::vector<std::string>{"--threads", "1", "-o", at("build.json")});
+        EXPECT_EQ(ran.status, 0) << ran.err;
+        return ran;
+    };
+    run({at("cube.stl") + ":4", "--tray", "60x60x40", "--gap", "2", "--wall-gap", "3"});
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    const std::vector<std::string> more{at("cube.stl") + ":2", "--onto", at("old.json")};
+    const Ran same = run(more);
+    EXPECT_TRUE(names(same.out, {"60 x 60 x 40 mm", "as in old.json", "2 mm between", "3 mm to the walls"}))
+        << same.out;
+    EXPECT_EQ(same.err, "");
+    EXPECT_EQ(build()["options"]["gap"], 2);
+    EXPECT_EQ(build()["options"]["wall-gap"], 3);
+    EXPECT_GE(build()["metrics"]["min_gap"], 2 - 1e-6);
+    expect_sound();
+    // What is said counts, and that it differs is said.
+    const Ran other = run(more + std::vector<std::string>{"--gap", "1", "--wall-gap", "3"});
+    EXPECT_TRUE(names(other.err, {"gap", "1 mm", "old.json", "2 mm"})) << other.err;
+    EXPECT_FALSE(contains(other.err, "wall gap"));
+    EXPECT_EQ(build()["options"]["gap"], 1);
+    expect_sound();
+    const Ran larger = run(more + std::vector<std::string>{"--tray", "60x60x50"});
+    EXPECT_TRUE(names(larger.err, {"60 x 60 x 50 mm", "60 x 60 x 40 mm"})) << larger.err;
+    // A job file says it as well.
+    std::ofstream(at("job.json")) << json{{"format", "spectralpack/job"},
+                                          {"version", 1},
+                                          {"gap", 4},
+                                          {"options", {{"onto", "old.json"}}},
+                                          {"parts", {{{"mesh", "cube.stl"}}}}};
+    const Ran job = run({at("job.json")});
+    EXPECT_TRUE(names(job.err, {"gap", "4 mm", "2 mm"})) << job.err;
+    EXPECT_EQ(build()["options"]["wall-gap"], 3);
+}
+
 TEST_F(StandingCopies, FixedCopiesAreObstacles) {
     json job{
         {"format", "spectralpack/job"},

@@ -220,13 +220,14 @@ TEST(Summary, OfABuildThatWasToppedUp) {
         result.packing.trays[0].placements[i].fixed = true;
     }
     RunFacts facts = wrote({"b.json"});
-    facts.onto = "old/base.json";
-    facts.tray_of_onto = true;
+    facts.taken.file = "old/base.json";
+    facts.taken.container = facts.taken.gap = facts.taken.wall_gap = true;
     facts.onto_height = 199.97;
     const std::string text = summary_text(result, facts);
     EXPECT_TRUE(text.starts_with("All 8 new copies are placed; 4 stood there before.\n")) << text;
     EXPECT_TRUE(test::contains(text, "  Tray       480 x 245 x 200 mm, as in base.json\n")) << text;
     EXPECT_TRUE(test::contains(text, "  Height     200.0 mm of 200, as before\n")) << text;
+    EXPECT_TRUE(test::contains(text, " mm to the walls, as in base.json\n")) << text;
     EXPECT_TRUE(test::contains(text, "; 8 new copies come apart\n")) << text;
 }
 
@@ -237,7 +238,7 @@ TEST(Summary, OfATrayThatWasFilledInShares) {
     result.packing.parts[1].share = 3;
     const std::string text = summary_text(result, {});
     EXPECT_TRUE(text.starts_with("The tray is full: 162 copies.\n")) << text;
-    EXPECT_TRUE(test::contains(text, "  Of each    39 extruder-body, 123 fan-shroud: 1 : 3.2 for the 1 : 3 asked\n"))
+    EXPECT_TRUE(test::contains(text, "  Of each    39 extruder-body, 123 fan-shroud: 1 : 3.2 for the 1 : 3 asked,\n"))
         << text;
 }
 

@@ -30,7 +30,7 @@ TEST_F(Trays, FillsAsManyTraysAsItTakes) {
         EXPECT_TRUE(names(ran.out, {at(name)}));
     }
     EXPECT_FALSE(fs::exists(folder_ / "build-4.3mf"));
-    EXPECT_TRUE(names(read_text(folder_ / "r.html"), {83.3, "%"}));
+    EXPECT_TRUE(names(read_text(folder_ / "r.html"), {"20 of 20 asked", "filled, by volume"}));
 }
 
 TEST_F(Trays, LeavesOverWhatTheTraysDoNotHold) {

@@ -85,6 +85,10 @@ TEST(BlockingGraph, GroupsAgreeWithReachability) {
                 }
             }
         }
+        const std::vector<bool> behind = graph.behind({0}, {1, 1});
+        for (std::size_t i = 0; i < n; ++i) {
+            EXPECT_EQ(behind[i], i == 0 || reach[i][0]);
+        }
         Groups expected;
         for (std::size_t i = 0; i < n; ++i) {
             std::vector<std::size_t> members;

@@ -17,14 +17,6 @@ using Sets = std::vector<std::vector<int>>;
 
 const Mesh kTorus = test::torus_mesh(10, 2);
 
-/// A C open towards +x, in the plane of x and z.
-Mesh hook_mesh() {
-    Mesh mesh = box_mesh({0, 0, 0}, {12, 4, 3});
-    mesh = test::merged(mesh, box_mesh({0, 0, 0}, {3, 4, 12}));
-    mesh = test::merged(mesh, box_mesh({0, 0, 9}, {12, 4, 12}));
-    return test::merged(mesh, box_mesh({9, 0, 7}, {12, 4, 12}));
-}
-
 TEST(Disassembler, OnMixedScenesOnlyTheInterlockedStay) {
     AssemblyScene scene({120, 60, 60});
     scene.add(placed(kTorus, {20, 20, 20}));
@@ -68,40 +60,7 @@ TEST(Disassembler, PlansOfRandomHeapsHoldOnTheMeshes) {
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
         RandomStream random(seed);
         AssemblyScene scene({40, 40, 40}, 2);
-        std::vector<Box> taken;
-        BitGrid voxels({20, 20, 20});
-        for (int attempt = 0; attempt < 60; ++attempt) {
-            Mesh mesh;
-            switch (random.below(4)) {
-                case 0:
-                    mesh = test::frame_mesh(8 + 2.0 * static_cast<double>(random.below(4)), 2, 2);
-                    break;
-                case 1:
-                    mesh = placed(hook_mesh(), {});
-                    break;
-                case 2:
-                    mesh = test::chest_mesh(10, 2, true);
-                    break;
-                default:
-                    mesh = test::cube_mesh(3 + static_cast<double>(random.below(3)));
-            }
-            mesh = lying(mesh, static_cast<int>(random.below(3)));
-            const Box box = bounding_box(mesh);
-            Vec3 to;
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto room = static_cast<std::uint64_t>((40 - box.size()[axis]) / 2);
-                to[axis] = 2.0 * static_cast<double>(random.below(room + 1)) - box.min[axis];
-                // In half of the heaps they stand off the grid.
-                if (seed % 2 == 1)
-                    to[axis] += std::min(0.1 * static_cast<double>(random.below(20)),
-                                         40 - box.size()[axis] - box.min[axis] - to[axis]);
-            }
-            mesh = placed(mesh, to);
-            const StandingVoxels standing = voxelize_at(mesh, bounding_box(mesh).min, 2, scene.setup().workers);
-            if (intersects(voxels, standing.solid, standing.position)) continue;
-            unite(voxels, standing.solid, standing.position);
-            scene.add(mesh);
-        }
+        scene.add_heap(random, 40, {}, seed % 2 == 0);  // in half of the heaps they stand off the grid
         const auto answer = scene.disassemble();
         scene.replay(answer, 0.5);
         // Every step is of one kind, and every flood fill that found a way is one.

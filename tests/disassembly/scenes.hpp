@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <optional>
 
+#include "core/random.hpp"
 #include "disassembly/disassembler.hpp"
 #include "geometry/mesh_distance.hpp"
 #include "search/cpu/cpu_search.hpp"
@@ -37,6 +40,14 @@ inline Mesh chest_mesh(double size, double wall, bool open) {
     Mesh mesh = frame_mesh(size, wall, size);
     mesh = merged(mesh, box_mesh({0, 0, 0}, {size, size, wall}));
     return open ? mesh : merged(mesh, box_mesh({0, 0, size - wall}, {size, size, size}));
+}
+
+/// A C open towards +x, in the plane of x and z.
+inline Mesh hook_mesh() {
+    Mesh mesh = box_mesh({0, 0, 0}, {12, 4, 3});
+    mesh = merged(mesh, box_mesh({0, 0, 0}, {3, 4, 12}));
+    mesh = merged(mesh, box_mesh({0, 0, 9}, {12, 4, 12}));
+    return merged(mesh, box_mesh({9, 0, 7}, {12, 4, 12}));
 }
 
 class AssemblyScene {
@@ -72,14 +83,18 @@ class AssemblyScene {
         std::vector<RemovalStep> steps;
         std::vector<std::vector<int>> stuck;
         InterlockCounts counts;
+        std::vector<int> through_walls = {};
+        std::optional<std::size_t> walls = {};  ///< that gave way in those steps
 
         bool complete() const { return stuck.empty(); }
     };
-    Answer disassemble(const std::vector<RemovalStep>* told = nullptr) const {
+    Answer disassemble(const std::vector<RemovalStep>* told = nullptr) const { return disassemble({.told = told}); }
+    Answer disassemble(const Disassembler::Rules& rules) const {
         Disassembler disassembler(
-            setup_, parts_, [](int, int) {}, told);
+            setup_, parts_, [](int, int) {}, rules);
         disassembler.run();
-        return {disassembler.steps(), disassembler.stuck(), disassembler.counts()};
+        return {disassembler.steps(), disassembler.stuck(), disassembler.counts(), disassembler.through_walls(),
+                rules.walls};
     }
 
     /// Replays the steps: exactly where meshes are made of boxes, else in moves of at most `step` mm. Fails where a
@@ -87,7 +102,9 @@ class AssemblyScene {
     void replay(const Answer& answer, double step = 0.1) const {
         std::vector<int> subassembly(parts_.size(), 0), single(parts_.size(), 0);
         int subassemblies = 1;
-        for (const RemovalStep& removal : answer.steps) {
+        for (std::size_t k = 0; k < answer.steps.size(); ++k) {
+            const RemovalStep& removal = answer.steps[k];
+            const bool through = std::ranges::count(answer.through_walls, static_cast<int>(k)) > 0;
             ASSERT_FALSE(removal.placements.empty());
             const int own = subassembly[static_cast<std::size_t>(removal.placements.front())];
             std::vector<std::size_t> others;
@@ -98,7 +115,7 @@ class AssemblyScene {
                 if (moves) {
                     ASSERT_EQ(subassembly[i], own);
                 }
-                if (moves || subassembly[i] != own) continue;
+                if (moves || subassembly[i] != own || (through && i == answer.walls)) continue;
                 others.push_back(i);
                 rest.add(parts_[i].box());
             }
@@ -138,6 +155,44 @@ class AssemblyScene {
         }
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             EXPECT_EQ(single[i], parts_[i].object.fixed || stuck[i] ? 0 : 1) << "copy " << i;
+        }
+    }
+
+    /// Adds frames, hooks, chests and cubes that do not meet, all between the origin and (size, size, size), moved by
+    /// `corner`; on the grid or not.
+    void add_heap(RandomStream& random, double size, const Vec3& corner, bool on_grid) {
+        const auto across = static_cast<int>(size / 2);
+        BitGrid voxels({across, across, across});
+        for (int attempt = 0; attempt < 60; ++attempt) {
+            Mesh mesh;
+            switch (random.below(4)) {
+                case 0:
+                    mesh = frame_mesh(8 + 2.0 * static_cast<double>(random.below(4)), 2, 2);
+                    break;
+                case 1:
+                    mesh = hook_mesh();
+                    break;
+                case 2:
+                    mesh = chest_mesh(10, 2, true);
+                    break;
+                default:
+                    mesh = cube_mesh(3 + static_cast<double>(random.below(3)));
+            }
+            mesh = lying(mesh, static_cast<int>(random.below(3)));
+            const Box box = bounding_box(mesh);
+            Vec3 to;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto room = static_cast<std::uint64_t>((size - box.size()[axis]) / 2);
+                to[axis] = 2.0 * static_cast<double>(random.below(room + 1)) - box.min[axis];
+                if (on_grid) continue;
+                to[axis] += std::min(0.1 * static_cast<double>(random.below(20)),
+                                     size - box.size()[axis] - box.min[axis] - to[axis]);
+            }
+            mesh = placed(mesh, to);
+            const StandingVoxels standing = voxelize_at(mesh, bounding_box(mesh).min, 2, setup_.workers);
+            if (intersects(voxels, standing.solid, standing.position)) continue;
+            unite(voxels, standing.solid, standing.position);
+            add(placed(mesh, corner));
         }
     }
 

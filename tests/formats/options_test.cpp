@@ -60,7 +60,7 @@ TEST(Options, APackingFileHoldsTheseKeysInThisOrder) {
     const std::string expected =
         R"("options": {"tray":[100.0,80.0,60.5],"trays":1,"try-per-tray":1000,"printer":null,"voxel":1.5,"detail":3,)"
         R"("rotations":"45","upright":true,"gap":0.25,"wall-gap":1.0,"refine":true,"interlock":"place","links":"allow",)"
-        R"("take-out":"thinnest","ray-spacing":0.375,"height-penalty":100000000.0,"height-at":"top","open-height":true,)"
+        R"("take-out":"thinnest","unpack":"top","ray-spacing":0.375,"height-penalty":100000000.0,"height-at":"top","open-height":true,)"
         R"("minimise":"box","fill":true,"max-density":0.5,"max-layer-fill":0.75,"order":"random","restarts":7,"beam":4,)"
         R"("engine":"reference","threads":3,"seed":18446744073709551615,"memory":1099511627776,)"
         R"("verify-with":"reference:10","time-limit":2.5})";

@@ -188,6 +188,10 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         {"\"placements\":[0]", "\"placements\":[1]", "trays[0].disassembly.steps[0].placements"},
         {"[-70.0,0.25,0.0]", "[-70.0,null,0.0]", "trays[0].disassembly.steps[0].path[1][1]"},
         {"[-70.0,0.25,0.0]", "[-70.0,0.25]", "trays[0].disassembly.steps[0].path[1]"},
+        {"\"unpack\": \"top\"", "\"unpack\": \"up\"", "trays[0].disassembly.unpack"},
+        {"\"through_walls\": [0]", "\"through_walls\": [1]", "trays[0].disassembly.through_walls[0]"},
+        {"\"through_walls\": [0]", "\"through_walls\": [-1]", "trays[0].disassembly.through_walls[0]"},
+        {"\"through_walls\": [0]", "\"through_walls\": [0,0]", "trays[0].disassembly.through_walls[1]"},
         {"\"interlocked\":[[0]]", "\"interlocked\":[[0,1]]", "trays[1].disassembly.interlocked[0][1]"},
         {"\"interlocked\":[[0]]", "\"interlocked\":[[0,0]]", "trays[1].disassembly.interlocked[0]"},
     };

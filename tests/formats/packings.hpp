@@ -29,6 +29,7 @@ inline Packing small_packing() {
     packing.options.interlock = Interlock::place;
     packing.options.links = Links::allow;
     packing.options.take_out = TakeOut::thinnest;
+    packing.options.unpack = Unpack::top;
     packing.options.ray_spacing = 0.375;
     packing.options.height_penalty = 1e8;
     packing.options.height_at = HeightReference::top;
@@ -63,6 +64,8 @@ inline Packing small_packing() {
     bracket.orientations.yaw = 45;
     bracket.volume = 1000.0 / 3;
     bracket.repairs = {"turned the mesh, which was inside out"};
+    bracket.due = "2026-12-01";
+    bracket.order = "A-2291";
     packing.parts.push_back(bracket);
     PackedPart lid;
     lid.id = 1;
@@ -80,8 +83,9 @@ inline Packing small_packing() {
     first.density_bounding_box = 1.0 / 3;
     first.bounding_box = {{1, 0.1, 0}, {66, 27, 26}};
     first.height = 26;
+    first.height_at = HeightReference::top;
     first.layers = {1.5, {12.5, 0, 3}};
-    first.disassembly = Disassembly{true, {{{0}, {{0, 0, 30.5}, {-70, 0.25, 0}}}}, {}};
+    first.disassembly = Disassembly{true, {{{0}, {{0, 0, 30.5}, {-70, 0.25, 0}}}}, {}, Unpack::top, {0}};
     TrayPacking second;
     second.placements = {{0, 1, 1, false, {turned, {30, 4, 5}}}};
     second.disassembly = Disassembly{false, {}, {{0}}};

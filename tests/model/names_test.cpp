@@ -27,6 +27,7 @@ void expect_both_ways(std::initializer_list<Enum> values) {
 TEST(Names, EveryEnumIsReadAsItIsWritten) {
     expect_both_ways({Interlock::off, Interlock::place, Interlock::post});
     expect_both_ways({Links::allow, Links::avoid});
+    expect_both_ways({Unpack::any, Unpack::top});
     expect_both_ways({TakeOut::smallest, TakeOut::lightest, TakeOut::thinnest});
     expect_both_ways({Order::size, Order::input, Order::random, Order::volume, Order::mixed});
     expect_both_ways({EngineKind::automatic, EngineKind::cpu, EngineKind::cuda, EngineKind::reference});

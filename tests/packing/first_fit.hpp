@@ -35,18 +35,7 @@ class FirstFit : public PlacementSearch {
         ++asked;
         if (stop.stopped()) return {{}, true};
         if (asked == fail_at) throw std::runtime_error("engine failed");
-        const OrientedShape& oriented = shape.orientations.front();
-        const Extent count = tray.candidates(oriented.reach);
-        const BitGrid taken = tray.omega_place();
-        for (int z = 0; z < count.z; ++z)
-            for (int y = 0; y < count.y; ++y)
-                for (int x = 0; x < count.x; ++x)
-                    if (!intersects(taken, *oriented.solid, {x, y, z})) {
-                        BestPlacement best;
-                        best.position = {x, y, z};
-                        return {best, false};
-                    }
-        return {};
+        return first_free(tray, shape, false);
     }
     FreePositions free_positions(const Tray&, const Shape&, int, const FreeQuery&) override { return {}; }
     const char* name() const override { return "first fit"; }
@@ -54,6 +43,22 @@ class FirstFit : public PlacementSearch {
 
     int asked = 0;
     int fail_at = -1;
+
+  protected:
+    /// In (z, y, x) order, z counted from the ceiling where `downwards`.
+    static SearchResult first_free(const Tray& tray, const Shape& shape, bool downwards) {
+        const OrientedShape& oriented = shape.orientations.front();
+        const Extent count = tray.candidates(oriented.reach);
+        const BitGrid taken = tray.omega_place();
+        for (int layer = 0; layer < count.z; ++layer)
+            for (int y = 0; y < count.y; ++y)
+                for (int x = 0; x < count.x; ++x) {
+                    BestPlacement best;
+                    best.position = {x, y, downwards ? count.z - 1 - layer : layer};
+                    if (!intersects(taken, *oriented.solid, best.position)) return {best, false};
+                }
+        return {};
+    }
 };
 
 }  // namespace spectralpack::test

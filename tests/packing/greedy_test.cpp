@@ -62,8 +62,8 @@ TEST_F(Greedy, SharesAreKeptAsLongAsBothPartsFindAPlace) {
         return settle_on_grid(shape, best, 1, 1, 0);
     };
     pack_in_shares(
-        tray_, {{search_, shapes, Workers(2), stop_.token()}, 0, {}, {}, settle}, shares, [&](std::size_t) { ++done_; },
-        result_);
+        tray_, {{search_, shapes, Workers(2), stop_.token()}, 0, {}, {}, settle}, shares, {},
+        [&](std::size_t) { ++done_; }, result_);
     // 0 lacks more at first (2 of 3), then both lack as much and 1 comes first.
     ASSERT_GE(result_.placed.size(), 6u);
     std::vector<int> parts;

@@ -121,11 +121,12 @@ PackingJob random_job(RandomStream& random) {
     }
     job.room = fill.tray.size;
     job.held = 10;
+    job.choose_heights = fill.tray.ceiling == Ceiling::closed && !job.in_shares && one_in(2);
     return job;
 }
 
 TEST(TrayObserver, WhatItIsToldOfAddsUpToThePacking) {
-    int renumbered = 0, put_back = 0, left_out = 0;
+    int renumbered = 0, packed_anew = 0, put_back = 0, left_out = 0;
     for (std::uint64_t seed = 0; seed < test::trials<std::uint64_t>(60); ++seed) {
         SCOPED_TRACE(seed);
         RandomStream random(seed);
@@ -152,12 +153,14 @@ TEST(TrayObserver, WhatItIsToldOfAddsUpToThePacking) {
         }
         told.expect_holds(packed.trays);
         if (job.in_shares) renumbered += told.anew();
+        if (job.choose_heights) packed_anew += told.anew();
         put_back += told.put_back();
         left_out += told.left_out();
     }
     // Of the scenes each case is in some; of a few of them it may be in none.
     if (test::kSanitized) return;
     EXPECT_GT(renumbered, 0);
+    EXPECT_GT(packed_anew, 0);
     EXPECT_GT(put_back, 0);
     EXPECT_GT(left_out, 0);
 }

@@ -28,7 +28,7 @@ class ManyTrays : public testing::Test {
     void pack(const std::vector<Copy>& copies, const TraysLimit& limit) {
         TrayFiller filler(setup_, {search_, shapes_, Workers(1), stop_.token()}, {});
         fill_trays(
-            copies, limit, filler,
+            copies, limit, filler, nullptr,
             [this](const GreedyResult&, std::size_t done) {
                 if (done == stop_after_) stop_.request(StopReason::cancelled);
             },
@@ -166,7 +166,7 @@ TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     TrayFiller filler(setup, {*search, shapes, Workers(1), stop.token()}, [&](int part) { return parts.scaled(part); });
     TraysResult result;
     fill_trays(
-        {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, [](const FilledTray&, std::size_t) {}, result);
+        {{0, 0}, {1, 0}, {1, 1}}, {1, 0}, filler, nullptr, [](const FilledTray&, std::size_t) {}, result);
     ASSERT_EQ(result.trays.size(), 1u);
     EXPECT_EQ(result.trays[0].report.counts.removed, 2);
     EXPECT_EQ(result.trays[0].interlocked, (std::vector<Copy>{{1, 0}}));

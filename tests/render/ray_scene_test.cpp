@@ -42,8 +42,9 @@ Met brute_force(const Stage& stage, const Vec3& origin, const Vec3& direction) {
 
 void expect_brute_force(const SmallScene& scene) {
     RenderOptions options = test::small_picture(80, 60);
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
-    const RayScene rays(stage);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
+    const test::StageRays held(stage);
+    const RayScene& rays = held.rays;
     int hits = 0;
     for (int y = 0; y < options.height; ++y) {
         for (int x = 0; x < options.width; ++x) {
@@ -84,7 +85,8 @@ TEST(RayScene, FindsItInMeshesFarFromTheirOrigin) {
 
 TEST(RayScene, HoldsNothingWithoutCopies) {
     const SmallScene scene = test::empty_scene();
-    const RayScene rays(set_stage(scene.packing, scene.meshes, {}));
+    const test::StageRays held(set_stage(scene.packing, scene.meshes, {}));
+    const RayScene& rays = held.rays;
     EXPECT_EQ(rays.first({0, 0, 5}, {0, 0, -1}).copy, -1);
     EXPECT_FALSE(rays.blocked({0, 0, 5}, {0, 0, -1}, 1e3));
 }

@@ -22,8 +22,9 @@ using test::SmallScene;
 
 /// Which copy the middle of each pixel sees.
 std::vector<int> copies_seen(const SmallScene& scene, const RenderOptions& options) {
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
-    const RayScene rays(stage);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
+    const test::StageRays held(stage);
+    const RayScene& rays = held.rays;
     std::vector<int> seen;
     for (int y = 0; y < options.height; ++y) {
         for (int x = 0; x < options.width; ++x) {
@@ -86,7 +87,7 @@ TEST(Render, ShowsEachCopyInItsColour) {
     const SmallScene scene = test::varied_scene();
     const RenderOptions options = small_picture(400, 300);
     const Image image = picture(scene, options);
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
     const std::vector<int> seen = copies_seen(scene, options);
     const auto parts = scene.packing.parts.size();
     for (std::size_t part = 0; part < parts; ++part) {
@@ -117,7 +118,7 @@ TEST(Render, OutlinesTheContainer) {
     const SmallScene scene = test::empty_scene();
     const RenderOptions options = small_picture(400, 300);
     const Image image = picture(scene, options);
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
     const auto edges = Outline(stage).near(0, 0, options.width, options.height);
     ASSERT_EQ(edges.size(), 12u);
     const auto darkness = [&](double x, double y) {
@@ -140,9 +141,10 @@ TEST(Render, DashesEdgesThatCopiesHide) {
     SmallScene scene = test::empty_scene();
     scene.place(scene.add_part(test::box_mesh({1, 1, 1}, {89, 59, 39})), {});
     const RenderOptions options = small_picture(400, 300);
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
     const Outline outline(stage);
-    const RayScene rays(stage);
+    const test::StageRays held(stage);
+    const RayScene& rays = held.rays;
     int hidden = 0;
     for (const Outline::Edge& edge : outline.near(0, 0, options.width, options.height)) {
         const double x = (edge.from.x + edge.to.x) / 2, y = (edge.from.y + edge.to.y) / 2;

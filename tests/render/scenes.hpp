@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "model/rotation_samples.hpp"
+#include "render/ray_scene.hpp"
 #include "render/render.hpp"
 #include "spectralpack/orientations.hpp"
 #include "support/shapes.hpp"
@@ -61,6 +62,22 @@ inline SmallScene varied_scene() {
     }
     return scene;
 }
+
+/// What rays meet on a stage.
+class StageRays {
+  public:
+    explicit StageRays(const Stage& stage) : rays(stage, held(stage)) {}
+
+  private:
+    const RayMeshes& held(const Stage& stage) {
+        meshes_.add(stage.meshes, Workers(1));
+        return meshes_;
+    }
+    RayMeshes meshes_;
+
+  public:
+    const RayScene rays;
+};
 
 inline RenderOptions small_picture(int width = 200, int height = 150) {
     RenderOptions options;

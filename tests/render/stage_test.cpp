@@ -13,7 +13,7 @@ namespace {
 using test::SmallScene;
 
 Stage staged(const SmallScene& scene, const RenderOptions& options = test::small_picture()) {
-    return set_stage(scene.packing, scene.meshes, options);
+    return set_stage(scene.packing, scene.meshes, {options});
 }
 
 SmallScene trays(int count) {

@@ -24,14 +24,6 @@ TrayPacking tray_with_plan() {
     return tray;
 }
 
-std::vector<Box> boxes_of(const TrayPacking& tray) {
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < tray.placements.size(); ++i) {
-        boxes.push_back({{10.0 * double(i), 0, 0}, {10.0 * double(i) + 10, 10, 10}});
-    }
-    return boxes;
-}
-
 std::vector<int> where(const std::vector<ShownCopy>& shown, bool ShownCopy::*what) {
     std::vector<int> found;
     for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -63,16 +55,22 @@ TEST(TakingApart, AStepShowsWhoLeavesAndWhoStays) {
     EXPECT_EQ(show_step(tray, 4)[2].offset, (Vec3{5, 0, 0}));
 }
 
-TEST(TakingApart, ExplodingStretchesTheTrayAlongTheWaysOut) {
-    const TrayPacking tray = tray_with_plan();
-    const std::vector<ShownCopy> shown = show_exploded(tray, boxes_of(tray), 2);
-    EXPECT_EQ(shown[4].offset, (Vec3{90, 0, 0}));   // its middle lies 45 mm from the rear
-    EXPECT_EQ(shown[0].offset, (Vec3{-90, 0, 0}));  // the same, the other way
-    EXPECT_EQ(shown[3].offset, Vec3{});
-    EXPECT_GT(shown[1].offset.z, 1);  // it goes up before it goes back
-    EXPECT_EQ(shown[1].offset.x, 0);
-    EXPECT_NEAR(shown[2].offset.x - shown[1].offset.x, 50, 1e-9);  // on top of the group's way, its own
-    for (const ShownCopy& copy : show_exploded(tray, boxes_of(tray), 0)) {
+TEST(TakingApart, ExplodingLiftsLayersUntilNoneHidesTheNext) {
+    // Two layers of 50 mm, a tall copy in the lower one.
+    const std::vector<Box> boxes{{{0, 0, 0}, {10, 10, 40}},
+                                 {{20, 0, 0}, {30, 10, 80}},
+                                 {{0, 0, 55}, {10, 10, 95}},
+                                 {{20, 20, 85}, {30, 30, 100}}};
+    const Vec3 container{100, 100, 100};
+    const ExplodedTray apart = show_exploded(boxes, container, 0, 45, 1);
+    ASSERT_EQ(apart.floors.size(), 2u);
+    EXPECT_EQ(apart.copies[0].offset, Vec3{});
+    EXPECT_EQ(apart.copies[1].offset, Vec3{});
+    EXPECT_EQ(apart.copies[2].offset, apart.copies[3].offset);
+    // From 45 degrees above, the far edge of a layer is seen as high as the tray is deep.
+    EXPECT_NEAR(apart.floors[1] - 80, 100, 1e-9);
+    EXPECT_NEAR(apart.copies[2].offset.z, apart.floors[1] - 50, 1e-9);
+    for (const ShownCopy& copy : show_exploded(boxes, container, 0, 45, 0).copies) {
         EXPECT_EQ(copy.offset, Vec3{});
     }
 }
@@ -84,24 +82,20 @@ TEST(TakingApart, TheStageHoldsWhatIsDrawn) {
     scene.place(part, {Mat3{}, {8, 2, 3}}, 1);
     RenderOptions options;
     options.step = 2;
-    EXPECT_THROW(set_stage(scene.packing, scene.meshes, options), UsageError);
+    EXPECT_THROW(set_stage(scene.packing, scene.meshes, {options}), UsageError);
     scene.packing.trays[0].disassembly = Disassembly{true, {{{1}, {{50, 0, 0}}}, {{0}, {}}}, {}};
-    EXPECT_EQ(set_stage(scene.packing, scene.meshes, options).copies.size(), 1u);
+    EXPECT_EQ(set_stage(scene.packing, scene.meshes, {options}).copies.size(), 1u);
     options.step = 1;
-    const Stage stage = set_stage(scene.packing, scene.meshes, options);
+    const Stage stage = set_stage(scene.packing, scene.meshes, {options});
     ASSERT_EQ(stage.copies.size(), 2u);
     const double scale = stage.copies[0].pose.linear.rows[0].x;
     EXPECT_NEAR(stage.copies[1].pose.translation.x - stage.copies[0].pose.translation.x, scale * (7 + 25), 1e-12);
     EXPECT_NE(stage.copies[0].colour, stage.copies[1].colour);
     options.step = 3;
-    EXPECT_THROW(set_stage(scene.packing, scene.meshes, options), UsageError);
+    EXPECT_THROW(set_stage(scene.packing, scene.meshes, {options}), UsageError);
     options.step.reset();
     options.explode = 1;
-    EXPECT_EQ(set_stage(scene.packing, scene.meshes, options).copies.size(), 2u);
-    scene.place(part, {Mat3{}, {1, 2, 3}}, 2, 1);
-    EXPECT_THROW(set_stage(scene.packing, scene.meshes, options), UsageError);  // the second tray has no plan
-    options.tray = 0;
-    EXPECT_EQ(set_stage(scene.packing, scene.meshes, options).copies.size(), 2u);
+    EXPECT_EQ(set_stage(scene.packing, scene.meshes, {options}).copies.size(), 2u);
 }
 
 }  // namespace

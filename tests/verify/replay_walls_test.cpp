@@ -42,5 +42,32 @@ TEST_F(ReplayWalls, PhysicalKeepOutsAreInTheWay) {
     expect_follows();
 }
 
+/// Of a plan that goes from the top, those steps that it does not name keep clear of walls that are not physical.
+TEST_F(ReplayWalls, APlanFromTheTopGoesBetweenTheWalls) {
+    const auto steps = [&](const Path& first) {
+        plan().steps = {{{1}, first}, {{0}, {{0, 0, 100}}}, {{2}, {{0, 0, 100}}}};
+    };
+    plan().unpack = Unpack::top;
+    steps({{0, 0, 90}});
+    expect_follows();
+    EXPECT_EQ(check().plans[0]->unpack, Unpack::top);
+    EXPECT_EQ(check().plans[0]->through_walls, 0);
+    steps({{-100, 0, 0}});
+    expect_fails({1}, {"container"});
+    plan().through_walls = {0};
+    expect_follows();
+    EXPECT_EQ(check().plans[0]->through_walls, 1);
+    EXPECT_TRUE(names(check().plans[0]->message, {3, 1, "through the walls"}));
+    plan().through_walls = {1};
+    expect_fails({1}, {"container"});
+    plan().unpack = Unpack::any;
+    plan().through_walls = {};
+    expect_follows();
+    plan().unpack = Unpack::top;
+    packing_.container.physical = true;
+    plan().through_walls = {0};  // these never give way
+    expect_fails({1}, {"container"});
+}
+
 }  // namespace
 }  // namespace spectralpack::test

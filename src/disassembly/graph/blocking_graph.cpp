@@ -101,6 +101,25 @@ BlockingGraph::BlockingGraph(std::size_t count) : count_(count), words_((count +
     }
 }
 
+std::vector<bool> BlockingGraph::behind(const std::vector<std::size_t>& copies, AxisDirection direction) const {
+    const int back = index({direction.axis, -direction.sign});  // who meets a copy is whom it meets the other way
+    std::vector<bool> found(count_, false);
+    std::vector<std::size_t> open = copies;
+    for (const std::size_t copy : copies) {
+        found[copy] = true;
+    }
+    while (!open.empty()) {
+        const std::size_t copy = open.back();
+        open.pop_back();
+        for_each(row(back, copy), [&](std::size_t other) {
+            if (found[other]) return;
+            found[other] = true;
+            open.push_back(other);
+        });
+    }
+    return found;
+}
+
 BlockingGraph BlockingGraph::among(const std::vector<std::size_t>& members) const {
     constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     std::vector<std::size_t> renumbered(count_, kNone);

@@ -29,6 +29,13 @@ class BlockingGraph {
     int blockers(std::size_t copy, AxisDirection direction) const {
         return blockers_[static_cast<std::size_t>(index(direction))][copy];
     }
+    /// Whether it is known to meet that one, which is present.
+    bool meets(std::size_t copy, AxisDirection direction, std::size_t other) const {
+        return row(index(direction), copy)[other / 64] >> (other % 64) & 1;
+    }
+    /// Who is known to meet one of `copies` in that direction, or one who does, and so on; those themselves, too.
+    /// O(count^2 / 64).
+    std::vector<bool> behind(const std::vector<std::size_t>& copies, AxisDirection direction) const;
     /// The copy leaves, and its edges with it. O(count / 64 + edges).
     void remove(std::size_t copy);
 

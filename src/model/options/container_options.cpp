@@ -1,4 +1,5 @@
 #include "model/options/entries.hpp"
+#include "spectralpack/names.hpp"
 #include "spectralpack/printers.hpp"
 
 namespace spectralpack {
@@ -42,9 +43,11 @@ std::vector<Option> output_options() {
              .help_place = 18,
              .type = Type::files,
              .placeholder = "FILE",
-             .line = ".html: a page for people; .csv: a line a part",
-             .help = "More than once. The page shows each tray, how full it is, the area of each layer, the parts, "
-                     "and what was left over and why. The table has a line for each part.",
+             .line = ".html: the operator's sheet; .csv: a line a part",
+             .help =
+                 "More than once. The sheet is one file of A4 pages to print: for each tray a picture with the copies' "
+                 "numbers, figures, the area of each layer, the part list, top views to find the copies in the powder "
+                 "by, the order of removal, and what was left over and why. The table has a line for each part.",
              .examples = {"build.html"}}),
         kept_in<&JobSettings::material_density>({.name = "material-density",
                                                  .group = Group::result,
@@ -55,6 +58,19 @@ std::vector<Option> output_options() {
                                                  .placeholder = "D",
                                                  .line = "g/cm3; the report then has masses",
                                                  .examples = {"1.01"}}),
+        kept_in<&JobSettings::material>({.name = "material",
+                                         .group = Group::result,
+                                         .type = Type::text,
+                                         .placeholder = "NAME",
+                                         .line = "the material's name, for the report",
+                                         .examples = {"PA 12"}}),
+        kept_in<&JobSettings::job_name>({.name = "job-name",
+                                         .group = Group::result,
+                                         .type = Type::text,
+                                         .placeholder = "NAME",
+                                         .line = "heading of the report",
+                                         .default_means = "the job file's name, else the report's",
+                                         .examples = {"Week 48"}}),
     };
 }
 
@@ -114,8 +130,20 @@ std::vector<Option> container_options() {
          .placeholder = "MESH",
          .line = "a closed mesh to fill instead of a box",
          .help = "It is moved to the origin; its box takes the place of --tray. Only what lies wholly inside is "
-                 "filled. In a job file: the key 'container'.",
+                 "filled. A cup is filled inside (--container-is). In a job file: the key 'container'.",
          .examples = {"cup.stl"}},
+        {.name = "container-is",
+         .group = Group::tray,
+         .type = Type::word,
+         .words = words_of<ContainerIs>(),
+         .placeholder = "WHAT",
+         .line = "what of the container mesh is filled: solid, or vessel (its inside)",
+         .help =
+             "solid: the mesh's own volume. vessel: what it holds inside, up to where it would run over. Without "
+             "it a mesh is a vessel where that is at least a third of its own volume; the program says which. A vessel "
+             "that is open at the top is physical: what leaves, leaves over it. In a job file: 'is' of "
+             "'container'.",
+         .examples = {"vessel"}},
         {.name = "keep-out",
          .group = Group::tray,
          .help_place = 7,

@@ -81,7 +81,8 @@ std::vector<Option> placing_options() {
              .line = "slide copies together, up to the exact gap",
              .help = "Once its place on the grid is found, a copy slides along the axes towards its neighbours, two "
                      "voxels a way at most, until it is the gap away from a copy or a wall on the true meshes "
-                     "(section 3.2 of the paper).",
+                     "(section 3.2 of the paper). What found no place on the grid is then tried off it, between the "
+                     "boxes of what stands.",
              .off_line = "stay on the grid",
              .hash_place = 12}),
         kept_in<&PackOptions::interlock>(
@@ -115,6 +116,18 @@ std::vector<Option> placing_options() {
                      "rule, the smallest boxes up to a tenth of all.",
              .examples = {"lightest"},
              .hash_place = 15}),
+        kept_in<&PackOptions::unpack>(
+            {.name = "unpack",
+             .group = Group::packing,
+             .none_word = "auto",
+             .placeholder = "ORDER",
+             .line = "order in which the plan takes copies out: top (from the top down, between the walls), any (also "
+                     "sideways)",
+             .help = "A powder cake is dug from above. 'top' takes out the uppermost copy of those that are free, over "
+                     "the top, as if walls and keep-outs were there. What has no way out so leaves as with 'any', and "
+                     "the summary says how many do. Which copies are packed, and where, is the same.",
+             .default_means = "top; any in a container mesh",
+             .examples = {"any"}}),
         kept_in<&PackOptions::ray_spacing>(
             {.name = "ray-spacing",
              .group = Group::packing,
@@ -138,7 +151,8 @@ std::vector<Option> placing_options() {
              .line = "how much height costs: auto, or p of p z^3",
              .help = "Of two places, the one with the lower cost is taken: how far it is from what stands there, and "
                      "the height penalty. 'auto' is the paper's appendix A.2: 4 where the boxes of all copies are more "
-                     "than 1.2 times the tray, else 10^8.",
+                     "than 1.2 times the tray, else 10^8. It weighs where height counts at the bottom; a number asks "
+                     "for that.",
              .examples = {"auto", "4"},
              .hash_place = 4}),
         kept_in<&PackOptions::height_at>(
@@ -150,8 +164,10 @@ std::vector<Option> placing_options() {
              .line = "auto, top (lower builds), bottom",
              .help =
                  "'bottom' is the paper's: the penalty is of the height of a copy's lower end. With 'top' the place "
-                 "whose upper end is lowest wins, and proximity decides between equals.",
-             .default_means = "bottom; top without a ceiling",
+                 "whose upper end is lowest wins, and proximity decides between equals. 'auto' is top in a tray that "
+                 "holds all copies that are left (so in the last of several) and without a ceiling, and bottom in "
+                 "trays that overflow, which it fills more densely. A tray that turns out otherwise than expected is "
+                 "packed both ways, and the better packing stays.",
              .examples = {"top"},
              .hash_place = 16}),
     };

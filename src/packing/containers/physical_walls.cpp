@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/slide.hpp"
 #include "model/physical_surfaces.hpp"
 #include "packing/containers/walls.hpp"
 
@@ -10,6 +11,9 @@ namespace spectralpack {
 namespace {
 
 constexpr double kWallRounding = 1e-6;  // mm
+// A mesh that is not closed may not leave what it touches (slides_past()), so it would never leave the floor: their
+// surfaces stand so much lower, mm.
+constexpr double kBelow = 2 * kRecovery;
 
 Mesh together(const std::vector<Mesh>& meshes) {
     Mesh all;
@@ -63,7 +67,8 @@ Body standing_walls(const Container& container, const TraySetup& grid, const Vec
     set_keep_outs(*voxels, place, container, 0, workers);
     TrayObject object{std::move(voxels), {}};
     object.fixed = true;
-    return {std::make_shared<const Bvh>(together(physical_surfaces(container)), true), {}, std::move(object)};
+    return {
+        std::make_shared<const Bvh>(together(physical_surfaces(container)), true), {0, 0, -kBelow}, std::move(object)};
 }
 
 TrayObject PhysicalWalls::moved(TrayObject object) const {

@@ -35,6 +35,7 @@ struct PackingJob {
     std::vector<int> ranks;    ///< by part: urgency_ranks()
     FillOptions fill;          ///< how trays are filled
     TraysLimit limit;
+    bool choose_heights = false;  ///< height counts at the top in trays that hold all that is left: HeightChoice
     /// One tray is filled with as many copies as fit, in shares (pack_in_shares()), whatever `copies` says of numbers.
     bool in_shares = false;
     Vec3 room;               ///< for the copies' boxes, mm: as make_shape() has it

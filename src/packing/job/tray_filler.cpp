@@ -1,12 +1,16 @@
 #include "packing/job/tray_filler.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
 
+#include "core/stopwatch.hpp"
 #include "packing/containers/walls.hpp"
+#include "packing/interlocking/final_plan.hpp"
 #include "packing/interlocking/reachable_search.hpp"
+#include "packing/off_grid/fill_up.hpp"
 #include "packing/tray/measure.hpp"
 #include "voxel/voxelize.hpp"
 
@@ -28,6 +32,19 @@ CapOptions cap_options(const FillOptions& options) {
     caps.wall_gap = options.wall_gap;
     caps.voxel_size = options.tray.voxel_size;
     return caps;
+}
+
+/// Of each part, how many times its share is placed.
+std::vector<double> rounds_of(const std::vector<PartShare>& shares, const std::vector<PlacedCopy>& placed) {
+    std::map<int, int> counts;
+    for (const PlacedCopy& copy : placed) {
+        ++counts[copy.copy.part];
+    }
+    std::vector<double> rounds;
+    for (const PartShare& share : shares) {
+        rounds.push_back(static_cast<double>(counts[share.part]) / share.share);
+    }
+    return rounds;
 }
 
 }  // namespace
@@ -56,9 +73,16 @@ std::vector<Body> TrayFiller::stand_fixed_copies(int number, Tray& tray, Refinem
     return standing;
 }
 
-template <class Pack>
-void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack) {
-    Tray tray(options_.tray);
+Vec3 TrayFiller::room_for_moves(const TrayCopies& wanted) const {
+    const double wall = 2 * options_.wall_gap;
+    return wanted.within ? *wanted.within + Vec3{wall, wall, wall} : options_.container.size;
+}
+
+template <class Pack, class FillUp>
+void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up) {
+    TraySetup setup = options_.tray;
+    setup.size = wanted.within.value_or(setup.size);
+    Tray tray(setup);
     const double dx = options_.tray.voxel_size;
     const int detail = options_.tray.detail;
     PartSurfaces surfaces(part_of_, context_.workers);
@@ -71,7 +95,7 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     std::unique_ptr<Refinement> refinement;
     if (options_.refine) {
         refinement = std::make_unique<Refinement>(
-            RefineOptions{options_.container.size, options_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
+            RefineOptions{room_for_moves(wanted), options_.wall_gap, kLongestMove * dx, kRefineRounds}, dx, detail,
             surfaces,
             [&](int part, int orientation, const Vec3& offset) {
                 return !caps || caps->may_stand(part, orientation, offset);
@@ -95,15 +119,27 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     PlacementSearch& search = options_.interlock == Interlock::place ? static_cast<PlacementSearch&>(reachable)
                               : avoids_links()                       ? static_cast<PlacementSearch&>(unlinked_)
                                                                      : context_.search;
+    CostModel model = options_.model;
+    model.height_at = wanted.height_at.value_or(model.height_at);
+    result.height_at = model.height_at;
     const auto with = [&](PlacementSearch& asked) {
         return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer},
                            wanted.number,
-                           options_.model,
+                           model,
                            {caps ? &*caps : nullptr, options_.most_layers, wanted.give_up_after},
                            settle};
     };
     if (context_.observer) context_.observer->tray_begun(wanted.number);
-    pack(tray, with(search));
+    const TrayContext packing = with(search);
+    pack(tray, packing);
+    // Off the grid nothing tells of places that can be reached now. On part of the base what is left over says that
+    // this part is too small.
+    if (refinement && tray.setup().ceiling == Ceiling::closed && options_.interlock != Interlock::place &&
+        !wanted.within) {
+        OffGrid off_grid(options_.container, options_.wall_gap, tray, packing, *refinement, surfaces);
+        fill_up(tray, packing, off_grid, surfaces);
+        refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
+    }
     if (options_.interlock != Interlock::off) {
         search.forget();  // planning takes memory of its own
         UntangleOptions options = untangle_options(wanted, result);
@@ -111,9 +147,7 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
         options.fixed = std::move(fixed);
         make_removable(tray, with(context_.search), options, result);
     }
-    if (!refinement) return;
-    const std::optional<double> gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
-    if (gap && *gap < least_gap_.value_or(Box::kInfinity)) least_gap_ = gap;
+    if (refinement) result.least_gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
 }
 
 UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const FilledTray& result) {
@@ -136,32 +170,85 @@ UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const Fil
 void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options,
                                 FilledTray& result) {
     Untangled untangled = untangle(tray, result.placed, context, options);
-    result.plan = std::move(untangled.plan);
     result.interlocked = std::move(untangled.interlocked);
     result.report = untangled.report;
+    const Stopwatch ordering;
+    result.plan = final_plan({options, options_.container, options_.unpack, options_.left}, tray, result.placed,
+                             context, std::move(untangled.plan), result.report.counts);
+    result.report.disassemble_seconds += ordering.seconds();
     untangle_seconds_ += result.report.disassemble_seconds + result.report.reinsert_seconds;
 }
 
 void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result) {
     context_.shapes.start_tray(wanted.copies);
-    fill_one(wanted, result, [&](Tray& tray, const TrayContext& context) {
-        if (options_.beam) {
-            pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
-        } else {
-            pack_greedily(tray, context, wanted.copies, copy_done, result);
-        }
-    });
+    fill_one(
+        wanted, result,
+        [&](Tray& tray, const TrayContext& context) {
+            if (options_.beam) {
+                pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
+            } else {
+                pack_greedily(tray, context, wanted.copies, copy_done, result);
+            }
+        },
+        [&](Tray& tray, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
+            fill_up(off_grid, surfaces, tray, context, wanted.copies, result);
+        });
     if (context_.observer) context_.observer->tray_finished();
 }
 
-void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result) {
+void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const FirstCopies& first,
+                                const CopyDone& copy_done, FilledTray& result) {
     std::vector<Copy> copies;
     for (const PartShare& share : shares) {
         copies.push_back({share.part, 0});
     }
     context_.shapes.start_tray(copies);
-    fill_one({}, result,
-             [&](Tray& tray, const TrayContext& context) { pack_in_shares(tray, context, shares, copy_done, result); });
+    fill_one(
+        {}, result,
+        [&](Tray& tray, const TrayContext& context) {
+            pack_in_shares(tray, context, shares, first, copy_done, result);
+        },
+        [&](Tray&, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
+            fill_up_in_shares(off_grid, surfaces, context, shares, result);
+            copy_done(result.placed.size());
+        });
+}
+
+/// The part that has least of its share, where it is a whole round behind some other; and so many of it as there would
+/// be if what is placed, by volume, were in the shares. None where that is no more than there is.
+FirstCopies TrayFiller::lagging(const std::vector<PartShare>& shares, const std::vector<PlacedCopy>& placed) const {
+    const std::vector<double> rounds = rounds_of(shares, placed);
+    const auto [least, most] = std::ranges::minmax_element(rounds);
+    if (rounds.empty() || *most - *least < 1) return {};
+    double volume = 0, of_round = 0;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double one = std::abs(part_of_(shares[i].part).volume);
+        volume += rounds[i] * shares[i].share * one;
+        of_round += shares[i].share * one;
+    }
+    const auto index = static_cast<std::size_t>(least - rounds.begin());
+    const double enough = of_round > 0 ? std::floor(volume / of_round) * shares[index].share : 0;
+    if (enough <= *least * shares[index].share) return {};
+    return {index, static_cast<int>(enough)};
+}
+
+void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result) {
+    fill_in_shares(shares, {}, copy_done, result);
+    const FirstCopies first = lagging(shares, result.placed);
+    if (first.count > 0 && !context_.stop.stopped()) {
+        FilledTray other;
+        context_.search.forget();
+        fill_in_shares(shares, first, copy_done, other);
+        const bool better = !context_.stop.stopped() && std::ranges::min(rounds_of(shares, other.placed)) >
+                                                            std::ranges::min(rounds_of(shares, result.placed));
+        const std::int64_t searches = result.searches + other.searches;
+        if (better) {
+            result = std::move(other);
+        } else {
+            if (context_.observer) tell_anew(*context_.observer, 0, result.placed);
+        }
+        result.searches = searches;
+    }
     std::map<int, int> counts;  // by part: what was interlocked left gaps in their numbers
     bool renumbered = false;
     for (PlacedCopy& placed : result.placed) {

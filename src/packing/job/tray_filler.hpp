@@ -31,16 +31,21 @@ struct FillOptions {
     Interlock interlock = Interlock::off;  ///< section 4
     Links links = Links::avoid;            ///< with Interlock::post: whether copies may be placed linked with another
     TakeOut take_out = TakeOut::thinnest;  ///< with Interlock::post: what goes where some are interlocked
+    Unpack unpack = Unpack::any;           ///< how plans take copies out; which are placed does not depend on it
     std::optional<double> ray_spacing;     ///< BodyOptions's
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
 };
 
 /// What one tray is to be filled with.
 struct TrayCopies {
-    int number = 0;            ///< of the tray, from 0: which fixed copies stand in it
-    std::vector<Copy> copies;  ///< in the order to try
-    bool next = false;         ///< another tray follows for what finds no place
-    int give_up_after = 0;     ///< parts that find no place (PlaceLimits)
+    int number = 0;                          ///< of the tray, from 0: which fixed copies stand in it
+    std::vector<Copy> copies;                ///< in the order to try
+    bool next = false;                       ///< another tray follows for what finds no place
+    int give_up_after = 0;                   ///< parts that find no place (PlaceLimits)
+    std::optional<HeightAt> height_at = {};  ///< none: as the model says
+    /// Only this part of the tray, from its lower corner on, mm inside the wall gap; of trays without a mask, caps,
+    /// physical walls and fixed copies. None: all of it.
+    std::optional<Vec3> within = {};
 };
 
 /// What became of one tray.
@@ -48,6 +53,9 @@ struct FilledTray : GreedyResult {
     std::vector<Copy> interlocked;    ///< taken out again: they could not be taken out of the finished packing
     std::optional<Disassembly> plan;  ///< by index into `placed`; none where interlocking was not looked at
     InterlockReport report;
+    HeightAt height_at = HeightAt::bottom;  ///< where it counted
+    /// Least distance between two copies, mm, as refined; none without refinement or with fewer than two.
+    std::optional<double> least_gap;
 };
 
 class TrayFiller {
@@ -61,22 +69,30 @@ class TrayFiller {
     void fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result);
 
     /// Fills one new tray with as many copies as fit, in shares, as pack_in_shares(), and makes it come apart as fill()
-    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew.
+    /// does; copies then count from 0 again, and where that changes numbers the tray is told of anew. Where one part
+    /// found no further place long before the others, the tray is filled once more with that part first, and the
+    /// filling stays that has more of its share.
     void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
     const PackContext& context() const { return context_; }
+    double voxel_size() const { return options_.tray.voxel_size; }
+    double wall_gap() const { return options_.wall_gap; }
     int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one
     double refine_seconds() const { return refine_seconds_; }      ///< over all trays, for the record
     double untangle_seconds() const { return untangle_seconds_; }  ///< the same
-    /// Least distance between two copies of one tray, mm, as refined; none without refinement or with fewer than two.
-    std::optional<double> least_gap() const { return least_gap_; }
 
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
-    /// Calls `pack` with a tray in which only fixed copies stand; then makes what it packed come apart.
-    template <class Pack>
-    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack);
+    /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it
+    /// off the grid; then makes what they packed come apart.
+    template <class Pack, class FillUp>
+    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
 
+    void fill_in_shares(const std::vector<PartShare>& shares, const FirstCopies& first, const CopyDone& copy_done,
+                        FilledTray& result);
+    FirstCopies lagging(const std::vector<PartShare>& shares, const std::vector<PlacedCopy>& placed) const;
+
+    Vec3 room_for_moves(const TrayCopies& wanted) const;
     std::vector<Body> stand_fixed_copies(int number, Tray& tray, Refinement* refinement, Caps* caps) const;
     UntangleOptions untangle_options(const TrayCopies& wanted, const FilledTray& result);
     void make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options, FilledTray& result);
@@ -89,7 +105,6 @@ class TrayFiller {
     std::optional<PhysicalWalls> physical_;  // where ways out have to pass them
     int trays_with_fixed_ = 0;
     double refine_seconds_ = 0, untangle_seconds_ = 0;
-    std::optional<double> least_gap_;
 };
 
 }  // namespace spectralpack

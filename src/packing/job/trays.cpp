@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "packing/job/tray_choice.hpp"
+
 namespace spectralpack {
 std::int64_t TraysResult::searches() const {
     std::int64_t sum = 0;
@@ -21,8 +23,16 @@ std::int64_t TraysResult::placed() const {
     return static_cast<std::int64_t>(sum);
 }
 
+std::optional<double> TraysResult::least_gap() const {
+    std::optional<double> least;
+    for (const FilledTray& tray : trays) {
+        if (tray.least_gap && *tray.least_gap < least.value_or(Box::kInfinity)) least = tray.least_gap;
+    }
+    return least;
+}
+
 void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
-                const TrayCopyDone& copy_done, TraysResult& result) {
+                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result) {
     const StopToken& stop = filler.context().stop;
     const bool several = limit.trays != 1;
     std::vector<Copy> remaining = copies;
@@ -30,11 +40,15 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
     do {
         const auto index = result.trays.size();
         const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
-        const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0};
+        const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0, {}};
         FilledTray& tray = result.trays.emplace_back();
         try {
-            filler.fill(
-                wanted, [&](std::size_t done) { copy_done(tray, done); }, tray);
+            if (choice) {
+                fill_by_choice(*choice, wanted, filler, copy_done, tray);
+            } else {
+                filler.fill(
+                    wanted, [&](std::size_t done) { copy_done(tray, done); }, tray);
+            }
         } catch (...) {
             result.left_over = tray.left_over;
             throw;

@@ -1,11 +1,13 @@
 #pragma once
 /// Several trays, one after the other (appendix A.3, Algorithm 5).
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "packing/job/tray_filler.hpp"
+#include "packing/order/packing_score.hpp"
 
 namespace spectralpack {
 
@@ -21,10 +23,26 @@ struct TraysResult {
     /// There are copies left, and a tray to which nothing had been added stayed empty of them. That tray is not among
     /// `trays`.
     bool stuck = false;
-    std::optional<double> least_gap;  ///< measured by refinement, mm
-
     std::int64_t searches() const;
     std::int64_t placed() const;
+    std::optional<double> least_gap() const;  ///< of all trays, mm; none where none was measured
+};
+
+/// What the copies of a tray take, beside the tray's room. Sizes are inside the wall gap, volumes in mm^3.
+struct Crowd {
+    double room = 0;      ///< free of walls and keep-outs
+    double boxes = 0;     ///< of the copies and what stands fixed, each longer by its gap along every axis
+    double material = 0;  ///< theirs
+    /// Of a tray whose copies may be packed on a part of its base (TrayCopies::within); none of others.
+    std::optional<Vec3> size;
+};
+
+/// Where height counts in each tray, decided as it is filled.
+struct HeightChoice {
+    std::function<Crowd(const TrayCopies&)> crowd;
+    /// Whether all copies can be expected to fit. It says how a tray is packed first, not how it ends.
+    std::function<bool(const Crowd&)> expects_to_fit;
+    PackingMeasures measures;  ///< mm
 };
 
 /// Called after each copy with its tray and how many of that tray's copies are done.
@@ -34,8 +52,9 @@ using TrayCopyDone = std::function<void(const FilledTray& tray, std::size_t copi
 /// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray
 /// without fixed copies stays empty. `result` is filled as it goes, so that it holds what was done when an exception
 /// leaves this function.
+/// `choice` (null: height counts where the filler's model says) fills a tray as fill_by_choice() does.
 void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
-                const TrayCopyDone& copy_done, TraysResult& result);
+                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result);
 
 /// Tells of a packing that is done: tray by tray, each copy where it stands. `told`: so many trays have been told of
 /// before; those that are not among the result's are empty now.

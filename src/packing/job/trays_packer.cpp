@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "packing/job/tray_choice.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -60,16 +62,14 @@ class SearchProgress {
         pass_.tell({Phase::search, 0, static_cast<std::int64_t>(pass.copies.size()), 0, 0});
     }
 
-    /// `tray` is the last of `trays`.
-    void copy_done(const FilledTray& tray, std::size_t done, std::size_t trays) {
-        if (std::exchange(number_, trays) != trays) placed_ = 0;
-        for (; placed_ < tray.placed.size(); ++placed_, ++settled_) {
-            const Copy& copy = tray.placed[placed_].copy;
-            volume_ += job_.parts[static_cast<std::size_t>(copy.part)].volume;
-            settled_effort_ += effort(copy);
+    /// `tray` is filled as the last of `trays`, perhaps anew.
+    void copy_done(const FilledTray& tray, std::size_t done, const TraysResult& trays) {
+        if (tray_ != &tray || number_ != trays.trays.size()) begin_tray(tray, trays);
+        for (; placed_ < tray.placed.size(); ++placed_) {
+            settle(tray.placed[placed_].copy);
         }
         std::optional<double> density;
-        if (pass_.fill.tray.ceiling == Ceiling::closed) density = volume_ / (container_ * static_cast<double>(trays));
+        if (pass_.fill.tray.ceiling == Ceiling::closed) density = volume_ / (container_ * static_cast<double>(number_));
         // What one tray leaves over the next one tries again.
         const std::int64_t sure = one_tray_ ? static_cast<std::int64_t>(done) : settled_;
         // How many copies will fill the tray is not known before.
@@ -80,6 +80,26 @@ class SearchProgress {
     }
 
   private:
+    /// Only what earlier trays hold is settled.
+    void begin_tray(const FilledTray& tray, const TraysResult& trays) {
+        tray_ = &tray;
+        number_ = trays.trays.size();
+        placed_ = 0;
+        settled_ = 0;
+        volume_ = settled_effort_ = 0;
+        for (std::size_t i = 0; i + 1 < number_; ++i) {
+            for (const PlacedCopy& placed : trays.trays[i].placed) {
+                settle(placed.copy);
+            }
+        }
+    }
+
+    void settle(const Copy& copy) {
+        ++settled_;
+        volume_ += job_.parts[static_cast<std::size_t>(copy.part)].volume;
+        settled_effort_ += effort(copy);
+    }
+
     /// As measured, a search takes about as long as the faces of the copy's box are large; one that is verified takes
     /// as long as the transforms of the reference engine, which are of the tray's size whatever the copy's is.
     double effort(const Copy& copy) const {
@@ -93,9 +113,10 @@ class SearchProgress {
     double container_;                // volume
     std::vector<double> efforts_{0};  // of the first so many copies
     double volume_ = 0, settled_effort_ = 0;
-    std::size_t placed_ = 0;    // in the tray being filled
-    std::int64_t settled_ = 0;  // in all trays
-    std::size_t number_ = 0;    // of the tray being filled, from 1
+    const FilledTray* tray_ = nullptr;  // that is being filled
+    std::size_t number_ = 0;            // its, from 1
+    std::size_t placed_ = 0;            // in it
+    std::int64_t settled_ = 0;          // in all trays
 };
 
 }  // namespace
@@ -130,13 +151,12 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
     if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
     SearchProgress progress(job_, pass, limit.trays == 1);
     const TrayCopyDone copy_done = [&](const FilledTray& tray, std::size_t done) {
-        progress.copy_done(tray, done, result.trays.size());
+        progress.copy_done(tray, done, result);
     };
     const auto note = [&] {
         seconds_.voxelize += shapes.seconds();
         seconds_.refine += filler.refine_seconds();
         seconds_.untangle += filler.untangle_seconds();
-        result.least_gap = filler.least_gap();
     };
     try {
         if (job_.in_shares) {
@@ -144,7 +164,9 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
             filler.fill_in_shares(
                 shares_of(job_), [&](std::size_t done) { copy_done(tray, done); }, tray);
         } else {
-            fill_trays(pass.copies, limit, filler, copy_done, result);
+            std::optional<HeightChoice> choice;
+            if (job_.choose_heights) choice = choose_heights(job_, pass.fill);
+            fill_trays(pass.copies, limit, filler, choice ? &*choice : nullptr, copy_done, result);
         }
     } catch (...) {
         note();

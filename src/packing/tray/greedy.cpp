@@ -1,6 +1,7 @@
 #include "packing/tray/greedy.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 
@@ -27,30 +28,28 @@ void grow(Tray& tray, int enough, int most_layers) {
 /// Places one copy after another.
 class Placer {
   public:
-    enum class Outcome { placed, no_place, stopped };
-
     Placer(Tray& tray, const TrayContext& context, GreedyResult& result)
         : tray_(tray), context_(context), result_(result) {}
 
     template <class ShapeOf>
-    Outcome place(const Copy& copy, const ShapeOf& shape_of) {
-        if (context_.stop.stopped()) return Outcome::stopped;
+    PlaceOutcome place(const Copy& copy, const ShapeOf& shape_of) {
+        if (context_.stop.stopped()) return PlaceOutcome::stopped;
         Caps* const caps = context_.limits.caps;
         if (caps) {
             const std::string why = caps->why_not(copy.part);
             if (!why.empty()) {
                 result_.why[copy.part] = why;
-                return Outcome::no_place;
+                return PlaceOutcome::no_place;
             }
         }
         const Shape& shape = shape_of();
         const SearchResult found = find_place(tray_, context_.search, context_, copy, shape);
-        if (found.stopped) return Outcome::stopped;
+        if (found.stopped) return PlaceOutcome::stopped;
         ++result_.searches;
         if (!found.best) {
             const std::string why = caps ? caps->no_layer_left() : "";
             if (!why.empty()) result_.why[copy.part] = why;
-            return Outcome::no_place;
+            return PlaceOutcome::no_place;
         }
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
         Settled settled = context_.settle(copy, shape, *found.best);
@@ -59,7 +58,7 @@ class Placer {
         result_.placed.push_back(
             {copy, oriented.orientation, found.best->position, settled.offset, object, found.best->cost});
         if (context_.observer) context_.observer->copy_placed(result_.placed.back());
-        return Outcome::placed;
+        return PlaceOutcome::placed;
     }
 
   private:
@@ -99,11 +98,11 @@ void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Cop
             result.left_over.push_back(copy);
         } else {
             const auto outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
-            if (outcome == Placer::Outcome::stopped) {
+            if (outcome == PlaceOutcome::stopped) {
                 result.untried.assign(copies.begin() + static_cast<std::ptrdiff_t>(i), copies.end());
                 return;
             }
-            placed = outcome == Placer::Outcome::placed;
+            placed = outcome == PlaceOutcome::placed;
             if (!placed) {
                 hopeless.insert(copy.part);
                 result.left_over.push_back(copy);
@@ -114,42 +113,54 @@ void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Cop
     }
 }
 
-void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
-                    const CopyDone& copy_done, GreedyResult& result) {
-    ShapeStore& shapes = context.shapes;
-    struct Candidate {
-        std::size_t index;  // in `shares`
-        int placed = 0;
-    };
-    std::vector<Candidate> open;  // parts that still find a place
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        open.push_back({i});
-    }
-    Placer placer(tray, context, result);
+void share_out(const std::vector<PartShare>& shares, std::vector<int>& placed,
+               const std::function<PlaceOutcome(std::size_t index, const Copy& copy)>& place) {
+    std::vector<std::size_t> open(shares.size());  // parts that still find a place
+    std::iota(open.begin(), open.end(), std::size_t{0});
     while (!open.empty()) {
-        std::int64_t placed = 0, all = 0;
-        for (const Candidate& part : open) {
-            placed += part.placed;
-            all += shares[part.index].share;
+        std::int64_t copies = 0, all = 0;
+        for (const std::size_t i : open) {
+            copies += placed[i];
+            all += shares[i].share;
         }
-        // What a part lacks once there is one copy more: share / all * (placed + 1) - its own, times `all`.
-        const auto lacks = [&](const Candidate& part) {
-            return static_cast<double>(shares[part.index].share) * static_cast<double>(placed + 1) -
-                   static_cast<double>(part.placed) * static_cast<double>(all);
+        // What a part lacks once there is one copy more: share / all * (copies + 1) - its own, times `all`.
+        const auto lacks = [&](std::size_t i) {
+            return static_cast<double>(shares[i].share) * static_cast<double>(copies + 1) -
+                   static_cast<double>(placed[i]) * static_cast<double>(all);
         };
-        const auto next = std::max_element(open.begin(), open.end(),
-                                           [&](const Candidate& a, const Candidate& b) { return lacks(a) < lacks(b); });
-        const auto outcome = placer.place({shares[next->index].part, next->placed},
-                                          [&]() -> const Shape& { return shapes.at(next->index); });
-        if (outcome == Placer::Outcome::stopped) return;
-        if (outcome == Placer::Outcome::placed) {
-            ++next->placed;
+        const auto next = std::ranges::max_element(open, {}, lacks);
+        const PlaceOutcome outcome = place(*next, {shares[*next].part, placed[*next]});
+        if (outcome == PlaceOutcome::stopped) return;
+        if (outcome == PlaceOutcome::placed) {
+            ++placed[*next];
         } else {
-            shapes.release(next->index, true);
             open.erase(next);
         }
-        copy_done(result.placed.size());
     }
+}
+
+void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
+                    const FirstCopies& first, const CopyDone& copy_done, GreedyResult& result) {
+    ShapeStore& shapes = context.shapes;
+    Placer placer(tray, context, result);
+    std::vector<int> placed(shares.size(), 0);
+    const auto place = [&](std::size_t i, const Copy& copy) {
+        const PlaceOutcome outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
+        if (outcome != PlaceOutcome::stopped) copy_done(result.placed.size());
+        return outcome;
+    };
+    while (placed[first.index] < first.count) {
+        const Copy copy{shares[first.index].part, placed[first.index]};
+        const PlaceOutcome outcome = place(first.index, copy);
+        if (outcome == PlaceOutcome::stopped) return;
+        if (outcome == PlaceOutcome::no_place) break;
+        ++placed[first.index];
+    }
+    share_out(shares, placed, [&](std::size_t i, const Copy& copy) {
+        const PlaceOutcome outcome = place(i, copy);
+        if (outcome == PlaceOutcome::no_place) shapes.release(i, true);
+        return outcome;
+    });
 }
 
 }  // namespace spectralpack

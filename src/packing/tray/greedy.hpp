@@ -44,10 +44,23 @@ struct PartShare {
     int share = 1;
 };
 
-/// As many copies as find a place: each time one of the part that lacks most of its share among the parts that still
-/// find one (the first of them in `shares`); a part that finds none is out. Copies count from 0 in each part. The
-/// shapes have been told of one copy a part, in the order of `shares`. Nothing is left over.
+enum class PlaceOutcome { placed, no_place, stopped };
+
+/// Each time asks `place` for one more copy of the part that lacks most of its share among the parts that still find a
+/// place (the first of them in `shares`); a part that finds none is out. Ends when all are out, or stopped. `placed`
+/// holds the copies of each that there are, and counts on.
+void share_out(const std::vector<PartShare>& shares, std::vector<int>& placed,
+               const std::function<PlaceOutcome(std::size_t index, const Copy& copy)>& place);
+
+/// So many copies of a part, by its place in the shares.
+struct FirstCopies {
+    std::size_t index = 0;
+    int count = 0;
+};
+
+/// As many copies as find a place, by share_out(), but `first` first. Copies count from 0 in each part. The shapes have
+/// been told of one copy a part, in the order of `shares`. Nothing is left over.
 void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
-                    const CopyDone& copy_done, GreedyResult& result);
+                    const FirstCopies& first, const CopyDone& copy_done, GreedyResult& result);
 
 }  // namespace spectralpack

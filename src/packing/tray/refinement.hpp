@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/parallel.hpp"
 #include "packing/tray/part_surfaces.hpp"
@@ -23,16 +24,29 @@ class Refinement {
                const Workers& workers);
 
     /// What already stands in the tray: a fixed copy, a wall.
-    void stand(PlacedSurface obstacle) { refiner_.add(std::move(obstacle)); }
+    void stand(PlacedSurface obstacle) {
+        from_start_.push_back(obstacle);
+        refiner_.add(std::move(obstacle));
+    }
+    const std::vector<PlacedSurface>& from_start() const { return from_start_; }
 
     Settled settle(const Copy& copy, const Shape& shape, const BestPlacement& best);
+
+    /// The copy comes to stand with its turned mesh moved by `offset`, as it is.
+    Settled stand_at(const Copy& copy, int orientation, const Vec3& offset, int gap_class);
+
+    /// What stood in the tray from the start is all that stands in it.
+    void restart();
 
     /// Least distance between the meshes of two copies, mm; none with fewer than two.
     std::optional<double> least_gap() const { return refiner_.least_gap(workers_); }
 
-    double seconds() const { return seconds_; }  ///< spent in settle(), for the record
+    double seconds() const { return seconds_; }  ///< spent on settling copies, for the record
 
   private:
+    void take_mesh(int part, int orientation);
+    Settled put(PlacedSurface standing, int gap_class);
+
     RefineOptions options_;
     double voxel_size_;
     int detail_;
@@ -40,6 +54,7 @@ class Refinement {
     MayStand may_stand_;
     Workers workers_;
     Refiner refiner_;
+    std::vector<PlacedSurface> from_start_;
     TurnedPart last_{-1, 0};  // whose mesh that is: copies of a part mostly come one after the other
     Mesh mesh_;
     bool closed_ = false;  // it is, in whatever orientation

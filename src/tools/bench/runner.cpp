@@ -88,6 +88,14 @@ void measure(const Packing& packing, Outcome& outcome) {
     outcome.peak_memory = packing.metrics.peak_memory;
 }
 
+/// In trays with a ceiling the tables count heights as the paper does, but where a row says otherwise.
+void add_papers_heights(std::vector<std::string>& words) {
+    const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    if (has("--open-height") || has("--minimise") || has("--height-at")) return;
+    words.insert(words.end(), {"--height-at", "bottom"});
+    if (!has("--height-penalty")) words.insert(words.end(), {"--height-penalty", "auto"});
+}
+
 std::string filled_in(std::string command, const std::string& name, const std::string& value) {
     const std::string placeholder = "{" + name + "}";
     for (std::size_t at = 0; (at = command.find(placeholder, at)) != std::string::npos; at += value.size()) {
@@ -173,6 +181,7 @@ std::optional<Outcome> Runner::run(const std::string& what, const Task& task, co
     for (const std::vector<std::string>& more : {into, options, options_.pack_options}) {
         words.insert(words.end(), more.begin(), more.end());
     }
+    add_papers_heights(words);
     if (options_.time_limit) words.insert(words.end(), {"--time-limit", fmt::format("{}", *options_.time_limit)});
 
     std::uint64_t inputs = hash_of(command_line(words), hash_of(fmt::format("{} {}", program_, set.contents)));

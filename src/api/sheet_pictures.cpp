@@ -1,0 +1,167 @@
+#include "api/sheet_pictures.hpp"
+
+#include <map>
+
+#include "model/palette.hpp"
+#include "render/marks.hpp"
+#include "render/render.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr double kPixels = 7, kSmallPixels = 10;  // a millimetre of print: 178 and 254 dots an inch
+constexpr int kSamples = 2;                       // per pixel and axis
+constexpr double kHeroMargin = 0.07, kStageMargin = 0.02;
+
+int pixels(double millimetres, double a_millimetre) {
+    return std::max(1, static_cast<int>(std::lround(millimetres * a_millimetre)));
+}
+
+class PictureMaker {
+  public:
+    PictureMaker(const Scene& scene, const Workers& workers)
+        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers) {
+        held_.add(meshes_, workers);
+    }
+
+    std::vector<std::vector<Box>> boxes() const {
+        std::vector<std::vector<Box>> result;
+        for (const TrayPacking& tray : packing_.trays) {
+            std::vector<Box>& boxes = result.emplace_back(tray.placements.size());
+            workers_.for_each(static_cast<std::int64_t>(boxes.size()), [&](std::int64_t i) {
+                const Placement& placement = tray.placements[static_cast<std::size_t>(i)];
+                const Mesh& mesh = *meshes_.at(static_cast<std::size_t>(placement.part));
+                Box& box = boxes[static_cast<std::size_t>(i)];
+                for (const Triangle& triangle : mesh.triangles) {
+                    for (const std::uint32_t vertex : triangle) {
+                        box.add(placement.transform * mesh.vertices[vertex]);
+                    }
+                }
+            });
+        }
+        return result;
+    }
+
+    TrayPictures tray(int index, const TrayLayout& layout, const std::vector<Box>& boxes) {
+        TrayPictures pictures;
+        pictures.whole = whole(index, layout);
+        for (const Slab& slab : layout.slabs) {
+            pictures.slabs.push_back(top_view(index, layout, slab, boxes));
+        }
+        for (const int step : layout.stages) {
+            pictures.stages.push_back(stage(index, layout, step));
+        }
+        return pictures;
+    }
+
+    /// By part; empty where there is no mesh.
+    std::vector<std::string> thumbs() const {
+        std::vector<std::string> result(packing_.parts.size());
+        workers_.for_each(static_cast<std::int64_t>(result.size()), [&](std::int64_t i) {
+            const auto part = static_cast<std::size_t>(i);
+            if (part >= meshes_.size() || !meshes_[part]) return;
+            const Stage stage = set_part_stage(meshes_[part], part_colour(static_cast<int>(i)),
+                                               pixels(kThumbWidth, kSmallPixels), pixels(kThumbHeight, kSmallPixels));
+            result[part] = encode_png(paint(stage, held_, kSamples, workers_).image);
+        });
+        return result;
+    }
+
+  private:
+    /// The tray in print of this size, on white and to scale.
+    View view(int tray, double width, double height) const {
+        View view;
+        view.lens = Lens::parallel;
+        view.backdrop = Backdrop::white;
+        view.options.tray = tray;
+        view.options.azimuth = kHeroAzimuth;
+        view.options.elevation = kHeroElevation;
+        view.options.width = pixels(width, kPixels);
+        view.options.height = pixels(height, kPixels);
+        return view;
+    }
+
+    /// Keep-outs that are boxes get a mesh with their stage.
+    Picture picture_of(const Stage& stage) {
+        held_.add(stage.meshes, workers_);
+        return paint(stage, held_, kSamples, workers_);
+    }
+
+    SheetPicture sheet_picture(const Stage& stage, const Picture& picture, bool numbered) const {
+        SheetPicture result;
+        result.png = encode_png(picture.image);
+        result.width = picture.image.width;
+        result.height = picture.image.height;
+        result.millimetre = kPixels;
+        if (!numbered) return result;
+        for (const NumberPlace& place :
+             number_places(stage, picture, {kNumberSize * kPixels, kPaleNumberSize * kPixels})) {
+            const StagedCopy& copy = stage.copies[static_cast<std::size_t>(place.copy)];
+            result.numbers.push_back({copy.number, place.x, place.y, copy.look == Look::strong});
+        }
+        return result;
+    }
+
+    SheetPicture whole(int tray, const TrayLayout& layout) {
+        View view = this->view(tray, kHeroWidth, layout.hero_height);
+        view.margin = kHeroMargin;
+        const Stage stage = set_stage(packing_, meshes_, view);
+        SheetPicture result = sheet_picture(stage, picture_of(stage), true);
+        const PictureMarks marks = marks_of(stage);
+        result.bar = {marks.bar.x0, marks.bar.y0, marks.bar.x1, marks.bar.y1};
+        if (marks.arrow.y1 < marks.arrow.y0)
+            result.arrow = {marks.arrow.x0, marks.arrow.y0, marks.arrow.x1, marks.arrow.y1};
+        for (const PictureText& text : marks.texts) {
+            result.texts.push_back({text.x, text.y, text.text});
+        }
+        return result;
+    }
+
+    /// What lies in the slab and what reaches in, from above; front below.
+    SheetPicture top_view(int tray, const TrayLayout& layout, const Slab& slab, const std::vector<Box>& boxes) {
+        const Vec3& size = packing_.container.size;
+        View view = this->view(tray, layout.map_width, layout.map_width * size.y / size.x);
+        view.margin = 0;
+        view.options.azimuth = 0;
+        view.options.elevation = 90;
+        view.outlines = false;
+        view.slab = {slab.low, slab.high};
+        for (const Box& box : boxes) {
+            view.looks.push_back(box.max.z > slab.low && box.min.z < slab.high ? Look::pale : Look::gone);
+        }
+        for (const int placement : slab.placements) {
+            view.looks[static_cast<std::size_t>(placement)] = Look::strong;
+        }
+        const Stage stage = set_stage(packing_, meshes_, view);
+        return sheet_picture(stage, picture_of(stage), true);
+    }
+
+    SheetPicture stage(int tray, const TrayLayout& layout, int step) {
+        View view = this->view(tray, kStageWidth, layout.stage_height);
+        view.margin = kStageMargin;
+        for (const bool left : left_after(packing_.trays[static_cast<std::size_t>(tray)], step)) {
+            view.looks.push_back(left ? Look::strong : Look::gone);
+        }
+        const Stage stage = set_stage(packing_, meshes_, view);
+        return sheet_picture(stage, picture_of(stage), false);
+    }
+
+    const Packing& packing_;
+    const PartMeshes& meshes_;
+    const Workers& workers_;
+    RayMeshes held_;
+};
+
+}  // namespace
+
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers) {
+    PictureMaker maker(scene, workers);
+    const std::vector<std::vector<Box>> boxes = maker.boxes();
+    contents.layout = sheet_layout(scene.packing, boxes);
+    for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {
+        contents.pictures.push_back(maker.tray(static_cast<int>(tray), contents.layout[tray], boxes[tray]));
+    }
+    contents.thumbs = maker.thumbs();
+}
+
+}  // namespace spectralpack

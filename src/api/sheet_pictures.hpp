@@ -1,0 +1,13 @@
+#pragma once
+/// The pictures of the operator's sheet.
+
+#include "core/parallel.hpp"
+#include "formats/report/report.hpp"
+#include "spectralpack/packing.hpp"
+
+namespace spectralpack {
+
+/// Fills in layout, pictures and thumbs. Each mesh is prepared once for all of them.
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers);
+
+}  // namespace spectralpack
