@@ -18,25 +18,47 @@ struct CheckArguments {
     bool require_plan = false;
 };
 
-void print_plans(const CheckReport& report) {
-    if (report.stopped) return;
-    std::size_t without_plan = 0;
-    for (const std::optional<PlanReport>& plan : report.plans) {
-        if (plan) {
-            fmt::print("{}\n", plan->message);
-        } else {
-            ++without_plan;
-        }
+std::string steps_text(std::int64_t steps) { return fmt::format("{} step{}", steps, steps == 1 ? "" : "s"); }
+
+/// Whether the tray comes apart, as far as its plan tells.
+std::string apart_text(const Packing& packing, std::size_t tray, const std::optional<PlanReport>& plan) {
+    if (!plan) return "NOT CHECKED whether it comes apart (it has no plan)";
+    if (!plan->ok()) {
+        return fmt::format("DOES NOT COME APART by its plan ({} of {} fail)", plan->failed_steps.size(),
+                           steps_text(plan->steps));
     }
-    if (without_plan == 0) {
-        fmt::print("interlocking: {}\n", report.plans_complete()
-                                             ? "none, every copy comes out by its plan"
-                                             : "NOT EXCLUDED, the plan does not take out all copies");
-    } else if (without_plan == report.plans.size()) {
-        fmt::print("interlocking: not checked (the packing has no disassembly plan)\n");
+    if (plan->complete) return fmt::format("comes apart in {}", steps_text(plan->steps));
+    return fmt::format("NOT CHECKED whether it comes apart to the end: {} without a step: {}",
+                       plan->without_step.size(), copy_names(packing, packing.trays[tray], plan->without_step));
+}
+
+void print_trays(const Packing& packing, const CheckReport& report) {
+    for (std::size_t tray = 0; tray < report.density.size(); ++tray) {
+        const std::size_t copies = packing.trays[tray].placements.size();
+        const std::string apart = copies > 0 && tray < report.plans.size() && !report.stopped
+                                      ? ", " + apart_text(packing, tray, report.plans[tray])
+                                      : "";
+        fmt::print("Tray {}: {} cop{}, {} filled{}.\n", tray + 1, copies, copies == 1 ? "y" : "ies",
+                   percent_text(report.density[tray]), apart);
+    }
+}
+
+/// Faults first, then the trays, then the verdict.
+void print_report(const Scene& scene, const CheckReport& report, std::size_t copies) {
+    for (const Finding& finding : report.findings) {
+        fmt::print("FAULT: {}.\n", printable(finding.message));
+    }
+    print_trays(scene.packing, report);
+    const std::string gap = report.min_gap ? fmt::format(" Least gap {:.2f} mm.", *report.min_gap) : "";
+    const std::size_t faults = report.findings.size();
+    if (report.stopped) {
+        fmt::print("Interrupted: NOT CHECKED to the end.\n");
+    } else if (faults > 0) {
+        fmt::print("{} fault{} found.{}\n", faults, faults == 1 ? " was" : "s were", gap);
+    } else if (copies == 0) {
+        fmt::print("Nothing is placed.\n");
     } else {
-        fmt::print("interlocking: not checked in {} of {} trays (they have no disassembly plan)\n", without_plan,
-                   report.plans.size());
+        fmt::print("Nothing wrong was found.{}\n", gap);
     }
 }
 
@@ -45,47 +67,37 @@ int run_check(const CheckArguments& arguments) {
     ProgressDisplay display(ProgressStyle::automatic);
     const Scene scene = load_scene(arguments.packing);
     const CheckReport report = check(scene, arguments.threads, {&display, interrupts.token()});
-    display.finish();
+    display.end();
+    std::size_t copies = 0;
+    for (const TrayPacking& tray : scene.packing.trays) {
+        copies += tray.placements.size();
+    }
     const bool plan_missing = arguments.require_plan && !report.plans_complete();
     if (arguments.json) {
         fmt::print("{}\n", check_report_json(scene, report));
     } else {
-        for (const Finding& finding : report.findings) {
-            fmt::print("FAILED: {}\n", finding.message);
-        }
-        std::size_t copies = 0;
-        for (const TrayPacking& tray : scene.packing.trays) {
-            copies += tray.placements.size();
-        }
-        fmt::print("{}: {} {}; {} pair{} compared\n",
-                   report.ok()      ? "ok"
-                   : report.stopped ? "stopped"
-                                    : "failed",
-                   copies, copies == 1 ? "copy" : "copies", report.pairs_tested, report.pairs_tested == 1 ? "" : "s");
-        for (std::size_t tray = 0; tray < report.density.size(); ++tray) {
-            fmt::print("tray {}: density {}\n", tray + 1, percent_text(report.density[tray]));
-        }
-        if (report.min_gap) fmt::print("least gap: {} mm\n", length_text(*report.min_gap));
-        print_plans(report);
+        print_report(scene, report, copies);
     }
     if (report.stopped) return kInterrupted;
     if (plan_missing)
-        fmt::print(stderr, "spectralpack: the packing has no complete disassembly plan that can be followed\n");
-    return report.ok() && !plan_missing ? kDone : kCheckFailed;
+        fmt::print(stderr, "spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
+    if (!report.ok() || plan_missing) return kCheckFailed;
+    return copies == 0 ? kNothingPlaced : kDone;
 }
 
 }  // namespace
 
 Command add_check_command(CLI::App& app) {
-    auto* sub = app.add_subcommand("check", "Verify a packing from its meshes alone");
+    auto* sub = app.add_subcommand("check", "Check a packing from its meshes alone");
     sub->footer(
-        "Decides containment, overlap, nesting, gaps, transforms and the stated density on the exact\n"
-        "triangles, and replays the disassembly plan, sharing no code with the packer. Exit status 1 when something is wrong.");
+        "Looks for copies that overlap, stand inside one another, are nearer than the gap or stick out, and for\n"
+        "figures that are not so; and takes the tray apart step by step as its plan says. It shares no code with\n"
+        "the packer. Exit: 0 nothing wrong, 1 a fault, 3 a bad file, 6 nothing is placed.");
     auto arguments = std::make_shared<CheckArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");
-    sub->add_flag("--json", arguments->json, "print the report as JSON");
-    sub->add_flag("--require-plan", arguments->require_plan, "fail where no disassembly plan takes out every copy");
+    sub->add_flag("--json", arguments->json, "print the findings as JSON");
+    sub->add_flag("--require-plan", arguments->require_plan, "no plan by which every copy comes out is a fault");
     return {sub, [arguments] { return run_check(*arguments); }};
 }
 

@@ -10,6 +10,7 @@ enum ExitStatus : int {
     kUnusableInput = 3,
     kOutOfResources = 4,
     kLeftOver = 5,
+    kNothingPlaced = 6,
     kInterrupted = 130,
 };
 

@@ -33,10 +33,10 @@ int run_generate(GenerateArguments arguments) {
     ProgressDisplay display(ProgressStyle::automatic);
     const tools::GeneratedFiles files = tools::generate(arguments.options, arguments.folder, {&display});
     display.finish();
-    fmt::print("wrote {}: {} copies of {} meshes, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(), files.copies,
-               files.meshes, files.volume / 1000, files.box_volume / 1000);
+    fmt::print("Written: {}: {} copies of {} meshes, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(),
+               files.copies, files.meshes, files.volume / 1000, files.box_volume / 1000);
     if (arguments.options.set == tools::GeneratedSet::letters) {
-        fmt::print("\nuse one like: pack parts/ --container {}\n",
+        fmt::print("\nUse one like: spectralpack pack parts/ --container {}\n",
                    (std::filesystem::path(arguments.folder) / "letter-S.stl").string());
     } else {
         fmt::print(" ({:.3f} and {:.3f} of a tray of 480x245x200 mm)\n", files.volume / kTray,

@@ -9,12 +9,10 @@
 namespace spectralpack::cli {
 namespace {
 
-constexpr std::size_t kWidth = 100;
-
 void print_option(const Option& option) {
     fmt::print("--{}{}{}\n\n", option.name, option.placeholder.empty() ? "" : " ", option.placeholder);
-    fmt::print("{}.\n", wrapped(std::string(option.line), kWidth));
-    if (!option.help.empty()) fmt::print("\n{}\n", wrapped(std::string(option.help), kWidth));
+    fmt::print("{}.\n", wrapped(std::string(option.line), kScreenWidth));
+    if (!option.help.empty()) fmt::print("\n{}\n", wrapped(std::string(option.help), kScreenWidth));
     if (!option.off_line.empty()) fmt::print("\n--no-{}: {}.\n", option.name, option.off_line);
     fmt::print("\n");
     if (option.type != OptionType::flag) fmt::print("takes     {}\n", values_of(option));
@@ -43,7 +41,8 @@ int run_help(const CLI::App& app, std::string topic) {
     const Option* option = find_option(topic.starts_with("no-") && !find_option(topic) ? topic.substr(3) : topic);
     if (!option) {
         throw UsageError(fmt::format(
-            "help: there is no command or option of pack '{}'; see spectralpack --help and spectralpack pack --help",
+            "there is no command and no option of pack called '{}'; spectralpack --help and spectralpack pack --help-all "
+            "show those there are",
             printable(topic)));
     }
     print_option(*option);

@@ -75,9 +75,9 @@ std::string facing_text(const tools::InspectedObject& object) {
 
 std::string crossing_text(const SelfCrossings& crossings) {
     const std::string more = crossings.complete ? "" : "at least ";
-    if (crossings.pairs == 0) return crossings.complete ? "no" : "none found; not searched to the end";
+    if (crossings.pairs == 0) return crossings.complete ? "no" : "none found, but not looked for to the end";
     return more +
-           counted(static_cast<std::size_t>(crossings.pairs), "pair of triangles crosses", "pairs of triangles cross") +
+           counted(static_cast<std::size_t>(crossings.pairs), "pair of facets crosses", "pairs of facets cross") +
            place_text(crossings.place);
 }
 
@@ -88,24 +88,24 @@ void print_object(const tools::InspectedObject& object) {
     row("volume", fmt::format("{:.6g} mm3", figures.volume));
     row("area", fmt::format("{:.6g} mm2", figures.area));
     row("mesh",
-        fmt::format("{}, {}, {}", counted(figures.triangles, "triangle", "triangles"),
-                    counted(figures.vertices, "vertex", "vertices"), counted(figures.shells, "shell", "shells")));
-    row("watertight", watertight_text(figures));
+        fmt::format("{}, {}, {}", counted(figures.triangles, "facet", "facets"),
+                    counted(figures.vertices, "vertex", "vertices"), counted(figures.shells, "body", "bodies")));
+    row("closed", watertight_text(figures));
     print_holes(figures);
-    row("orientation", facing_text(object));
-    row("non-manifold", figures.edges.crowded == 0
-                            ? "no"
-                            : counted(figures.edges.crowded, "edge", "edges") + " of more than two triangles" +
+    row("facets face", facing_text(object));
+    row("shared edges", figures.edges.crowded == 0
+                            ? "none of more than two facets"
+                            : counted(figures.edges.crowded, "edge", "edges") + " of more than two facets" +
                                   place_text(figures.crowded_place));
-    row("self-crossing", crossing_text(figures.crossings));
-    row("duplicates", figures.duplicates == 0 ? "none" : counted(figures.duplicates, "triangle", "triangles"));
+    row("crosses itself", crossing_text(figures.crossings));
+    row("duplicates", figures.duplicates == 0 ? "none" : counted(figures.duplicates, "facet", "facets"));
     if (object.unit_known) row("unit", fmt::format("{:g} mm, by the file", object.unit));
-    if (object.unit_hint) row("unit", "suspicious: " + *object.unit_hint);
+    if (object.unit_hint) row("unit", "perhaps wrong: it " + *object.unit_hint);
     for (const std::string& repair : object.repairs) {
         row("mended", printable(repair));
     }
     for (const std::string& warning : object.warnings) {
-        row("note", printable(warning));
+        row("remark", printable("it " + warning));
     }
 }
 
@@ -114,7 +114,8 @@ void print_file(const tools::InspectedFile& file) {
     if (file.unusable) {
         const std::string& place = file.unusable->place();
         fmt::print("{}\n", name);
-        row("UNUSABLE", printable(place.empty() ? file.unusable->cause() : place + ": " + file.unusable->cause()));
+        row("CANNOT BE USED",
+            printable(place.empty() ? file.unusable->cause() : place + ": " + file.unusable->cause()));
         return;
     }
     for (const tools::InspectedObject& object : file.objects) {
@@ -150,7 +151,7 @@ int run_inspect(const InspectArguments& arguments) {
     }
     if (options.keep_meshes && unusable < files.size()) {
         write_picture(tools::inspection_scene(files), arguments.picture, picture, arguments.threads);
-        if (!arguments.json) fmt::print("\nwrote {}\n", arguments.picture);
+        if (!arguments.json) fmt::print("\nWritten: {}\n", printable(arguments.picture));
     }
     if (unusable == 0) return kDone;
     std::fflush(stdout);
@@ -163,11 +164,9 @@ int run_inspect(const InspectArguments& arguments) {
 Command add_inspect_command(CLI::App& app) {
     auto* sub = app.add_subcommand("inspect", "Say what is in mesh files, and what is wrong with it");
     sub->footer(
-        "Size, volume, area, holes, orientation, self-intersections, duplicates and the unit of "
-        "every mesh, as it\n"
-        "would be packed: after the repairs that are safe, which are named. Folders and set files "
-        "work as in pack.\n"
-        "Exit status 3 where a file cannot be used.");
+        "Size, volume, area, holes, facets that face the wrong way or cross, and the unit of every mesh, as it\n"
+        "would be packed: once what is safe to mend is mended, which is named. Folders and set files work as in pack.\n"
+        "Exit: 0 done, 3 a file cannot be used.");
     auto arguments = std::make_shared<InspectArguments>();
     InspectArguments& a = *arguments;
     sub->add_option("MESH", a.meshes, "mesh files or folders")->required();

@@ -1,5 +1,6 @@
 #include "interrupts.hpp"
 
+#include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -46,6 +47,11 @@ void Interrupts::request(StopReason reason) {
     half_.request(reason);
 }
 
+void Interrupts::stop_at_once() const {
+    fmt::print(stderr, "\nStopped at once.{}\n", writing_ ? "" : " Nothing was written.");
+    _exit(kInterrupted);
+}
+
 void Interrupts::wait() {
     const sigset_t set = watched_signals();
     bool asked = false;
@@ -66,7 +72,7 @@ void Interrupts::wait() {
         }
         const timespec timeout{0, static_cast<long>(pause.count())};
         if (sigtimedwait(&set, nullptr, &timeout) > 0) {
-            if (asked) _exit(kInterrupted);
+            if (asked) stop_at_once();
             asked = true;
             request(StopReason::cancelled);
         }

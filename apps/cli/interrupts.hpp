@@ -21,17 +21,20 @@ class Interrupts {
 
     StopToken token() const { return source_.token(); }
 
+    /// From here on files are written: the second signal cannot say that none was.
+    void begin_writing() { writing_ = true; }
+
     /// For what may take half of the time limit; stops with token(), too.
     StopToken half_time() const { return half_.token(); }
 
   private:
     void wait();
-
+    [[noreturn]] void stop_at_once() const;
     void request(StopReason reason);
 
     StopSource source_, half_;
     std::optional<std::chrono::steady_clock::time_point> deadline_, half_time_;
-    std::atomic<bool> done_{false};
+    std::atomic<bool> done_{false}, writing_{false};
     std::thread thread_;
 };
 

@@ -54,7 +54,10 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-        return complain(fmt::format("{}\nRun with --help for what there is.", complaint_of(app, error)), kUsage);
+        return complain(
+            fmt::format("{}\n'spectralpack --help' shows the commands, 'spectralpack COMMAND --help' their options.",
+                        complaint_of(app, error)),
+            kUsage);
     }
     for (const Command& command : commands) {
         if (command.app->parsed()) return command.run();

@@ -10,11 +10,10 @@
 namespace spectralpack::cli {
 namespace {
 
-constexpr std::size_t kHelpWidth = 90;
-
+/// For man page and completions; --help has a page of its own (help_page.hpp).
 std::string help_line(const Option& option) {
     const std::string by_default = default_text(option);
-    return wrapped(std::string(option.line) + (by_default.empty() ? "" : fmt::format(" [{}]", by_default)), kHelpWidth);
+    return std::string(option.line) + (by_default.empty() ? "" : fmt::format(" [{}]", by_default));
 }
 
 void add_option(CLI::App& app, const Option& option, PackArguments& arguments) {
@@ -36,7 +35,7 @@ void add_option(CLI::App& app, const Option& option, PackArguments& arguments) {
     CLI::Option* added = nullptr;
     if (option.type == OptionType::files) {
         added = app.add_option_function<std::vector<std::string>>(names, take, help_line(option));
-        added->take_all()->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        added->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     } else {
         added = app.add_option_function<std::string>(
             names, [take](const std::string& text) { take({text}); }, help_line(option));

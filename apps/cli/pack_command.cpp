@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "default_settings.hpp"
 #include "exit_status.hpp"
+#include "help_page.hpp"
 #include "interrupts.hpp"
 #include "pack_arguments.hpp"
 #include "passed_over.hpp"
@@ -61,12 +62,6 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
     return settings;
 }
 
-void report_unusable(const std::vector<InputError>& unusable, ProgressDisplay& display) {
-    for (const InputError& error : unusable) {
-        display.on_error(error.what());
-    }
-}
-
 /// "28 Nov 2026", where the program runs.
 std::string today() {
     const std::time_t now = std::time(nullptr);
@@ -87,9 +82,8 @@ ReportDetails report_details(const JobSettings& settings) {
 }
 
 /// Writes every output; one that fails does not keep the others from being written.
-std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display,
-                                       int& status) {
-    std::vector<std::string> written;
+void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display, RunFacts& facts,
+                   int& status) {
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings.outputs.size() + settings.reports.size());
     const int threads = settings.options.threads;
@@ -105,18 +99,20 @@ std::vector<std::string> write_outputs(const Scene& scene, const JobSettings& se
     };
     for (const std::string& output : settings.outputs) {
         write([&] {
-            for (const auto& file : write_output(scene, output, threads)) {
-                written.push_back(file.string());
+            WrittenFile written{output, {}};
+            const auto files = write_output(scene, output, threads);
+            for (std::size_t i = 1; i < files.size(); ++i) {
+                written.trays.push_back(files[i].string());
             }
+            facts.written.push_back(std::move(written));
         });
     }
     for (const std::string& report : settings.reports) {
         write([&] {
             write_report(scene, report, report_details(settings), threads);
-            written.push_back(report);
+            facts.reports.push_back(report);
         });
     }
-    return written;
 }
 
 /// A dry run packs for this long to see how fast it goes.
@@ -125,17 +121,24 @@ constexpr double kProbeSeconds = 3;
 int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
     const Estimate planned = estimate(job, {&display});
     display.finish();
-    report_unusable(planned.unusable, display);
+    display.on_unusable(planned.unusable);
+    display.end();
     unusable = unusable || !planned.unusable.empty();
-    print_estimate(planned, job.options, probe_time(job, kProbeSeconds, interrupts.token()));
+    const std::optional<ProbedTime> time = probe_time(job, kProbeSeconds, interrupts.token());
+    fmt::print("{}", estimate_text(planned, job.options, time));
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
-int run_job(const Job& job, const JobSettings& settings, const TakenOver& taken, ProgressDisplay& display,
-            const Interrupts& interrupts, bool& unusable) {
+/// Where nothing is placed nothing is written, and that is no success.
+int status_without_copies(const PackResult& result) {
+    return result.stopped == StopReason::cancelled ? kInterrupted : kNothingPlaced;
+}
+
+int run_job(const Job& job, const JobSettings& settings, RunFacts facts, ProgressDisplay& display,
+            Interrupts& interrupts, bool& unusable) {
     int status = kDone;
     const PackResult result = pack(job, {&display, interrupts.token()});
-    report_unusable(result.unusable, display);
+    display.on_unusable(result.unusable);
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
         display.on_error(result.failure->what());
@@ -145,16 +148,33 @@ int run_job(const Job& job, const JobSettings& settings, const TakenOver& taken,
                                              : kCheckFailed;
     }
     const Scene scene{result.packing, result.meshes};
-    const auto written = write_outputs(scene, settings, display, status);
-    display.finish();
+    const bool empty = newly_placed(result.packing) == 0;
+    if (empty) {
+        if (status == kDone) status = status_without_copies(result);
+    } else {
+        interrupts.begin_writing();
+        write_outputs(scene, settings, display, facts, status);
+    }
+    display.end();
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
     } else {
-        print_summary(result, written, !settings.outputs.empty(), taken);
+        fmt::print("{}", summary_text(result, facts));
     }
     if (status != kDone) return status;
     if (result.stopped == StopReason::cancelled) return kInterrupted;
     return settings.require_all.value_or(false) && !result.packing.unplaced.empty() ? kLeftOver : kDone;
+}
+
+RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& taken) {
+    RunFacts facts;
+    facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
+    facts.taken = taken;
+    facts.own_printers = settings.own_printers;
+    if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
+    facts.details = settings.details.value_or(false);
+    facts.require_all = settings.require_all.value_or(false);
+    return facts;
 }
 
 int run_pack(const PackArguments& arguments) {
@@ -162,16 +182,22 @@ int run_pack(const PackArguments& arguments) {
         print_printers(default_settings(arguments).own_printers, arguments.has("json"));
         return kDone;
     }
-    if (arguments.parts.empty()) throw UsageError("PART is required: name what to pack");
+    if (arguments.parts.empty()) {
+        fmt::print(stderr, "{}'spectralpack pack --help' shows the options.\n", pack_help_head());
+        return kUsage;
+    }
     const JobSettings defaults = default_settings(arguments);
     settle(arguments, defaults);  // so that wrong usage is told before files are looked at
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
-    const Interrupts interrupts(settings.options.time_limit);
+    Interrupts interrupts(settings.options.time_limit);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
     report_passed_over(inputs, display);
-    report_unusable(inputs.unusable, display);
-    if (inputs.parts.empty()) return inputs.unusable.empty() ? kUsage : kUnusableInput;
+    display.on_unusable(inputs.unusable);
+    if (inputs.parts.empty()) {
+        fmt::print(stderr, "Nothing is left to pack.\n");
+        return inputs.unusable.empty() ? kUsage : kUnusableInput;
+    }
     Job job;
     job.parts = inputs.parts;
     job.unit = in_mm(settings.unit.value_or(LengthUnit::mm));
@@ -188,9 +214,11 @@ int run_pack(const PackArguments& arguments) {
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run.value_or(false) ? run_estimate(job, display, interrupts, unusable)
-                                                        : run_job(job, settings, taken, display, interrupts, unusable);
-    if ((status == kDone || status == kLeftOver) && unusable && !settings.skip_unusable.value_or(false)) {
+    const int status = settings.dry_run.value_or(false)
+                           ? run_estimate(job, display, interrupts, unusable)
+                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);
+    const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
+    if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;
     }
     return status;
@@ -199,19 +227,15 @@ int run_pack(const PackArguments& arguments) {
 }  // namespace
 
 Command add_pack_command(CLI::App& app) {
-    auto* sub = app.add_subcommand("pack", "Pack parts into a container");
+    auto* sub = app.add_subcommand("pack", "Pack parts into trays");
     sub->footer(
-        "PART is a mesh (.stl .obj .3mf .ply .off), FILE:COUNT, FILE@SCALE, FILE:COUNT@SCALE, a folder of meshes, a set\n"
-        "file (.csv with columns mesh, count and more), or a job file (.json), whose options those given here override.\n"
-        "\n"
-        "  spectralpack pack parts/ bracket.stl:12 --tray 160x120x100 --gap 1 -o build.3mf -o build.png\n"
-        "  spectralpack pack set.csv --voxel 1 --time-limit 60 -o build.json && spectralpack check build.json\n"
-        "\n"
-        "Finer voxels pack denser and take longer: halving --voxel costs about ten times the time.\n"
-        "--restarts and --beam look for the order on the grid, at most for half of --time-limit, and then pack in it.\n"
-        "Exit status: 0 done, also with copies left over; 2 wrong usage; 3 an input was unusable (the rest is\n"
-        "packed); 4 out of memory or disk; 5 copies left over under --require-all; 130 interrupted, best packing\n"
-        "so far written.");
+        pack_help_head() +
+        "A job file brings options of its own; those given on the command line override them.\n"
+        "Exit status: 0 done, also with copies left over; 2 wrong usage; 3 a file cannot be used (the rest is\n"
+        "packed and written); 4 no memory or disk; 5 copies left over with --require-all; 6 nothing placed, and\n"
+        "nothing written; 130 interrupted, the best so far is written.");
+    sub->formatter(std::make_shared<PackHelp>());
+    sub->set_help_all_flag("--help-all", "Print this help with all options");
     auto arguments = std::make_shared<PackArguments>();
     add_pack_options(*sub, *arguments);
     return {sub, [arguments] { return run_pack(*arguments); }};

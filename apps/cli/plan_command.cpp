@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
@@ -12,8 +13,6 @@
 namespace spectralpack::cli {
 namespace {
 
-constexpr std::size_t kMostNamed = 12;
-
 struct PlanArguments {
     std::string packing;
     std::vector<std::string> outputs;
@@ -22,44 +21,34 @@ struct PlanArguments {
     bool json = false;
 };
 
-/// "3 ring, 4 ring and 7 more": with the copies' numbers.
-std::string names(const Packing& packing, const TrayPacking& tray, const std::vector<int>& placements) {
-    std::string text;
-    const CopyNumbers numbers(packing.parts);
-    for (std::size_t i = 0; i < placements.size() && i < kMostNamed; ++i) {
-        const Placement& placement = tray.placements[static_cast<std::size_t>(placements[i])];
-        text += fmt::format("{}{} {}", i > 0 ? ", " : "", numbers.of(placement),
-                            printable(packing.parts[static_cast<std::size_t>(placement.part)].name));
-    }
-    if (placements.size() > kMostNamed) text += fmt::format(" and {} more", placements.size() - kMostNamed);
-    return text;
+std::string steps_text(const Disassembly& plan) {
+    const auto groups = std::ranges::count_if(plan.steps, [](const auto& step) { return step.placements.size() > 1; });
+    return fmt::format("{} step{}{}{}", plan.steps.size(), plan.steps.size() == 1 ? "" : "s",
+                       groups > 0 ? fmt::format(", {} of them with several copies at once", groups) : "",
+                       through_walls_text(plan.through_walls.size()));
 }
 
 void print_plan(const Packing& packing, std::size_t tray, const Disassembly& plan) {
-    std::size_t moves = 0, groups = 0;
-    for (const RemovalStep& step : plan.steps) {
-        moves += step.path.size();
-        groups += step.placements.size() > 1 ? 1 : 0;
+    const std::size_t copies = packing.trays[tray].placements.size();
+    if (copies == 0) {
+        fmt::print("Tray {}: nothing is placed.\n", tray + 1);
+        return;
     }
-    const std::string of_groups = groups > 0 ? fmt::format(" ({} of groups)", groups) : "";
     if (plan.complete) {
-        fmt::print("tray {}: comes apart in {} step{}{}, {} move{}{}\n", tray + 1, plan.steps.size(),
-                   plan.steps.size() == 1 ? "" : "s", of_groups, moves, moves == 1 ? "" : "s",
-                   through_walls_text(plan.through_walls.size()));
+        fmt::print("Tray {}: comes apart in {}.\n", tray + 1, steps_text(plan));
         return;
     }
     if (plan.interlocked.empty()) {
-        fmt::print("tray {}: no plan yet; stopped after {} steps{}\n", tray + 1, plan.steps.size(), of_groups);
+        fmt::print("Tray {}: NOT CHECKED to the end: stopped after {}.\n", tray + 1, steps_text(plan));
         return;
     }
-    fmt::print("tray {}: INTERLOCKED; {} steps{} take out the rest\n", tray + 1, plan.steps.size(), of_groups);
+    fmt::print("Tray {}: DOES NOT COME APART; the other copies leave in {}.\n", tray + 1, steps_text(plan));
     for (const std::vector<int>& set : plan.interlocked) {
-        const std::string which = names(packing, packing.trays[tray], set);
-        if (packing.container.physical) {
-            fmt::print("  {} hold each other or cannot leave the container: {}\n", set.size(), which);
-        } else {
-            fmt::print("  {} hold each other: {}\n", set.size(), which);
-        }
+        const std::string text = fmt::format(
+            "  {} {}: {}", set.size(),
+            packing.container.physical ? "hold each other or cannot leave the container" : "hold each other",
+            copy_names(packing, packing.trays[tray], set));
+        fmt::print("{}\n", wrapped(text, kScreenWidth));
     }
 }
 
@@ -79,10 +68,11 @@ int run_plan(const PlanArguments& arguments) {
     }
     const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, {&display, interrupts.token()});
     display.finish();
-    bool complete = true;
+    bool complete = true, empty = true;
     for (std::size_t tray = 0; tray < plans.size(); ++tray) {
         scene.packing.trays[tray].disassembly = plans[tray];
         complete = complete && plans[tray].complete;
+        empty = empty && scene.packing.trays[tray].placements.empty();
     }
     for (const std::string& output : arguments.outputs) {
         write_output(scene, output, arguments.settings.threads);
@@ -94,33 +84,34 @@ int run_plan(const PlanArguments& arguments) {
             print_plan(scene.packing, tray, plans[tray]);
         }
         for (const std::string& output : arguments.outputs) {
-            fmt::print("wrote {}\n", output);
+            fmt::print("Written: {}\n", printable(output));
         }
     }
     if (interrupts.token().reason() == StopReason::cancelled) return kInterrupted;
-    return complete ? kDone : kCheckFailed;
+    if (!complete) return kCheckFailed;
+    return empty ? kNothingPlaced : kDone;
 }
 
 }  // namespace
 
 Command add_plan_command(CLI::App& app) {
-    auto* sub = app.add_subcommand("plan", "Find out how a packing comes apart, or what in it is interlocked");
+    auto* sub = app.add_subcommand("plan", "Find out how a packing comes apart, or what in it does not");
     sub->footer(
-        "Works on any packing file whose meshes are there. Every step is confirmed on the exact triangles.\n"
-        "Where no way is found that the file's own plan has, if it has one, that is taken.\n"
-        "Exit status 1 when something is interlocked, or when there was no time to find out.");
+        "Works on any packing file whose meshes are there. Every step is tried on the exact meshes. Where no way\n"
+        "out is found and the file has a plan of its own, that is followed.\n"
+        "Exit: 0 it comes apart, 1 it does not or there was no time to find out, 3 a bad file,\n"
+        "6 nothing is placed.");
     auto arguments = std::make_shared<PlanArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("-o,--output", arguments->outputs,
                     "file to write, plan included: .json (others without), repeatable")
-        ->take_all()
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     sub->add_option("--voxel", arguments->settings.voxel,
-                    "voxel size of the search for ways out, mm [that of the packing's collisions: voxel / detail]");
+                    "finer voxels find narrower ways out, mm [those of the packing: voxel / detail]");
     sub->add_option("--ray-spacing", arguments->settings.ray_spacing,
-                    "mm between the rays that tell which copy is straight in whose way; what they miss, flood fills "
-                    "find [the packing's, or four voxels]")
+                    "mm between the rays that tell which copy is straight in whose way [the packing's, or 4 voxels]")
         ->check(CLI::PositiveNumber);
     sub->add_option_function<std::string>(
            "--unpack", [arguments](const std::string& rule) { arguments->settings.unpack = from_string<Unpack>(rule); },
@@ -129,7 +120,7 @@ Command add_plan_command(CLI::App& app) {
         ->check(CLI::IsMember({"top", "any"}));
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
     sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
-    sub->add_flag("--json", arguments->json, "print the findings as JSON");
+    sub->add_flag("--json", arguments->json, "print the plan's findings as JSON");
     return {sub, [arguments] { return run_plan(*arguments); }};
 }
 

@@ -29,15 +29,15 @@ int run_prepare(PrepareArguments arguments) {
         tools::prepare(arguments.folder, arguments.output, arguments.options, {&display, interrupts.token()});
     display.finish();
 
-    fmt::print("{} of {} files", summary.done, summary.files);
+    fmt::print("{} of {} files are prepared", summary.done, summary.files);
     if (summary.earlier > 0) fmt::print(" ({} by earlier runs)", summary.earlier);
     fmt::print("\n");
     for (const auto& [outcome, count] : summary.meshes) {
         fmt::print("  {:<14} {}\n", to_string(outcome), count);
     }
-    fmt::print("wrote {} and {}\n", summary.set_file.string(), summary.report_file.string());
+    fmt::print("Written: {} and {}\n", summary.set_file.string(), summary.report_file.string());
     if (summary.stopped == StopReason::none) return kDone;
-    fmt::print("stopped; the same command goes on from here\n");
+    fmt::print("Interrupted: the same command goes on from here.\n");
     return kInterrupted;
 }
 
@@ -46,13 +46,13 @@ int run_prepare(PrepareArguments arguments) {
 Command add_prepare_command(CLI::App& app) {
     auto* sub = app.add_subcommand("prepare", "Make a benchmark of a folder of meshes");
     sub->footer(
-        "Keeps the meshes that are closed, manifold and consistently oriented after the repairs that are safe and\n"
-        "have a positive volume; simplifies them, scales them down to the tray or up to 2 mm, and writes STL files,\n"
+        "Keeps the meshes that are closed and sound once what is safe to mend is mended, and have a volume;\n"
+        "simplifies them, scales them down to the tray or up to 2 mm, and writes STL files,\n"
         "set.csv with all of them, and report.csv with what became of every mesh (the paper's appendix B.1).\n"
         "A run that was cut off goes on where it stopped.");
     auto arguments = std::make_shared<PrepareArguments>();
     PrepareArguments& a = *arguments;
-    sub->add_option("FOLDER", a.folder, "folder of meshes, searched through")->required();
+    sub->add_option("FOLDER", a.folder, "folder of meshes, and the folders in it")->required();
     sub->add_option("-o,--output", a.output, "folder for the results")->required();
     sub->add_option("--tray", a.tray, "what is larger is scaled down to this, mm [480x245x200]");
     sub->add_option("--triangles", a.options.rules.triangles, "meshes of more are simplified [4000]");

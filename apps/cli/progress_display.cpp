@@ -6,12 +6,36 @@
 #include <cstdio>
 
 #include "text.hpp"
+#include "unusable_files.hpp"
 
 namespace spectralpack::cli {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenFrames{100};
 constexpr int kBarWidth = 28;
+
+/// For people; programs are told the phase's own word.
+const char* doing(Phase phase) {
+    switch (phase) {
+        case Phase::load:
+            return "reading";
+        case Phase::voxelize:
+            return "preparing";
+        case Phase::search:
+            return "placing";
+        case Phase::disassemble:
+            return "taking apart";
+        case Phase::reinsert:
+            return "putting back";
+        case Phase::check:
+            return "checking";
+        case Phase::render:
+            return "drawing";
+        case Phase::write:
+            return "writing";
+    }
+    return "";
+}
 
 }  // namespace
 
@@ -56,14 +80,36 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line = fmt::format("{:<11} [{}] {}/{}", to_string(progress.phase), bar, progress.done, progress.total);
+    std::string line = fmt::format("{:<12} [{}] {}/{}", doing(progress.phase), bar, progress.done, progress.total);
     if (progress.phase == Phase::search && progress.density) {
-        line += fmt::format("  density {}", percent_text(*progress.density));
+        line += fmt::format("  {} filled", percent_text(*progress.density));
     }
-    if (progress.verified > 0) line += fmt::format("  {} verified", progress.verified);
+    if (progress.verified > 0) line += fmt::format("  {} compared", progress.verified);
     if (progress.orders > 0) line += fmt::format("  order {} of {}", progress.order, progress.orders);
     if (left > 0) line += fmt::format("  about {} left", duration_text(left));
     line_.draw(line);
+}
+
+void ProgressDisplay::end() {
+    finish();
+    if (told_) fmt::print(stderr, "\n");
+    told_ = false;
+}
+
+void ProgressDisplay::on_unusable(const std::vector<InputError>& errors) {
+    finish();
+    if (errors.empty()) return;
+    if (style_ == ProgressStyle::json) {
+        for (const InputError& error : errors) {
+            on_error(error.what());
+        }
+        return;
+    }
+    if (told_) fmt::print(stderr, "\n");
+    for (const std::string& line : unusable_lines(errors)) {
+        fmt::print(stderr, "{}\n", line);
+    }
+    told_ = true;
 }
 
 void ProgressDisplay::on_warning(const std::string& message) {
@@ -71,7 +117,9 @@ void ProgressDisplay::on_warning(const std::string& message) {
     if (style_ == ProgressStyle::json) {
         fmt::print(stderr, "{{\"warning\": {}}}\n", json_string(message));
     } else {
-        fmt::print(stderr, "spectralpack: warning: {}\n", printable(message));
+        const char* end = message.ends_with('?') || message.ends_with('.') ? "" : ".";
+        fmt::print(stderr, "{}\n", wrapped(fmt::format("Remark: {}{}", printable(message), end), kScreenWidth));
+        told_ = true;
     }
 }
 
@@ -81,6 +129,7 @@ void ProgressDisplay::on_error(const std::string& message) {
         fmt::print(stderr, "{{\"error\": {}}}\n", json_string(message));
     } else {
         fmt::print(stderr, "spectralpack: {}\n", printable(message));
+        told_ = true;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <spectralpack/spectralpack.hpp>
 
@@ -22,6 +23,12 @@ class ProgressDisplay : public Listener {
 
     /// Something that went wrong; the run goes on with the rest.
     void on_error(const std::string& message);
+
+    /// Files that cannot be used, in one list; the run goes on with the rest.
+    void on_unusable(const std::vector<InputError>& errors);
+
+    /// Ends the bar's line, and sets off what was told from the result that follows.
+    void end();
 
     /// Ends the bar's line, so that other output starts on a fresh one.
     void finish() { line_.clear(); }
@@ -43,6 +50,7 @@ class ProgressDisplay : public Listener {
     std::optional<Phase> phase_;
     Clock::time_point last_ = {};
     StatusLine line_;
+    bool told_ = false;  ///< a remark or an error, to people
 };
 
 }  // namespace spectralpack::cli

@@ -55,7 +55,7 @@ int run_render(RenderArguments arguments) {
     }
     const Scene scene = load_scene(arguments.packing);
     write_picture(scene, arguments.output, arguments.options, arguments.threads);
-    fmt::print("wrote {}\n", arguments.output);
+    fmt::print("Written: {}\n", printable(arguments.output));
     return kDone;
 }
 
@@ -67,8 +67,8 @@ Command add_render_command(CLI::App& app) {
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("-o,--output", arguments->output, "picture to write (.png)")->required();
     sub->add_option("--size", arguments->size, "pixels [1600x1200; with --explode 1600x2000]");
-    sub->add_option("--azimuth", arguments->options.azimuth, "degrees the camera stands round the container [35]");
-    sub->add_option("--elevation", arguments->options.elevation, "degrees the camera stands above it [28]");
+    sub->add_option("--azimuth", arguments->options.azimuth, "degrees that you look from the side [35]");
+    sub->add_option("--elevation", arguments->options.elevation, "degrees that you look from above [28]");
     sub->add_option("--tray", arguments->tray, "only this tray, counted from 1 [all]");
     auto* explode = sub->add_option("--explode", arguments->options.explode,
                                     "draw the tray's layers apart; at FACTOR 1 none hides the next")
@@ -78,7 +78,7 @@ Command add_render_command(CLI::App& app) {
         ->type_name("AXIS=MM");
     sub->add_flag("--plain", arguments->plain, "without numbers, scale bar and the names of sides");
     sub->add_option("--step", arguments->options.step,
-                    "draw the disassembly plan's step K, from 1 on: its copies half way out of what is left")
+                    "draw step K of taking it apart, from 1 on: its copies half way out")
         ->type_name("K")
         ->excludes(explode);
     sub->add_option("--threads", arguments->threads, "threads, 0 for all");

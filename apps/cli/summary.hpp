@@ -1,5 +1,6 @@
 #pragma once
-/// What a run says at its end, on standard output.
+/// What a run says at its end, on standard output: the verdict, then what is in the tray, what is not and why, and what
+/// was written, on one screen.
 
 #include <optional>
 #include <string>
@@ -12,10 +13,28 @@
 
 namespace spectralpack::cli {
 
-/// `written`: files, of those that were named, if any were.
-/// `taken`: from the build that is topped up.
-void print_summary(const PackResult& result, const std::vector<std::string>& written, bool files_named,
-                   const TakenOver& taken);
-void print_estimate(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time);
+/// What one -o came to.
+struct WrittenFile {
+    std::string file;
+    std::vector<std::string> trays;  ///< a file for each, where there are several
+};
+
+/// What a summary says besides the packing.
+struct RunFacts {
+    std::vector<WrittenFile> written;
+    std::vector<std::string> reports;
+    bool files_named = false;
+    TakenOver taken;                    ///< from the build that was topped up
+    std::optional<double> onto_height;  ///< of that build
+    std::vector<Printer> own_printers;  ///< known besides those of the table
+    bool details = false;
+    bool require_all = false;
+};
+
+/// The copies that this run placed: those that stood there before aside.
+std::int64_t newly_placed(const Packing& packing);
+
+std::string summary_text(const PackResult& result, const RunFacts& facts);
+std::string estimate_text(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time);
 
 }  // namespace spectralpack::cli

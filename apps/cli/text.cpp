@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -9,6 +10,7 @@ namespace spectralpack::cli {
 namespace {
 
 constexpr int kMaxPictureSide = 16384;
+constexpr std::size_t kMostNamed = 12;
 
 }  // namespace
 
@@ -45,22 +47,45 @@ std::string printable(std::string text) {
     return text;
 }
 
+std::string copy_names(const Packing& packing, const TrayPacking& tray, const std::vector<int>& placements) {
+    std::string text;
+    for (std::size_t i = 0; i < placements.size() && i < kMostNamed; ++i) {
+        const Placement& placement = tray.placements[static_cast<std::size_t>(placements[i])];
+        text += fmt::format("{}{} #{}", i > 0 ? ", " : "",
+                            printable(packing.parts[static_cast<std::size_t>(placement.part)].name), placement.copy);
+    }
+    if (placements.size() > kMostNamed) text += fmt::format(" and {} more", placements.size() - kMostNamed);
+    return text;
+}
+
+std::size_t columns_of(std::string_view text) {
+    // Of a character in UTF-8, all bytes but the first are 10xxxxxx.
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
 std::string wrapped(const std::string& text, std::size_t width) {
     std::string lines;
-    std::size_t begin = 0;
-    while (text.size() - begin > width) {
-        const std::size_t space = text.rfind(' ', begin + width);
-        if (space == std::string::npos || space <= begin) break;  // a word longer than a line
-        lines += text.substr(begin, space - begin) + '\n';
-        begin = space + 1;
+    std::size_t column = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const std::size_t columns = columns_of(word);
+        const bool fits = column + 1 + columns <= width;
+        if (begin > 0) lines += fits ? ' ' : '\n';
+        column = begin > 0 && fits ? column + 1 + columns : columns;
+        lines += word;
+        begin = end + 1;
     }
-    return lines + text.substr(begin);
+    std::ranges::replace(lines, kBond, ' ');
+    return lines;
 }
 
 std::string duration_text(double seconds) {
-    if (seconds < 10) return fmt::format("{:.2f} s", seconds);
-    if (seconds < 60) return fmt::format("{:.1f} s", seconds);
+    if (seconds < 0.05) return "0.1 s";
+    if (seconds < 9.95) return fmt::format("{:g} s", std::round(10 * seconds) / 10);
     const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+    if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
@@ -79,5 +104,10 @@ std::string through_walls_text(std::size_t steps) {
 std::string percent_text(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string length_text(double mm) { return fmt::format("{:g}", std::round(mm * 1000) / 1000); }
+
+std::string gap_number(double mm) {
+    const bool tenths = std::abs(10 * mm - std::round(10 * mm)) < 1e-6;
+    return tenths ? fmt::format("{:.1f}", mm) : length_text(mm);
+}
 
 }  // namespace spectralpack::cli

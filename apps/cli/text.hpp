@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <spectralpack/spectralpack.hpp>
 
@@ -20,14 +22,26 @@ void parse_picture_size(const std::string& text, RenderOptions& options);
 /// Text from files as it can go to a terminal: control characters as '?'.
 std::string printable(std::string text);
 
-/// `text` in lines of at most `width` characters, broken at spaces.
+inline constexpr std::size_t kScreenWidth = 80;
+
+/// "ring #3, ring #4 and 7 more", for people.
+std::string copy_names(const Packing& packing, const TrayPacking& tray, const std::vector<int>& placements);
+
+/// Columns that the text takes on a terminal: its characters.
+std::size_t columns_of(std::string_view text);
+
+/// In text to be wrapped, a space that stays in its line.
+inline constexpr char kBond = '\x1f';
+
+/// `text` in lines of at most `width` columns, broken at spaces; a longer word stands by itself.
 std::string wrapped(const std::string& text, std::size_t width);
 
-std::string duration_text(double seconds);   ///< "0.42 s", "12.3 s", "4 min 05 s", "2 h 07 min"
+std::string duration_text(double seconds);   ///< "0.4 s", "12 s", "4 min 05 s", "2 h 07 min"
 std::string bytes_text(std::int64_t bytes);  ///< "812 MB", "3.1 GB"
 std::string percent_text(double share);      ///< "43.9 %"
 /// "; 3 of them sideways through the walls", of a plan's steps; nothing for none.
 std::string through_walls_text(std::size_t steps);
 std::string length_text(double mm);  ///< at most three decimals, none that are zero
+std::string gap_number(double mm);   ///< "2.0", "0.25": one decimal, more where it has more
 
 }  // namespace spectralpack::cli

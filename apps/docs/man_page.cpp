@@ -66,11 +66,12 @@ const CommandInfo& pack_of(const std::vector<CommandInfo>& commands) {
 
 std::string pack_options(const CommandInfo& pack) {
     std::string text;
-    for (const OptionGroup group :
-         {OptionGroup::output, OptionGroup::container, OptionGroup::input, OptionGroup::search, OptionGroup::run}) {
+    for (const OptionGroup group : kOptionGroups) {
         text += fmt::format(".SS {}\n", title_of(group));
-        for (const OptionInfo& option : pack.options) {
-            if (option.entry && option.entry->group == group) text += item(option);
+        for (const Option* entry : options_under(group)) {
+            for (const OptionInfo& option : pack.options) {
+                if (option.entry == entry) text += item(option);
+            }
         }
     }
     return text;

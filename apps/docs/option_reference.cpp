@@ -75,14 +75,12 @@ std::string option_reference() {
         "placements.\n"
         "`spectralpack help NAME` shows the same in a terminal.\n\n";
     std::string sections;
-    for (const OptionGroup group :
-         {OptionGroup::output, OptionGroup::container, OptionGroup::input, OptionGroup::search, OptionGroup::run}) {
+    for (const OptionGroup group : kOptionGroups) {
         text += fmt::format("**{}**\n\n| option | default | |\n| --- | --- | --- |\n", title_of(group));
-        sections += fmt::format("## {} options\n\n", title_of(group));
-        for (const Option& option : option_table()) {
-            if (option.group != group) continue;
-            text += row(option);
-            sections += section(option);
+        sections += fmt::format("## {}\n\n", title_of(group));
+        for (const Option* option : options_under(group)) {
+            text += row(*option);
+            sections += section(*option);
         }
         text += "\n";
     }

@@ -52,7 +52,7 @@ class Listener {
     virtual ~Listener() = default;
     virtual void on_event(const Event&) {}
     virtual void on_progress(const Progress&) {}
-    /// Something the user should know that stops nothing; one line, names the file it is about.
+    /// Something the user should know that stops nothing; once for each cause, naming the parts it is so of.
     virtual void on_warning(const std::string&) {}
 };
 

@@ -38,7 +38,7 @@ struct JobSettings {
     std::optional<std::string> material;     ///< its name, for the report
     std::optional<std::string> job_name;     ///< the report's heading
     std::optional<ProgressStyle> progress;
-    std::optional<bool> dry_run, json, skip_unusable, require_all;
+    std::optional<bool> dry_run, json, details, skip_unusable, require_all;
 
     std::vector<Printer> own_printers;     ///< known besides printers(), from the user's files
     std::vector<SettingsSource> defaults;  ///< files of defaults, and what was taken from each

@@ -63,7 +63,8 @@ inline constexpr Words<3> kWords<PartOrientations::Kind>{"any", "fixed", "uprigh
 
 // Results.
 template <>
-inline constexpr Words<5> kWords<UnplacedReason>{"tray_full", "too_large", "interlocked", "unusable", "stopped"};
+inline constexpr Words<6> kWords<UnplacedReason>{"no_place", "too_large", "cannot_leave",
+                                                 "bad_file", "not_tried", "cap"};
 template <>
 inline constexpr Words<8> kWords<FindingKind>{"outside",   "overlap", "nested", "gap",
                                               "transform", "density", "count",  "plan"};

@@ -22,7 +22,8 @@
 
 namespace spectralpack {
 
-enum class OptionGroup { output, container, input, search, run };
+/// The headings of the help, in the order of a job.
+enum class OptionGroup { parts, tray, gap, packing, result };
 
 /// What an option takes, and what its OptionValue holds.
 enum class OptionType {
@@ -55,7 +56,8 @@ struct OptionField {
 struct Option {
     std::string_view name;  ///< "wall-gap": --wall-gap on the command line
     char letter = 0;        ///< "-o"; 0: it has none
-    OptionGroup group = OptionGroup::run;
+    OptionGroup group = OptionGroup::packing;
+    int help_place = 0;  ///< from 1 on, among the twenty that --help shows; 0: only --help-all does
     OptionType type = OptionType::flag;
     double least = -std::numeric_limits<double>::infinity();  ///< of numbers
     double most = std::numeric_limits<double>::infinity();
@@ -70,7 +72,8 @@ struct Option {
     std::string_view default_means = {};           ///< what the default comes to, where it does not say so itself
     std::vector<std::string_view> examples = {};   ///< as on the command line
     int hash_place = 0;  ///< from 1 on, among the options that the input hash covers; 0: placements do not depend on it
-    bool optional = false;  ///< it may be none
+    bool optional = false;    ///< it may be none
+    bool of_printer = false;  ///< a printer has a value of its own, which comes before the default
     /// Where the value is kept; at most one of them. In PackOptions: job files and packing files hold it. In
     /// JobSettings: job files do. Nowhere: only the command line knows it.
     OptionField<PackOptions> in_pack = {};
@@ -84,12 +87,20 @@ std::span<const Option> option_table();
 const Option* find_option(std::string_view name);
 
 std::string_view title_of(OptionGroup group);
+inline constexpr OptionGroup kOptionGroups[] = {OptionGroup::parts, OptionGroup::tray, OptionGroup::gap,
+                                                OptionGroup::packing, OptionGroup::result};
+
+/// Those under a heading: first what --help shows, in its order, then the others in the table's.
+std::vector<const Option*> options_under(OptionGroup group);
 
 /// That of default PackOptions and JobSettings.
 OptionValue default_of(const Option& option);
 
 /// The default for people: "0.2", "0: all"; empty for flags that are off, and for none.
 std::string default_text(const Option& option);
+
+/// The same in a word or two: "0", "the printer's, else 0.2".
+std::string short_default_text(const Option& option);
 
 /// What it takes, for people: "a number above 0", "one of off, place, post".
 std::string values_of(const Option& option);

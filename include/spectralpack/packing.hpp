@@ -98,21 +98,31 @@ struct TrayPacking {
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
 
-enum class UnplacedReason { tray_full, too_large, interlocked, unusable, stopped };
+/// Why a copy is left over.
+enum class UnplacedReason {
+    no_place,      ///< the trays have no free place that it fits into
+    too_large,     ///< it is larger than the tray
+    cannot_leave,  ///< it was caught in other copies, and there was no place that it comes out of
+    bad_file,      ///< its mesh cannot be used
+    not_tried,     ///< the run ended before
+    cap,           ///< --max-density or --max-layer-fill was reached
+};
 
-/// For people.
+/// The one wording for people: terminal, page and sheet.
 inline const char* in_words(UnplacedReason reason) {
     switch (reason) {
-        case UnplacedReason::tray_full:
+        case UnplacedReason::no_place:
             return "no free place left";
         case UnplacedReason::too_large:
-            return "too large";
-        case UnplacedReason::interlocked:
-            return "interlocked";
-        case UnplacedReason::unusable:
-            return "unusable";
-        case UnplacedReason::stopped:
+            return "larger than the tray";
+        case UnplacedReason::cannot_leave:
+            return "cannot leave";
+        case UnplacedReason::bad_file:
+            return "file cannot be used";
+        case UnplacedReason::not_tried:
             return "not tried";
+        case UnplacedReason::cap:
+            return "cap reached";
     }
     return "";
 }
@@ -120,7 +130,7 @@ inline const char* in_words(UnplacedReason reason) {
 struct Unplaced {
     int part = 0;
     int copy = 0;
-    UnplacedReason reason = UnplacedReason::tray_full;
+    UnplacedReason reason = UnplacedReason::no_place;
     std::string detail;
 };
 

@@ -70,16 +70,16 @@ void check_options(const PackOptions& options) {
         const std::string open = options.open_height ? "--open-height" : "--minimise box";
         if (options.fill) throw UsageError("--fill needs a height to fill: it does not go with " + open);
         if (options.max_density) {
-            throw UsageError("--max-density needs a container's volume: it does not go with " + open);
+            throw UsageError("--max-density is a share of the tray's volume: it does not go with " + open);
         }
         if (height_reference(options) == HeightReference::bottom && options.height_penalty == 0) {
-            throw UsageError(open + " with --height-at bottom needs a height penalty above 0");
+            throw UsageError(open + " with --height-at bottom needs a --height-penalty above 0");
         }
     }
     const Vec3 space = space_inside(options);
     if (std::min({space.x, space.y, space.z}) < options.voxel) {
-        throw UsageError("the container, less the wall gap, is smaller than one voxel of " +
-                         short_number(options.voxel) + " mm");
+        throw UsageError("the tray, less the wall gap, is smaller than one voxel of " + short_number(options.voxel) +
+                         " mm");
     }
 }
 

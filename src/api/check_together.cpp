@@ -27,8 +27,8 @@ void check_together(const Job& job) {
         }
         if (job.container.physical && options.interlock != Interlock::off) {
             refuse(open, "--physical",
-                   "ways out lead over the top of walls, which have no height then (with --interlock "
-                   "off nothing is looked for)");
+                   "ways out lead over the top of walls, which have no height then (--interlock off "
+                   "does not look for them)");
         }
     }
     if (options.fill && options.trays != 1) {
@@ -37,11 +37,11 @@ void check_together(const Job& job) {
     if (options.restarts > 1 || options.beam > 1) {
         const std::string orders = options.restarts > 1 ? "--restarts" : "--beam";
         if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
-        if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it searches among bases instead");
+        if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it tries bases instead");
     }
     if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
         refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill",
-               "its states keep no account of what is full; use --restarts");
+               "it keeps no account of what is full; use --restarts");
     }
 }
 

@@ -34,12 +34,12 @@ EngineKind resolve_engine(EngineKind kind) {
         case EngineKind::cpu:
             return EngineKind::cpu;
         case EngineKind::cuda:
-            throw UsageError("the cuda engine is not built yet");
+            throw UsageError("--engine cuda is not built yet");
         case EngineKind::reference:
             break;
     }
     if (!reference_engine()) {
-        throw UsageError("this program has no reference engine; spectralpack-reference has (docs/dependencies.md)");
+        throw UsageError("this program has no --engine reference; spectralpack-reference has (docs/dependencies.md)");
     }
     return kind;
 }

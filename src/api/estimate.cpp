@@ -40,7 +40,7 @@ Estimate estimate(const Job& job, const Control& control) {
     estimate.height_penalty = plan.height_penalty;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         if (!plan.too_large[i].empty()) {
-            estimate.too_large.push_back(loaded.parts[i].name + " " + plan.too_large[i]);
+            estimate.too_large.push_back(loaded.parts[i].name + ": " + plan.too_large[i]);
         }
     }
     estimate.unusable = loaded.unusable;

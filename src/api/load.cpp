@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "api/fixed_copies.hpp"
+#include "core/remarks.hpp"
 #include "formats/mesh_reader.hpp"
 #include "model/part_names.hpp"
 #include "spectralpack/option_table.hpp"
@@ -60,6 +61,33 @@ std::string joined(const std::vector<std::string>& remarks) {
         line += (line.empty() ? "" : "; ") + remark;
     }
     return line;
+}
+
+/// Tells what was mended and what is odd, once for each cause.
+void tell_remarks(const std::vector<const Part*>& inputs, const std::vector<InputContent>& contents,
+                  Listener& listener) {
+    std::vector<NameSource> sources;
+    for (const Part* input : inputs) {
+        const std::string file = input->mesh.file();
+        sources.push_back({file.empty() ? label_of(*input) : std::filesystem::path(file).stem().string(), file});
+    }
+    const std::vector<std::string> names = names_apart(sources);
+    Remarks remarks;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (const LoadedMesh& loaded : contents[i].meshes) {
+            const std::string name = loaded.object ? names[i] + " (" + loaded.name + ")" : names[i];
+            if (!loaded.repairs.empty()) {
+                remarks.add(name, {"was mended: " + joined(loaded.repairs),
+                                   "were mended ('spectralpack inspect' and the report say how)"});
+            }
+            for (const Remark& warning : loaded.warnings) {
+                remarks.add(name, warning);
+            }
+        }
+    }
+    for (const std::string& text : remarks.texts()) {
+        listener.on_warning(text);
+    }
 }
 
 class Hash {
@@ -185,17 +213,10 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
 
     LoadedJob result;
     load_fixed(job, result);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (contents[i].error) result.unusable.push_back(*contents[i].error);
-        const std::string file = label_of(*inputs[i]);
-        for (const LoadedMesh& loaded : contents[i].meshes) {
-            const std::string name = loaded.object ? file + " (" + loaded.name + ")" : file;
-            if (!loaded.repairs.empty()) {
-                listener.on_warning(name + ": mended: " + joined(loaded.repairs));
-            }
-            if (!loaded.warnings.empty()) listener.on_warning(name + ": " + joined(loaded.warnings));
-        }
+    for (const InputContent& content : contents) {
+        if (content.error) result.unusable.push_back(*content.error);
     }
+    tell_remarks(inputs, contents, listener);
     std::vector<NameSource> names;
     const auto add = [&](const Part& source, PackedPart part, std::shared_ptr<const Mesh> mesh, double box_volume,
                          std::string problem) {

@@ -16,6 +16,7 @@
 #include "api/plan.hpp"
 #include "api/record.hpp"
 #include "api/tray_events.hpp"
+#include "core/remarks.hpp"
 #include "core/stopwatch.hpp"
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
@@ -35,10 +36,14 @@ class JobRun {
         load();
         plan_ = make_plan(loaded_, container_, options_, job_.own_printers, workers_);
         require_memory(plan_, loaded_, options_, workers_);
+        Remarks too_large;
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
-            if (!plan_.too_large[i].empty()) {
-                listener_.on_warning(loaded_.parts[i].name + " " + plan_.too_large[i]);
-            }
+            if (plan_.too_large[i].empty()) continue;
+            too_large.add(loaded_.parts[i].name,
+                          {"is larger than the tray: " + plan_.too_large[i], "are larger than the tray"});
+        }
+        for (const std::string& text : too_large.texts()) {
+            listener_.on_warning(text);
         }
         warn_of_orientations(plan_, options_, listener_);
         PackingJob packing = packing_job({loaded_, plan_, container_, options_}, listener_, workers_);
@@ -49,12 +54,13 @@ class JobRun {
         try {
             search(packing, packed);
         } catch (const std::bad_alloc&) {
-            result.failure = ResourceError("out of memory while searching; what was placed is kept");
+            result.failure = ResourceError("out of memory while placing; what was placed by then is kept");
         } catch (const Error& error) {
             result.failure = error;
         }
         TraysResult& trays = packed.trays;
-        if (trays.stuck) result.failure = stuck_error(loaded_, trays);
+        // Where nothing is placed at all, each copy says why.
+        if (trays.stuck && trays.placed() > 0) result.failure = stuck_error(loaded_, trays);
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();

@@ -20,6 +20,9 @@
 namespace spectralpack {
 namespace {
 
+/// Turns of a cube.
+constexpr std::size_t kRightAngles = 24;
+
 int voxels_in(double length, double dx) {
     const double voxels = std::ceil(length / dx - 1e-9);
     if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
@@ -29,7 +32,7 @@ int voxels_in(double length, double dx) {
 /// Sizes of a part for an estimate: one if its orientations are turns by right angles, else some that are spread over
 /// them, as a part turned otherwise has a larger box.
 std::vector<Vec3> sample_sizes(const Mesh& mesh, double to_mm, const std::vector<Mat3>& orientations) {
-    constexpr std::size_t kRightAngles = 24, kSamples = 7;
+    constexpr std::size_t kSamples = 7;
     const std::size_t samples = orientations.size() > kRightAngles ? kSamples : 1;
     std::vector<Vec3> sizes;
     for (std::size_t k = 0; k < samples; ++k) {

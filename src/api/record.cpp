@@ -70,25 +70,28 @@ std::vector<Unplaced> unplaced_of(const PackRun& run, std::set<Copy> settled) {
         if (!unusable && run.plan.too_large[i].empty()) continue;
         for (int copy = 0; copy < run.loaded.parts[i].count; ++copy) {
             unplaced.push_back({static_cast<int>(i), copy,
-                                unusable ? UnplacedReason::unusable : UnplacedReason::too_large,
+                                unusable ? UnplacedReason::bad_file : UnplacedReason::too_large,
                                 unusable ? run.loaded.problem[i] : run.plan.too_large[i]});
         }
     }
     const FilledTray& last = run.trays.trays.back();
     for (const Copy& copy : last.interlocked) {
-        unplaced.push_back({copy.part, copy.number, UnplacedReason::interlocked, ""});
+        unplaced.push_back({copy.part, copy.number, UnplacedReason::cannot_leave, ""});
         settled.insert(copy);
     }
     const std::string in_empty = why_in_empty_tray(run);
     for (const Copy& copy : run.trays.left_over) {
         if (!settled.insert(copy).second) continue;
-        const auto why = last.why.find(copy.part);
-        unplaced.push_back(
-            {copy.part, copy.number, UnplacedReason::tray_full, why == last.why.end() ? in_empty : why->second});
+        const auto cap = last.why.find(copy.part);
+        if (cap == last.why.end()) {
+            unplaced.push_back({copy.part, copy.number, UnplacedReason::no_place, in_empty});
+        } else {
+            unplaced.push_back({copy.part, copy.number, UnplacedReason::cap, cap->second});
+        }
     }
     for (const Copy& copy : run.plan.items) {
         if (run.options.fill || settled.contains(copy)) continue;
-        unplaced.push_back({copy.part, copy.number, UnplacedReason::stopped, ""});
+        unplaced.push_back({copy.part, copy.number, UnplacedReason::not_tried, ""});
     }
     return unplaced;
 }
@@ -173,7 +176,7 @@ Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
     return Error(ErrorKind::input, "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
                                        std::to_string(trays.left_over.size()) +
                                        (trays.left_over.size() == 1 ? " copy" : " copies") +
-                                       " tried none finds a place in it, the first being " + first.name +
+                                       " tried none finds a place in it, the first of them " + first.name +
                                        (trays.trays.empty() ? "" : "; the trays before are kept"));
 }
 

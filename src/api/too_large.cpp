@@ -88,8 +88,8 @@ Vec3 turned_size(const Mesh& mesh, const Mat3& turn, double to_mm) {
 std::string why_too_large(const TurnablePart& part, const Vec3& room, const PackOptions& options, bool box,
                           std::span<const Printer> own) {
     if (fits_in_one(part.mesh, part.to_mm, part.orientations, room)) return "";
-    std::string why = "is larger than the tray: " + size_text(turned_size(part.mesh, Mat3{}, part.to_mm)) +
-                      ", and there is room for " + size_text(room);
+    const std::string why =
+        size_text(turned_size(part.mesh, Mat3{}, part.to_mm)) + ", and there is room for " + size_text(room);
     const Mesh outline = outline_of(part.mesh);
     if (fits_when_free(part, outline, room, options.rotations)) {
         return why + ". It fits where it may be turned as --rotations says, and not just as its orientations do";

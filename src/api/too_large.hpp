@@ -23,7 +23,7 @@ struct TurnablePart {
     const std::vector<Mat3>& orientations;
 };
 
-/// "is larger than the tray: 400 x 45 x 49 mm, and there is room for 159 x 159 x 294 mm. ..." where the part fits into
+/// "400 x 45 x 49 mm, and there is room for 159 x 159 x 294 mm. ..." where the part fits into
 /// `room` in none of its orientations, with what would take it: to be turned freely, or finer --rotations than those of
 /// `options`, else the smallest printer, of the user's `own` and those that are known, unless a mesh is the container.
 /// Empty where it fits.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/remarks.hpp"
 #include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
@@ -18,10 +19,10 @@ struct LoadedMesh {
     std::string name;  ///< the object's own name or part number; else the file's stem
     std::optional<std::string> object;
     std::optional<Transform> item_transform;
-    int instances = 1;                  ///< 3MF: build items that are this object in this orientation
-    std::optional<double> unit;         ///< mm per unit where the file says it (3MF)
-    std::vector<std::string> repairs;   ///< what was mended, in words
-    std::vector<std::string> warnings;  ///< what the user should look at, in words
+    int instances = 1;                 ///< 3MF: build items that are this object in this orientation
+    std::optional<double> unit;        ///< mm per unit where the file says it (3MF)
+    std::vector<std::string> repairs;  ///< what was mended, in words
+    std::vector<Remark> warnings;      ///< what the user should look at
 };
 
 /// Reads STL (binary, ASCII), OBJ, PLY, OFF, 3MF and binvox (its voxels' faces). Several objects of

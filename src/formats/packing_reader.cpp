@@ -10,6 +10,21 @@
 namespace spectralpack {
 namespace {
 
+/// Files of version 0.1 have other words for some.
+UnplacedReason reason_of(const Node& node) {
+    constexpr std::pair<std::string_view, UnplacedReason> kEarlier[] = {
+        {"tray_full", UnplacedReason::no_place},
+        {"interlocked", UnplacedReason::cannot_leave},
+        {"unusable", UnplacedReason::bad_file},
+        {"stopped", UnplacedReason::not_tried},
+    };
+    const std::string word = node.text();
+    for (const auto& [earlier, reason] : kEarlier) {
+        if (word == earlier) return reason;
+    }
+    return node.one_of<UnplacedReason>();
+}
+
 namespace fs = std::filesystem;
 
 /// Reads a tray's disassembly plan and keeps track of who still stands with whom.
@@ -250,7 +265,7 @@ class PackingReader {
         Unplaced unplaced;
         unplaced.part = part_of(node);
         if (const auto v = node.find("copy")) unplaced.copy = v->integer<int>(0);
-        if (const auto v = node.find("reason")) unplaced.reason = v->one_of<UnplacedReason>();
+        if (const auto v = node.find("reason")) unplaced.reason = reason_of(*v);
         if (const auto v = node.find("detail")) unplaced.detail = v->text();
         packing_.unplaced.push_back(std::move(unplaced));
     }

@@ -85,7 +85,8 @@ LoadedMesh parse_binary(const MeshBytes& source) {
     if (stated > kMostTriangles) throw InputError(source.file, "byte 80", "there are too many facets");
     LoadedMesh loaded;
     if (trailing > 0) {
-        loaded.warnings.push_back(std::to_string(trailing) + " bytes after the last facet are ignored");
+        loaded.warnings.push_back({"has " + std::to_string(trailing) + " bytes after its last facet, which are ignored",
+                                   "have bytes after their last facet, which are ignored"});
     }
     loaded.mesh = weld_facets(source, stated);
     return loaded;

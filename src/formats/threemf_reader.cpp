@@ -183,8 +183,10 @@ class Reader {
 
     static void note(LoadedMesh& loaded, std::size_t items, const std::string& what) {
         if (items == 0) return;
-        loaded.warnings.push_back(std::to_string(items) + (items == 1 ? " build item is " : " build items are ") +
-                                  what + " and left out");
+        loaded.warnings.push_back({"has " + std::to_string(items) +
+                                       (items == 1 ? " build item that is " : " build items that are ") + what +
+                                       " and left out",
+                                   "have build items that are " + what + " and left out"});
     }
 
     void make_names_differ(std::vector<LoadedMesh>& loaded) const {

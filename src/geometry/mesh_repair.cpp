@@ -258,7 +258,8 @@ class Repairer {
                                       ")");
         }
         if (shells_overlap(mesh_, groups)) {
-            result_.warnings.push_back("shells of it overlap: its volume counts the space they share twice");
+            result_.warnings.push_back({"has bodies that overlap; what they share counts twice in its volume",
+                                        "have bodies that overlap; what they share counts twice in their volume"});
         }
         return true;
     }
@@ -269,16 +270,18 @@ class Repairer {
             mesh_ = inside_out(std::move(mesh_));
             result_.repairs.push_back("turned the open mesh, whose facets faced inwards");
         }
-        result_.warnings.push_back("is not closed: " +
-                                   (count_.border > 0 ? counted(count_.border, "border edge", "border edges")
-                                                      : "neighbouring facets face opposite ways") +
-                                   "; packed by its surface");
+        const std::string why = count_.border > 0 ? counted(count_.border, "border edge", "border edges")
+                                                  : "neighbouring facets face opposite ways";
+        result_.warnings.push_back({"is not closed (" + why + "); its surface is packed, as if it were hollow",
+                                    "are not closed; their surfaces are packed, as if they were hollow"});
         return true;
     }
 
     void describe_edges() {
         if (count_.crowded == 0) return;
-        result_.warnings.push_back(counted(count_.crowded, "edge is", "edges are") + " shared by more than two facets");
+        result_.warnings.push_back(
+            {"has " + counted(count_.crowded, "edge that is", "edges that are") + " shared by more than two facets",
+             "have edges that are shared by more than two facets"});
     }
 
     Mesh& mesh_;
@@ -296,19 +299,25 @@ class Repairer {
 
 MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
 
-std::optional<std::string> size_warning(const Box& box, double mm_per_unit) {
+std::optional<Remark> size_warning(const Box& box, double mm_per_unit) {
     constexpr double kInch = 25.4, kMetre = 1000;
     const Vec3 extent = box.size();
     const double units = std::max({extent.x, extent.y, extent.z}), longest = mm_per_unit * units;
+    const std::string stands = "is " + shown(longest) + " mm long as it stands. ";
     if (longest < 3) {
-        const std::string inches = mm_per_unit < kInch ? "in inches it would be " + shown(kInch * units) + " mm, " : "";
-        return "is " + shown(longest) + " mm long as it stands; " + inches + "in metres " +
-               (inches.empty() ? "it would be " : "") + shown(kMetre * units) +
-               " mm: name its unit with --unit, or in a set file's column unit";
+        const std::string inches = mm_per_unit < kInch ? "In inches it would be " + shown(kInch * units) + " mm, " : "";
+        return Remark{stands + inches + (inches.empty() ? "In metres it would be " : "in metres ") +
+                          shown(kMetre * units) + " mm: name its unit with --unit, or in a set file's column unit",
+                      "are under 3 mm long as they stand. If they are in inches or metres, name the unit with --unit, "
+                      "or in a set file's column unit"};
     }
     if (longest > 10'000) {
-        return "is " + shown(longest) + " mm long as it stands; in micrometres it would be " + shown(units / kMetre) +
-               " mm: name it with a scale, like FILE@0.001";
+        const bool micrometres = units / kMetre < 10'000;
+        return Remark{stands + (micrometres ? "In micrometres it would be " + shown(units / kMetre) +
+                                                  " mm: name it with a scale, like FILE@0.001"
+                                            : "Is its unit right?"),
+                      "are over 10 m long as they stand. If they are in micrometres, name them with a scale, like "
+                      "FILE@0.001"};
     }
     return std::nullopt;
 }

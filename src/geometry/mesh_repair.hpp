@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "core/remarks.hpp"
 #include "spectralpack/mesh.hpp"
 
 namespace spectralpack {
 
 struct MeshRepair {
     std::vector<std::string> repairs;     ///< what was changed
-    std::vector<std::string> warnings;    ///< what the user should look at
+    std::vector<Remark> warnings;         ///< what the user should look at
     std::optional<std::string> unusable;  ///< why the mesh encloses nothing that could be packed
     bool closed = false;                  ///< is_closed() of the result
     Box box;                              ///< bounding_box() of the result
@@ -35,6 +36,6 @@ MeshRepair repair_mesh(Mesh& mesh, bool welded = false);
 
 /// A hint where a size is implausible in millimetres: under 3 mm (inch? metre?) or over 10 m
 /// (micrometre?).
-std::optional<std::string> size_warning(const Box& box, double mm_per_unit);
+std::optional<Remark> size_warning(const Box& box, double mm_per_unit);
 
 }  // namespace spectralpack

@@ -138,7 +138,7 @@ void require_step(double degrees, const char* what) {
         throw UsageError(std::string(what) + " must be an angle in degrees that divides 360");
     }
     if (degrees < kLeastStep) {
-        throw UsageError(std::string(what) + " below 6 degrees gives too many orientations (over 100000)");
+        throw UsageError(std::string(what) + " below 6 degrees gives too many ways to stand (over 100000)");
     }
 }
 

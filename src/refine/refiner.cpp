@@ -201,7 +201,7 @@ Refiner::Refiner(const RefineOptions& options) : options_(options), index_({Vec3
     }
     const double least = std::min({size.x, size.y, size.z});
     if (!(2 * options.wall_gap < least)) {
-        throw UsageError("the wall gap leaves no room in the container");
+        throw UsageError("the wall gap leaves no room in the tray");
     }
     if (!std::isfinite(options.longest_move) || options.longest_move < 0 || options.rounds < 0 ||
         !std::isfinite(size.x + size.y) || std::isnan(size.z)) {

@@ -179,7 +179,7 @@ class StageBuilder {
         }
         const double size = length(shown_.size());
         if (!(size > 0) || !std::isfinite(size)) {
-            throw UsageError("the container has no size that could be drawn");
+            throw UsageError("the tray has no size that could be drawn");
         }
     }
 

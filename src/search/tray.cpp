@@ -67,9 +67,9 @@ Tray::Tray(TraySetup setup) : setup_(std::move(setup)) {
     for (int axis = 0; axis < 3; ++axis) {
         const double voxels = setup_.size[axis] / dx;
         if (!std::isfinite(voxels) || voxels < 1 - kWholeVoxel) {
-            throw UsageError("the container, less the wall gap, is smaller than one voxel");
+            throw UsageError("the tray, less the wall gap, is smaller than one voxel");
         }
-        if (voxels > 1e9) throw ResourceError("the container has over a billion voxels along one axis");
+        if (voxels > 1e9) throw ResourceError("the tray has over a billion voxels along one axis");
         extent_[axis] = std::max(1, static_cast<int>(std::ceil(voxels - kWholeVoxel)));
     }
     if (extent_.count() > kMaxVoxels) throw ResourceError("the tray has more than 2^40 voxels");

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/remarks.hpp"
 #include "spectralpack/error.hpp"
 #include "verify/pose.hpp"
 #include "verify/words.hpp"
@@ -84,9 +85,14 @@ class Preparation {
                  kPreparing * static_cast<double>(begin + size) / static_cast<double>(orders_.size())});
         }
         std::set<const Mesh*> told;
+        Remarks open;
         for (std::size_t i = 0; i < orders_.size(); ++i) {
             if (result_.solids[i]->closed() || !told.insert(orders_[i].mesh.get()).second) continue;
-            listener.on_warning(orders_[i].name + ": its mesh is not closed: only its surface is compared");
+            open.add(orders_[i].name, {"is not closed: only its surface is compared",
+                                       "are not closed: only their surfaces are compared"});
+        }
+        for (const std::string& text : open.texts()) {
+            listener.on_warning(text);
         }
         return true;
     }
@@ -137,12 +143,11 @@ class Preparation {
             }
         }
         if (sides.empty()) return;
-        const std::string room = wall_gap > 0 ? " less its wall gap of " + short_number(wall_gap) + " mm: " : ": ";
-        result_.findings.push_back({FindingKind::outside,
-                                    tray,
-                                    {copy.placement},
-                                    worst,
-                                    named(tray, copy.placement) + " sticks out of the container" + room + sides});
+        const std::string what =
+            wall_gap > 0 ? " stands too near to the walls for their gap of " + short_number(wall_gap) + " mm, by "
+                         : " sticks out of the tray by ";
+        result_.findings.push_back(
+            {FindingKind::outside, tray, {copy.placement}, worst, named(tray, copy.placement) + what + sides});
     }
 
     const Packing& packing_;

@@ -70,8 +70,8 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
         const int tray = static_cast<int>(t);
         volume += trays[t].volume;
         all += container_volume(packing, box);
-        compare_density(tray, "density", stated.density, measured_density(packing, trays[t]));
-        compare_density(tray, "density in its bounding box", stated.density_bounding_box,
+        compare_density(tray, "share filled", stated.density, measured_density(packing, trays[t]));
+        compare_density(tray, "share filled of its bounding box", stated.density_bounding_box,
                         box.volume() > 0 ? trays[t].volume / box.volume() : 0);
         const double off = difference(stated.bounding_box, box);
         if (differs(off, 0, kCheckTolerance)) {
@@ -85,10 +85,10 @@ std::vector<Finding> figure_findings(const Packing& packing, const std::vector<T
         compare(tray, "height", stated.height, box.empty() ? 0 : box.max.z, kCheckTolerance, " mm");
     }
     if (packing.container.open_height && trays.size() == 1 && !trays.front().box.empty()) {
-        compare(kWholePacking, "height of the container", packing.container.size.z, trays.front().box.max.z,
-                kCheckTolerance, " mm");
+        compare(kWholePacking, "height of the tray", packing.container.size.z, trays.front().box.max.z, kCheckTolerance,
+                " mm");
     }
-    compare_density(kWholePacking, "density", packing.metrics.density, all > 0 ? volume / all : 0);
+    compare_density(kWholePacking, "share filled", packing.metrics.density, all > 0 ? volume / all : 0);
     if (packing.metrics.min_gap && min_gap) {
         compare(kWholePacking, "least distance of two copies", *packing.metrics.min_gap, *min_gap, kCheckTolerance,
                 " mm");

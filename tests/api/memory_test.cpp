@@ -122,7 +122,7 @@ TEST_F(InMemory, WhatCannotBeUsedIsNamedAndTheRestIsPacked) {
     EXPECT_EQ(result.unusable[1].place(), "vertex 3");
     EXPECT_EQ(result.unusable[2].file(), "nothing");
     ASSERT_EQ(result.packing.unplaced.size(), 3u);
-    EXPECT_EQ(result.packing.unplaced[0].reason, UnplacedReason::unusable);
+    EXPECT_EQ(result.packing.unplaced[0].reason, UnplacedReason::bad_file);
 }
 
 /// A packing file names mesh files, so one of meshes in memory cannot be written; other kinds can.

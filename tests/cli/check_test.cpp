@@ -94,7 +94,7 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
 }
 
 TEST_F(Check, RequirePlanFailsAsLongAsThereIsNone) {
-    EXPECT_TRUE(contains(check().out, "interlocking: not checked"));
+    EXPECT_TRUE(contains(check().out, "NOT CHECKED"));
     EXPECT_EQ(check_report(file(), 0)["interlocking"], "not checked");
     EXPECT_EQ(spectralpack({"check", "--require-plan", file()}).status, 1);
 }
@@ -103,7 +103,7 @@ TEST_F(Check, ReplaysThePlan) {
     plan() = {true, {{{2}, {{10, 0, 0}}}, {{1}, {{0, 0, 4}, {0, 0, 6}}}, {{0}, {}}}, {}};
     const Ran ran = check();
     EXPECT_EQ(ran.status, 0) << ran.out;
-    EXPECT_TRUE(names(ran.out, {"plan", 3, "interlocking: none"}));
+    EXPECT_TRUE(names(ran.out, {"tray", 1, "comes apart", 3, "steps"}));
     EXPECT_EQ(spectralpack({"check", "--require-plan", file()}).status, 0);
     const json report = check_report(file(), 0);
     EXPECT_EQ(report["interlocking"], "none");
@@ -124,9 +124,9 @@ TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
     plan() = {false, {{{2}, {{10, 0, 0}}}}, {{0, 1}}};
     const Ran ran = check();
     EXPECT_EQ(ran.status, 0) << ran.out;
-    EXPECT_TRUE(contains(ran.out, "INCOMPLETE")) << ran.out;
-    EXPECT_TRUE(names(ran.out, {"cube", 0, 1}));
-    EXPECT_FALSE(names(ran.out, {"interlocking: none"}));
+    EXPECT_TRUE(contains(ran.out, "NOT CHECKED")) << ran.out;
+    EXPECT_TRUE(names(ran.out, {"cube #0", "cube #1"}));
+    EXPECT_FALSE(names(ran.out, {"comes apart in"}));
     const json report = check_report(file(), 0);
     EXPECT_EQ(report["plans"][0]["without_step"], json({0, 1}));
     EXPECT_NE(report["interlocking"], "none");
@@ -140,6 +140,32 @@ TEST_F(Check, APlanForCopiesThatAreNotThereExitsWithThree) {
     const Ran ran = check();
     EXPECT_EQ(ran.status, 3);
     EXPECT_TRUE(names(ran.err, {"b.json", "trays[0].disassembly.steps[0].placements[0]"}));
+}
+
+TEST_F(Check, SaysThatNothingIsPlaced) {
+    packing_.trays[0].placements.clear();
+    packing_.parts[0].count = 0;
+    packing_.metrics.copies = packing_.metrics.placed = 0;
+    const Ran ran = check();
+    EXPECT_EQ(ran.status, 6) << ran.out;
+    EXPECT_TRUE(names(ran.out, {"nothing is placed"}));
+    EXPECT_FALSE(names(ran.out, {"comes apart"}));
+    const Ran planned = spectralpack({"plan", file()});
+    EXPECT_EQ(planned.status, 6) << planned.out;
+    EXPECT_TRUE(names(planned.out, {"nothing is placed"}));
+}
+
+TEST_F(Check, CountsTraysFromOne) {
+    packing_.trays.push_back(packing_.trays[0]);
+    packing_.parts[0].count = 6;
+    packing_.metrics.copies = packing_.metrics.placed = 6;
+    for (int copy = 0; copy < 3; ++copy) {
+        packing_.trays[1].placements[static_cast<std::size_t>(copy)].copy = copy + 3;
+    }
+    packing_.trays[1].placements[0].transform.translation.x = -5;
+    const Ran ran = check();
+    EXPECT_TRUE(names(ran.out, {"tray 1:", "tray 2:", "tray 2: cube #3"})) << ran.out;
+    EXPECT_FALSE(names(ran.out, {"tray 0"})) << ran.out;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST_F(Inspect, TellsWhatACubeIs) {
 
     const Ran ran = spectralpack({"inspect", cube});
     EXPECT_EQ(ran.status, 0);
-    EXPECT_TRUE(names(ran.out, {cube, 20, 10, 5, 1000, 700, 12, 8, "watertight"}));
+    EXPECT_TRUE(names(ran.out, {cube, 20, 10, 5, 1000, 700, 12, 8, "closed"}));
     EXPECT_TRUE(ran.err.empty()) << ran.err;
 }
 
@@ -74,7 +74,7 @@ TEST_F(Inspect, TellsWhereAMeshIsOpen) {
     EXPECT_EQ(hole["place"][0], 20);
     const Ran ran = spectralpack({"inspect", file});
     EXPECT_EQ(ran.status, 0);
-    EXPECT_TRUE(names(ran.out, {3, 1, 68.2843, "watertight"}));
+    EXPECT_TRUE(names(ran.out, {3, 1, 68.2843, "closed"}));
 }
 
 TEST_F(Inspect, TellsTurnsCrossingsAndRepairs) {
@@ -116,7 +116,7 @@ TEST_F(Inspect, AnUnusableFileExitsWithThreeAndTheRestIsReported) {
     EXPECT_EQ(report["files"][2]["file"], missing);
     const Ran ran = spectralpack({"inspect", bad, cube, missing});
     EXPECT_EQ(ran.status, 3);
-    EXPECT_TRUE(names(ran.out, {bad, "unusable", cube, 20, missing}));
+    EXPECT_TRUE(names(ran.out, {bad, "cannot be used", cube, 20, missing}));
     EXPECT_TRUE(names(ran.err, {2, 3}));
 }
 

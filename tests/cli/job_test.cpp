@@ -128,7 +128,7 @@ TEST_F(JobFile, AMissingMeshIsUnusableAndTheRestIsPacked) {
     const json packing = read_json(folder_ / "build.json");
     EXPECT_EQ(packing["metrics"]["placed"], 5);
     EXPECT_EQ(packing["parts"][2]["name"], "ghost");
-    EXPECT_EQ(packing["unplaced"][0]["reason"], "unusable");
+    EXPECT_EQ(packing["unplaced"][0]["reason"], "bad_file");
     job_["options"]["skip-unusable"] = true;
     EXPECT_EQ(pack().status, 0);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include "cli/program.hpp"
@@ -96,7 +97,9 @@ TEST(Help, ExplainsAnOption) {
         const Ran ran = spectralpack({"help", topic});
         EXPECT_EQ(ran.status, 0) << ran.err;
         const Option& option = *find_option("wall-gap");
-        EXPECT_TRUE(names(ran.out, {"--wall-gap", "MM", std::string(option.line), std::string(option.help), 1.5}));
+        std::string told = ran.out;
+        std::ranges::replace(told, '\n', ' ');  // it is wrapped
+        EXPECT_TRUE(names(told, {"--wall-gap", "MM", std::string(option.line), std::string(option.help), 1.5}));
     }
     EXPECT_TRUE(names(spectralpack({"help", "no-refine"}).out, {"--no-refine"}));
     for (const Option& option : option_table()) {
@@ -112,12 +115,59 @@ TEST(Help, ExplainsACommandAndWhatThereIs) {
     EXPECT_TRUE(names(nothing.err, {"gravity"}));
 }
 
-TEST(Help, NamesEveryOptionWithItsDefault) {
-    const std::string help = spectralpack({"pack", "--help"}).out;
+TEST(Help, OfAllNamesEveryOptionWithItsDefault) {
+    const std::string help = spectralpack({"pack", "--help-all"}).out;
     for (const Option& option : option_table()) {
         EXPECT_TRUE(names(help, {"--" + std::string(option.name)}));
     }
     EXPECT_TRUE(names(help, {"480x245x200", "--no-refine"}));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream rest(text);
+    for (std::string line; std::getline(rest, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+/// The options that people use, in the order of a job, each on a line of 80 columns.
+TEST(Help, FitsAScreenAndFollowsAJob) {
+    const Ran ran = spectralpack({"pack", "--help"});
+    const std::vector<std::string> help = lines_of(ran.out);
+    EXPECT_LE(help.size(), 40u);
+    std::vector<std::string> headings;
+    std::size_t options = 0, wanted = 0;
+    for (const std::string& line : help) {
+        EXPECT_LE(line.size(), 80u) << line;
+        const std::size_t dashes = line.find("-");
+        if (dashes != 9) continue;
+        ++options;
+        if (line[0] != ' ') headings.push_back(line.substr(0, line.find(' ')));
+    }
+    EXPECT_EQ(headings, (std::vector<std::string>{"Parts", "Tray", "Gap", "Packing", "Result"}));
+    std::set<int> places;
+    for (const Option& option : option_table()) {
+        if (option.help_place == 0) {
+            EXPECT_FALSE(contains(ran.out, "--" + std::string(option.name) + " ")) << option.name;
+            continue;
+        }
+        ++wanted;
+        EXPECT_TRUE(places.insert(option.help_place).second) << option.name << " has the place of another";
+        EXPECT_TRUE(contains(ran.out, "--" + std::string(option.name))) << option.name;
+    }
+    EXPECT_EQ(options, wanted);
+    EXPECT_LE(wanted, 20u);
+    // `pack` alone prints its beginning.
+    const Ran alone = spectralpack({"pack"});
+    EXPECT_EQ(alone.status, 2);
+    for (std::size_t i = 0; i < 9; ++i) {
+        EXPECT_EQ(lines_of(alone.err).at(i), help.at(i));
+    }
+    for (const std::string& line : lines_of(spectralpack({"pack", "--help-all"}).out)) {
+        EXPECT_LE(line.size(), 80u) << line;
+    }
 }
 
 }  // namespace

@@ -143,9 +143,15 @@ TEST_F(PackModes, TheLeastBoxIsSmallerThanThatOfASquareTray) {
     EXPECT_EQ(packing["metrics"]["placed"], packing["metrics"]["copies"]);
     EXPECT_GT(packing["trays"][0]["density_bounding_box"], open);
     EXPECT_LE(packing["container"]["size"][0], 160);
-    // What is cut short is the best so far, and whole.
-    const Ran ran = spectralpack({"pack", kSamples, "--tray", "160x160", "--minimise", "box", "--voxel", "4",
-                                  "--time-limit", "0", "-o", at("cut.json")});
+    // What is cut short is the best so far, and whole; before anything is placed it is nothing.
+    const auto cut = [&](const char* seconds) {
+        return spectralpack({"pack", kSamples, "--tray", "160x160", "--minimise", "box", "--voxel", "4", "--time-limit",
+                             seconds, "-o", at("cut.json")});
+    };
+    EXPECT_EQ(cut("0").status, 6);
+    EXPECT_FALSE(std::filesystem::exists(at("cut.json")));
+    const Ran ran = cut("1");
+    if (ran.status == 6) GTEST_SKIP() << "this machine places nothing in a second";
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_EQ(spectralpack({"check", at("cut.json")}).status, 0);
 }

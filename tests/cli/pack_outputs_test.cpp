@@ -48,6 +48,17 @@ TEST(PackOutputs, AreNoFileThatIsRead) {
     EXPECT_EQ(read_text(folder / "nut.stl"), read_text(samples() / "nut.stl"));
 }
 
+/// What stands behind an output is a part, not another output: it would be written over.
+TEST(PackOutputs, EachOptionNamesOneFile) {
+    const TemporaryFolder folder;
+    fs::copy_file(samples() / "box.stl", folder / "box.stl");
+    const std::string build = (folder / "b.json").string(), box = (folder / "box.stl").string();
+    const Ran ran = spectralpack({"pack", (samples() / "nut.stl").string(), "-o", build, box});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(read_json(build)["metrics"]["placed"], 2);
+    EXPECT_EQ(read_text(box), read_text(samples() / "box.stl"));
+}
+
 TEST(PackOutputs, ThatCannotBeWrittenAreNamedBeforeItPacks) {
     const TemporaryFolder folder;
     const std::string taken = (folder / "build.json").string();

@@ -38,14 +38,15 @@ class Pack : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(Pack, SaysLoudlyThatInterlockingIsNotCheckedWhenItIsOff) {
+TEST_F(Pack, SaysLoudlyThatComingApartIsNotCheckedWhenItIsOff) {
     const Ran off = pack("b.json", {"--interlock", "off"});
     ASSERT_EQ(off.status, 0) << off.err;
-    EXPECT_TRUE(contains(off.out, "INTERLOCK")) << off.out;
+    EXPECT_TRUE(contains(off.out, "NOT CHECKED")) << off.out;
+    EXPECT_TRUE(names(off.out, {"plan", at("b.json")})) << "and what would check it";
     EXPECT_TRUE(read_json(at("b.json"))["trays"][0]["disassembly"].is_null());
-    EXPECT_TRUE(contains(spectralpack({"check", at("b.json")}).out, "interlocking: not checked"));
+    EXPECT_TRUE(contains(spectralpack({"check", at("b.json")}).out, "NOT CHECKED"));
     const Ran on = pack("b.json", {});
-    EXPECT_FALSE(contains(on.out, "INTERLOCK")) << on.out;
+    EXPECT_FALSE(contains(on.out, "NOT CHECKED")) << on.out;
     const json steps = read_json(at("b.json"))["trays"][0]["disassembly"]["steps"];
     EXPECT_TRUE(names(on.out, {steps.size(), "step"}));
 }
@@ -118,7 +119,7 @@ TEST_F(Pack, UnusableInputIsNamedAndTheRestIsPacked) {
     EXPECT_TRUE(names(ran.err, {"broken.stl", "missing.stl"}));
     const json packing = read_json(at("b.json"));
     EXPECT_GT(packing["metrics"]["placed"], 0);
-    EXPECT_TRUE(any_unplaced(packing, "unusable"));
+    EXPECT_TRUE(any_unplaced(packing, "bad_file"));
     EXPECT_EQ(spectralpack({"check", at("b.json")}).status, 0);
     EXPECT_EQ(pack("b.json", unusable + std::vector<std::string>{"--skip-unusable"}).status, 0);
 }
@@ -140,14 +141,64 @@ TEST_F(Pack, LeftOverCopiesAreToldAndFailOnlyWhereAllAreRequired) {
     EXPECT_TRUE(
         names(ran.out, {metrics["placed"].get<int>(), metrics["copies"].get<int>(), packing["unplaced"].size()}));
     EXPECT_TRUE(names(ran.out, {100 * metrics["density"].get<double>(), "%"}));
-    EXPECT_EQ(pack("b.json", {"--require-all"}).status, 5);
+    const Ran required = pack("b.json", {"--require-all"});
+    EXPECT_EQ(required.status, 5);
+    const std::string last = required.out.substr(required.out.rfind("\n\n"));
+    EXPECT_TRUE(names(last, {packing["unplaced"].size(), "--require-all", 5, "--trays all"}));
 }
 
 TEST_F(Pack, APartTooLargeForTheTrayIsNamedAndListed) {
-    const Ran ran = spectralpack({"pack", kSamples, "--tray", "60x40x30", "-o", at("b.json")});
+    const Ran ran = spectralpack({"pack", (samples() / "wedge.obj").string(), (samples() / "nut.stl").string(),
+                                  "--tray", "60x40x30", "-o", at("b.json")});
     EXPECT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(names(ran.err, {"wedge", 70, 26, 20, 60, 40, 30, "--printer"}));
+    EXPECT_TRUE(names(ran.err, {"wedge", 70, 26, 20, "larger than the tray", 60, 40, 30, "--printer"}));
     EXPECT_TRUE(any_unplaced(read_json(at("b.json")), "too_large"));
+    // Many are one remark.
+    const Ran many = spectralpack({"pack", kSamples, "--tray", "60x40x30"});
+    EXPECT_TRUE(names(many.err, {11, "parts", "larger than the tray", "more"}));
+    EXPECT_LT(std::count(many.err.begin(), many.err.end(), '\n'), 4) << many.err;
+}
+
+/// A run that places nothing is no success, and leaves no file that looks like one.
+TEST_F(Pack, NothingPlacedIsNoSuccessAndWritesNothing) {
+    const std::vector<std::string> call{
+        "pack", (samples() / "wedge.obj").string(), "--tray", "20x20x20", "-o", at("b.json"), "-o", at("b.3mf")};
+    const auto nothing = [&](const std::vector<std::string>& more, int status) {
+        const Ran ran = spectralpack(call + more);
+        EXPECT_EQ(ran.status, status) << ran.err;
+        EXPECT_TRUE(fs::is_empty(folder_.path()));
+        return ran;
+    };
+    const Ran ran = nothing({"--report", at("r.html")}, 6);
+    EXPECT_TRUE(names(ran.out, {"nothing is placed", "nothing was written", "larger than the tray", 1, "wedge"}));
+    EXPECT_FALSE(names(ran.out, {"comes apart"}));
+    nothing({"--trays", "all"}, 6);
+    nothing({"--fill"}, 6);
+    nothing({"--require-all"}, 6);
+    EXPECT_EQ(json::parse(nothing({"--json"}, 6).out)["metrics"]["placed"], 0);
+    const std::string missing = at("missing.stl");
+    nothing({missing}, 3);  // the files come first
+    nothing({missing, "--skip-unusable"}, 6);
+}
+
+TEST_F(Pack, NothingNewOnAnOldBuildIsNoSuccessEither) {
+    ASSERT_EQ(
+        spectralpack({"pack", (samples() / "nut.stl").string(), "--tray", "30x30x20", "-o", at("old.json")}).status, 0);
+    const Ran ran =
+        spectralpack({"pack", (samples() / "wedge.obj").string(), "--onto", at("old.json"), "-o", at("b.json")});
+    EXPECT_EQ(ran.status, 6) << ran.err;
+    EXPECT_FALSE(fs::exists(at("b.json")));
+}
+
+TEST_F(Pack, FilesThatCannotBeUsedAreOneList) {
+    std::ofstream(at("broken.stl")) << "not a mesh";
+    fs::create_directory(at("other"));
+    std::ofstream(at("other/broken.stl")) << "nor this";
+    const Ran ran = pack("b.json", {at("broken.stl"), at("other/broken.stl"), at("missing.stl")});
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_TRUE(names(ran.err, {2, "files", at("broken.stl"), at("other/broken.stl")})) << "apart by their folders";
+    EXPECT_FALSE(names(ran.err, {at("missing.stl")})) << "one of its name has no folder";
+    EXPECT_TRUE(names(ran.err, {"missing.stl"}));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST_F(PhysicalContainers, WhatIsTooWideForTheNeckStaysOut) {
     EXPECT_EQ(planned.status, 1);
     EXPECT_TRUE(names(planned.out, {1, "container", "wide", 0}));
     EXPECT_FALSE(names(planned.out, {"cube"}));
-    const char* reasons[] = {"interlocked", "tray_full"};
+    const char* reasons[] = {"cannot_leave", "no_place"};
     for (const char* interlock : {"post", "place"}) {
         ASSERT_EQ(with({"--physical", "--interlock", interlock}).status, 0);
         EXPECT_EQ(build()["metrics"]["placed"], 2);

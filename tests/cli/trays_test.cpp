@@ -15,7 +15,7 @@ TEST_F(Trays, FillsAsManyTraysAsItTakes) {
     const Ran ran = pack({at("cube.stl") + ":20", "--tray", "20x20x20", "--trays", "all", "-o", model, "-o",
                           at("build.csv"), "--report", at("r.html")});
     ASSERT_EQ(ran.status, 0) << ran.err;
-    EXPECT_TRUE(names(ran.out, {20, 3, 83.3, 100, 50})) << "copies, trays and how full they are";
+    EXPECT_TRUE(names(ran.out, {20, 3, 100, 50})) << "copies, trays and how full they are";
     const json packing = build();
     ASSERT_EQ(packing["trays"].size(), 3u);
     EXPECT_EQ(packing["trays"][0]["placements"].size(), 8u);

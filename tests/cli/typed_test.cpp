@@ -95,10 +95,10 @@ TEST_F(Typed, UprightPartsKeepTheirTopUp) {
     stl("pole.stl", box_mesh({0, 0, 0}, {10, 10, 60}));
     EXPECT_EQ(pack({at("pole.stl"), "--tray", "80x80x20"}).status, 0);
     EXPECT_EQ(build()["metrics"]["placed"], 1);
-    pack({at("pole.stl"), "--tray", "80x80x20", "--upright"});
-    EXPECT_EQ(build()["metrics"]["placed"], 0);
-    EXPECT_EQ(build()["parts"][0]["orientations"], "upright");
-    EXPECT_EQ(build()["options"]["upright"], true);
+    const json upright = json::parse(pack({at("pole.stl"), "--tray", "80x80x20", "--upright", "--json"}).out);
+    EXPECT_EQ(upright["metrics"]["placed"], 0);
+    EXPECT_EQ(upright["parts"][0]["orientations"], "upright");
+    EXPECT_EQ(upright["options"]["upright"], true);
     std::ofstream(at("set.csv")) << "mesh,orientations\npole.stl,+x\n";
     pack({at("set.csv"), "--tray", "80x80x20", "--upright"});
     EXPECT_EQ(build()["metrics"]["placed"], 1) << "what the set says of a part counts for it";
@@ -154,10 +154,11 @@ TEST_F(Typed, APartThatIsTooLargeSaysWhatWouldTakeIt) {
     EXPECT_EQ(pack({at("rod.stl"), "--tray", "80x80x20", "--rotations", "45"}).status, 0);
     EXPECT_EQ(build()["metrics"]["placed"], 1);
     stl("beam.stl", box_mesh({0, 0, 0}, {500, 45, 49}));
-    const Ran larger = pack({at("beam.stl"), "--printer", "formlabs-fuse1"});
+    const Ran larger = pack({at("beam.stl"), "--printer", "formlabs-fuse1", "--json"});
     EXPECT_TRUE(names(larger.err, {"beam", 500, 159, "EOS P 396", "--printer eos-p396"}));
-    EXPECT_TRUE(names(build()["unplaced"][0]["detail"].get<std::string>(), {"eos-p396"}));
-    EXPECT_EQ(build()["unplaced"][0]["reason"], "too_large");
+    const json unplaced = json::parse(larger.out)["unplaced"][0];
+    EXPECT_TRUE(names(unplaced["detail"].get<std::string>(), {"eos-p396"}));
+    EXPECT_EQ(unplaced["reason"], "too_large");
     std::ofstream(at("set.csv")) << "mesh,orientations\nrod.stl,upright\n";
     EXPECT_TRUE(names(pack({at("set.csv"), "--tray", "90x20x110"}).err, {"rod", "--rotations", "orientations"}))
         << "it could be stood up";
@@ -191,9 +192,10 @@ TEST_F(Typed, KeepOutsThatLeaveNoRoomAreAnErrorBeforePacking) {
         EXPECT_TRUE(names(full.err, {"keep-out", "no room"}));
         EXPECT_FALSE(fs::exists(folder_ / "build.json"));
     }
-    pack({at("cube.stl"), "--tray", "100x100x100", "--keep-out", "0,0,0,100,100,94"});
-    EXPECT_EQ(build()["unplaced"][0]["reason"], "tray_full");
-    EXPECT_TRUE(names(build()["unplaced"][0]["detail"].get<std::string>(), {"empty", "keep-outs"}));
+    const Ran low = pack({at("cube.stl"), "--tray", "100x100x100", "--keep-out", "0,0,0,100,100,94", "--json"});
+    const json unplaced = json::parse(low.out)["unplaced"][0];
+    EXPECT_EQ(unplaced["reason"], "no_place");
+    EXPECT_TRUE(names(unplaced["detail"].get<std::string>(), {"empty", "keep-outs"}));
 }
 
 TEST_F(Typed, AKeepOutOutsideTheTrayIsWarnedOf) {

@@ -30,7 +30,9 @@ Outcome read(const fs::path& file) {
             const double unit = loaded.unit.value_or(1);
             outcome.volume += loaded.instances * signed_volume(loaded.mesh) * unit * unit * unit;
             outcome.repairs.insert(outcome.repairs.end(), loaded.repairs.begin(), loaded.repairs.end());
-            outcome.warnings.insert(outcome.warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
+            for (const Remark& warning : loaded.warnings) {
+                outcome.warnings.push_back(warning.one);
+            }
         }
     } catch (const InputError& error) {
         outcome.refused = true;

@@ -288,7 +288,7 @@ TEST(JobFile, TheSchemaKnowsTheSameKeys) {
             ASSERT_TRUE(rule.contains("examples")) << key;
             for (const json& example : rule["examples"]) {
                 json one = with(job(), (in_job / key).to_string().c_str(), example);
-                const bool of_mesh = key == "mesh" || key == "transform" || key == "unit";
+                const bool of_mesh = key == "mesh" || key == "transform" || key == "unit" || key == "is";
                 if (in_job.to_string() == "/container" && of_mesh) {
                     one["container"].emplace("mesh", "cup.stl");
                 } else if (in_job.to_string() == "/container") {

@@ -6,6 +6,7 @@
 
 #include "files.hpp"
 #include "packings.hpp"
+#include "spectralpack/names.hpp"
 #include "support/data.hpp"
 
 namespace spectralpack {
@@ -28,6 +29,22 @@ TEST(PackingFile, TheLayoutIsTheOneOnRecord) {
     EXPECT_EQ(packing_to_json(test::small_packing(), "/elsewhere/out"), test::read_text(golden("packing.json")));
 }
 
+TEST(PackingFile, ReadsTheReasonsOfVersion01) {
+    const std::pair<const char*, UnplacedReason> earlier[] = {{"tray_full", UnplacedReason::no_place},
+                                                              {"interlocked", UnplacedReason::cannot_leave},
+                                                              {"unusable", UnplacedReason::bad_file},
+                                                              {"stopped", UnplacedReason::not_tried},
+                                                              {"too_large", UnplacedReason::too_large}};
+    for (const auto& [word, reason] : earlier) {
+        std::string text = test::read_text(golden("packing.json"));
+        const std::string now = "\"no_place\"";
+        text.replace(text.find(now), now.size(), "\"" + std::string(word) + "\"");
+        const Packing packing = read_text_as_packing(text);
+        EXPECT_EQ(packing.unplaced[0].reason, reason) << word;
+        EXPECT_TRUE(contains(packing_to_json(packing, "/"), "\"" + std::string(to_string(reason)) + "\"")) << word;
+    }
+}
+
 TEST(PackingFile, EveryFieldComesBack) {
     const test::TemporaryFolder folder;
     const Packing written = test::small_packing();
@@ -42,7 +59,7 @@ TEST(PackingFile, EveryFieldComesBack) {
     EXPECT_EQ(read.trays[0].placements[1].transform, written.trays[0].placements[1].transform);
     EXPECT_EQ(read.trays[0].bounding_box, written.trays[0].bounding_box);
     EXPECT_TRUE(read.trays[1].bounding_box.empty());
-    EXPECT_EQ(read.unplaced[0].reason, UnplacedReason::tray_full);
+    EXPECT_EQ(read.unplaced[0].reason, UnplacedReason::no_place);
 }
 
 TEST(PackingFile, EveryDoubleComesBackBitByBit) {
@@ -158,7 +175,7 @@ TEST(PackingFile, WhatIsWrongIsRefusedWithItsPath) {
         {"\"orientation\":2", "\"orientation\":-2", "trays[0].placements[1].orientation"},
         {"\"fixed\":true", "\"fixed\":1", "trays[0].placements[1].fixed"},
         {"[12.5,0.0,3.0]", "[12.5,null,3.0]", "trays[0].layers.area[1]"},
-        {"\"tray_full\"", "\"bored\"", "unplaced[0].reason"},
+        {"\"no_place\"", "\"bored\"", "unplaced[0].reason"},
         {"\"peak_memory\":123456789", "\"peak_memory\":\"much\"", "metrics.peak_memory"},
         {"\"min_gap\":0.3", "\"min_gap\":{}", "metrics.min_gap"},
         {"\"complete\": true", "\"complete\": 1", "trays[0].disassembly.complete"},

@@ -90,7 +90,7 @@ inline Packing small_packing() {
     second.placements = {{0, 1, 1, false, {turned, {30, 4, 5}}}};
     second.disassembly = Disassembly{false, {}, {{0}}};
     packing.trays = {first, second};
-    packing.unplaced = {{0, 2, UnplacedReason::tray_full, "no position is free"}};
+    packing.unplaced = {{0, 2, UnplacedReason::no_place, "no position is free"}};
 
     packing.metrics.copies = 4;
     packing.metrics.placed = 3;

@@ -24,9 +24,9 @@ Packing reported() {
     packing.parts[0].mesh = "a,\"b\"\n.stl";
     packing.parts[0].count = 5;
     packing.parts[0].repairs = {"turned <i>facets</i>", "dropped 2 facets"};
-    packing.unplaced = {{0, 2, UnplacedReason::tray_full, ""},
+    packing.unplaced = {{0, 2, UnplacedReason::no_place, ""},
                         {0, 3, UnplacedReason::too_large, "is <b>wide</b>"},
-                        {0, 4, UnplacedReason::tray_full, ""}};
+                        {0, 4, UnplacedReason::no_place, ""}};
     packing.metrics.copies = 6;
     return packing;
 }
@@ -120,7 +120,7 @@ TEST(Report, EncodesPicturesWhateverTheirLength) {
 
 TEST(Report, TellsEachReasonWithItsOwnDetail) {
     const std::string text = text_of(page_of(reported()));
-    std::string full = in_words(UnplacedReason::tray_full), large = in_words(UnplacedReason::too_large);
+    std::string full = in_words(UnplacedReason::no_place), large = in_words(UnplacedReason::too_large);
     full[0] = static_cast<char>(std::toupper(full[0]));
     large[0] = static_cast<char>(std::toupper(large[0]));
     EXPECT_TRUE(contains(text, "3 of 6 copies, not in any tray"));
@@ -278,7 +278,7 @@ TEST(Report, TheTableReadsBackAndAddsUp) {
     }
     EXPECT_EQ(placed, packing.metrics.placed);
     EXPECT_EQ(left_over, static_cast<std::int64_t>(packing.unplaced.size()));
-    EXPECT_EQ(rows[1].fields.at(column.at("reasons")), "2 tray_full; 1 too_large");
+    EXPECT_EQ(rows[1].fields.at(column.at("reasons")), "2 no_place; 1 too_large");
     EXPECT_EQ(rows[1].fields.at(column.at("numbers")), "1 to 5");
     EXPECT_EQ(rows[2].fields.at(column.at("numbers")), "6");
 }

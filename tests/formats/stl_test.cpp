@@ -9,6 +9,7 @@
 #include "formats/mesh_parsers.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "support/data.hpp"
+#include "support/remarks.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -71,7 +72,7 @@ TEST(BinaryStl, EveryTruncationIsRefused) {
 
 TEST(BinaryStl, ACountThatDisagreesWithTheLengthIsRefusedOrTold) {
     std::string bytes = binary_stl(test::cube_mesh(20));
-    EXPECT_TRUE(test::any_names(read_as("a.stl", bytes + "stray")[0].warnings, {5, "bytes"}));
+    EXPECT_TRUE(test::any_names(test::texts_of(read_as("a.stl", bytes + "stray")[0].warnings), {5, "bytes"}));
     for (const std::uint32_t count : {0u, 10u, 13u, 0xffffffffu}) {
         bytes.replace(80, 4, test::bytes_of(count));
         const InputError error = refusal_of("a.stl", bytes);

@@ -2,6 +2,7 @@
 
 #include "files.hpp"
 #include "formats/zip_archive.hpp"
+#include "support/remarks.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -124,8 +125,8 @@ TEST(ThreeMf, WhatIsNotToBePrintedIsLeftOutWithANote) {
                                    "<item objectid=\"2\"/>"));
     ASSERT_EQ(loaded.size(), 1u);
     EXPECT_EQ(loaded[0].instances, 1);
-    EXPECT_TRUE(test::any_names(loaded[0].warnings, {"printable"}));
-    EXPECT_TRUE(test::any_names(loaded[0].warnings, {"support"}));
+    EXPECT_TRUE(test::any_names(test::texts_of(loaded[0].warnings), {"printable"}));
+    EXPECT_TRUE(test::any_names(test::texts_of(loaded[0].warnings), {"support"}));
     EXPECT_TRUE(names(refused(model(kCube, "<item objectid=\"1\" printable=\"0\"/>")).cause(), {"printable"}));
 }
 

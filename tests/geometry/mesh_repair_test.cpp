@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "support/names.hpp"
+#include "support/remarks.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -127,7 +128,7 @@ TEST(MeshRepair, TwoSolidsThatShareAWallKeepIt) {
     const MeshRepair outcome = repair_mesh(nested);
     EXPECT_TRUE(outcome.closed);
     EXPECT_DOUBLE_EQ(signed_volume(nested), 8000 + 2000);
-    EXPECT_TRUE(any_names(outcome.warnings, {"edge"}));
+    EXPECT_TRUE(any_names(test::texts_of(outcome.warnings), {"edge"}));
 }
 
 TEST(MeshRepair, CracksAreClosedButHolesAreNot) {
@@ -145,7 +146,7 @@ TEST(MeshRepair, CracksAreClosedButHolesAreNot) {
     const MeshRepair outcome = repair_mesh(open);
     EXPECT_FALSE(outcome.closed);
     EXPECT_FALSE(outcome.unusable);
-    EXPECT_TRUE(any_names(outcome.warnings, {3, "edges"}));
+    EXPECT_TRUE(any_names(test::texts_of(outcome.warnings), {3, "edges"}));
     EXPECT_EQ(open.triangles.size(), 11u);
 }
 

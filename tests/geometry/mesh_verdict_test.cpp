@@ -4,6 +4,7 @@
 
 #include "geometry/mesh_repair.hpp"
 #include "support/names.hpp"
+#include "support/remarks.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -31,7 +32,9 @@ TEST(MeshVerdict, WhatEnclosesNothingIsUnusable) {
 }
 
 TEST(MeshVerdict, OverlappingShellsAreToldButNotCavitiesNorIslands) {
-    const auto warned = [](Mesh mesh) { return bool(any_names(repair_mesh(mesh).warnings, {"overlap"})); };
+    const auto warned = [](Mesh mesh) {
+        return bool(any_names(test::texts_of(repair_mesh(mesh).warnings), {"overlap"}));
+    };
     EXPECT_TRUE(warned(merged(cube_mesh(20), box_mesh({10, 10, 10}, {30, 30, 30}))));
     EXPECT_TRUE(warned(merged(cube_mesh(20), box_mesh({5, 5, 5}, {10, 10, 10}))));
     const Mesh hollow = merged(cube_mesh(40), turned_inside_out(box_mesh({10, 10, 10}, {30, 30, 30})));

@@ -36,8 +36,8 @@ TEST(Names, EveryEnumIsReadAsItIsWritten) {
     expect_both_ways({LengthUnit::mm, LengthUnit::inch, LengthUnit::m});
     expect_both_ways({ProgressStyle::automatic, ProgressStyle::bar, ProgressStyle::json, ProgressStyle::none});
     expect_both_ways({PartOrientations::Kind::any, PartOrientations::Kind::fixed, PartOrientations::Kind::upright});
-    expect_both_ways({UnplacedReason::tray_full, UnplacedReason::too_large, UnplacedReason::interlocked,
-                      UnplacedReason::unusable, UnplacedReason::stopped});
+    expect_both_ways({UnplacedReason::no_place, UnplacedReason::too_large, UnplacedReason::cannot_leave,
+                      UnplacedReason::bad_file, UnplacedReason::not_tried, UnplacedReason::cap});
     expect_both_ways({FindingKind::outside, FindingKind::overlap, FindingKind::nested, FindingKind::gap,
                       FindingKind::transform, FindingKind::density, FindingKind::count, FindingKind::plan});
     expect_both_ways({Phase::load, Phase::voxelize, Phase::search, Phase::disassemble, Phase::reinsert, Phase::check,
@@ -58,7 +58,7 @@ TEST(Names, TheWordsStay) {
     EXPECT_EQ(to_string(HeightReference::top), "top");
     EXPECT_EQ(to_string(Minimise::box), "box");
     EXPECT_EQ(to_string(LengthUnit::inch), "inch");
-    EXPECT_EQ(to_string(UnplacedReason::tray_full), "tray_full");
+    EXPECT_EQ(to_string(UnplacedReason::no_place), "no_place");
     EXPECT_EQ(to_string(FindingKind::nested), "nested");
     EXPECT_EQ(to_string(Phase::reinsert), "reinsert");
 }

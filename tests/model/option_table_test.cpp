@@ -68,7 +68,9 @@ TEST(OptionTable, DefaultsAreThoseOfTheStructs) {
             EXPECT_EQ(parse_value(o, text), value) << o.name;
         }
     }
-    EXPECT_EQ(default_text(option("gap")), "0.2");
+    EXPECT_EQ(default_text(option("gap")), "the printer's, else 0.2");
+    EXPECT_EQ(short_default_text(option("threads")), "all");
+    EXPECT_EQ(short_default_text(option("voxel")), "2");
     EXPECT_EQ(default_text(option("threads")), "0: all");
     EXPECT_EQ(default_text(option("ray-spacing")), "4 voxel / detail");
     EXPECT_EQ(default_text(option("fill")), "");

@@ -72,7 +72,10 @@ class Fact {
   private:
     bool word_in(const std::string& text) const {
         const auto same = [](char a, char b) {
-            return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+            // A text may be wrapped at any space.
+            const auto plain = [](char c) { return c == '\n' ? ' ' : c; };
+            return std::tolower(static_cast<unsigned char>(plain(a))) ==
+                   std::tolower(static_cast<unsigned char>(plain(b)));
         };
         const auto alike = [](char a, char b) {
             return (is_digit(a) && is_digit(b)) || (is_letter(a) && is_letter(b));

@@ -20,9 +20,9 @@ TEST_F(CheckFigures, NoticesEveryMisstatedFigure) {
         packing_ = right;
     };
     tray.density *= 1.00001;
-    expect_density(0, {"density"});
+    expect_density(0, {"filled"});
     tray.density = std::numeric_limits<double>::quiet_NaN();
-    expect_density(0, {"density"});
+    expect_density(0, {"filled"});
     tray.density_bounding_box -= 1e-5;
     expect_density(0, {"bounding box"});
     tray.height += 0.002;
@@ -32,7 +32,7 @@ TEST_F(CheckFigures, NoticesEveryMisstatedFigure) {
     tray.bounding_box = {};
     expect_density(0, {"bounding box"});
     packing_.metrics.density += 0.01;
-    expect_density(kWholePacking, {"density"});
+    expect_density(kWholePacking, {"filled"});
     packing_.metrics.min_gap = 0.2;
     expect_density(kWholePacking, {0.2, 0});
     packing_.metrics.min_gap = 0;
@@ -52,13 +52,13 @@ TEST_F(CheckFigures, CountsCopies) {
     EXPECT_TRUE(names(report.findings[1].message, {"cube", 0}));
     EXPECT_EQ(report.findings[1].placements, (std::vector{0, 3}));
 
-    packing_.unplaced.push_back({0, 3, UnplacedReason::tray_full, ""});
+    packing_.unplaced.push_back({0, 3, UnplacedReason::no_place, ""});
     expect_only(check(), Kind::count, {0, 3});
-    packing_.unplaced.push_back({0, 3, UnplacedReason::tray_full, ""});
+    packing_.unplaced.push_back({0, 3, UnplacedReason::no_place, ""});
     EXPECT_EQ(check().findings.size(), 2u);
 
     packing_ = right;
-    packing_.unplaced.push_back({1, 1, UnplacedReason::stopped, ""});
+    packing_.unplaced.push_back({1, 1, UnplacedReason::not_tried, ""});
     expect_only(check(), Kind::count, {}, {"ring", 1}, kWholePacking);
 
     packing_ = right;

@@ -61,7 +61,7 @@ TEST_F(CheckOfBuild, NeedsTheMeshesOfPlacedPartsOnly) {
     add_part("absent", {});
     meshes_.back() = nullptr;
     packing_.parts.back().count = 1;
-    packing_.unplaced.push_back({3, 0, UnplacedReason::unusable, ""});
+    packing_.unplaced.push_back({3, 0, UnplacedReason::bad_file, ""});
     EXPECT_TRUE(check_stated().ok());
     meshes_[2] = nullptr;
     EXPECT_THROW(check(), InternalError);

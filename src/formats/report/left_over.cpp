@@ -13,7 +13,7 @@ constexpr int kColumns = 2;  // of the pages with the rest
 
 struct LeftOverRow {
     int part = 0;
-    UnplacedReason reason = UnplacedReason::tray_full;
+    UnplacedReason reason = UnplacedReason::no_place;
 };
 
 std::vector<LeftOverRow> rows_of(const std::vector<PartOutcome>& outcomes) {
@@ -33,7 +33,7 @@ std::string why(const SheetInput& sheet, const LeftOverRow& row, bool remedy) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     if (!some.detail.empty()) text += ": " + some.detail;
     if (text.back() != '.') text += '.';
-    if (remedy && row.reason == UnplacedReason::tray_full && some.detail.empty()) text += " Needs another tray.";
+    if (remedy && row.reason == UnplacedReason::no_place && some.detail.empty()) text += " Needs another tray.";
     return escaped(text);
 }
 

@@ -24,50 +24,51 @@ std::vector<Option> grid_options() {
     return {
         kept_in<&PackOptions::voxel>(
             {.name = "voxel",
-             .group = Group::search,
+             .group = Group::packing,
+             .help_place = 14,
              .type = Type::number,
              .least = 0,
              .above = true,
              .placeholder = "MM",
-             .line = "voxel size in mm",
-             .help =
-                 "Every position on a grid of this step is tried. Finer voxels pack denser and take longer: halving "
-                 "them costs about ten times the time.",
+             .line = "finer is denser; half takes 10 times as long",
+             .help = "The voxel size in mm. Every position on a grid of this step is tried. Finer voxels pack "
+                     "denser and take longer: halving them costs about ten times the time.",
              .examples = {"1"},
              .hash_place = 2}),
         kept_in<&PackOptions::detail>(
             {.name = "detail",
-             .group = Group::search,
+             .group = Group::packing,
              .type = Type::integer,
              .least = 1,
              .most = kMostDetail,
              .placeholder = "N",
-             .line = "copies may come as near as voxels this many times finer allow",
+             .line = "copies come as near as voxels this many times finer allow",
              .help = "Positions stay on the grid of --voxel, while collisions between copies are decided on voxels of "
                      "--voxel / N. That is much of what finer voxels give, in much less time.",
              .examples = {"1"},
              .hash_place = 11}),
         kept_in<&PackOptions::rotations>(
             {.name = "rotations",
-             .group = Group::search,
+             .group = Group::parts,
+             .help_place = 3,
              .type = Type::rotations,
              .words = kRotations,
-             .placeholder = "SET",
-             .line =
-                 "orientations tried: none, a step in degrees (90: 24 of them), icosahedron[:N]; each with +box for "
-                 "the turns of the part's minimum bounding box",
-             .help =
-                 "'none' keeps parts as they lie in their files. A step samples Euler angles: 90 gives the 24 turns "
-                 "of a cube, 45 gives 184. 'icosahedron:N' takes the vertices of an icosahedron whose edges were "
-                 "halved N times as directions of up. A job file may say less for single parts.",
+             .placeholder = "STEP",
+             .line = "ways a part may stand: none, or degrees",
+             .help = "'none' keeps parts as they lie in their files. A step in degrees turns them round every axis: "
+                     "90 gives 24 ways to stand, 45 gives 184. 'icosahedron:N' takes the corners of an icosahedron "
+                     "whose edges were halved N times as directions of up. Each may have '+box' for the turns that "
+                     "lay the part's smallest box along the axes. A job file may allow less for single parts.",
              .examples = {"none", "45", "90+box", "icosahedron:1"},
              .hash_place = 10}),
         // It counts in the hash as the parts' orientations.
         kept_in<&PackOptions::upright>(
             {.name = "upright",
-             .group = Group::search,
-             .line = "parts keep their top up: turned about the vertical only",
-             .help = "They are turned by the step of --rotations. A part whose orientations are said in a job file or "
+             .group = Group::parts,
+             .help_place = 2,
+             .line = "parts keep their top up",
+             .help = "They are turned about the vertical only, by the step of --rotations. A part whose orientations "
+                     "are said in a job file or "
                      "a set file keeps to those."}),
     };
 }
@@ -76,48 +77,48 @@ std::vector<Option> placing_options() {
     return {
         kept_in<&PackOptions::refine>(
             {.name = "refine",
-             .group = Group::search,
-             .line = "slide copies together off the grid, gap kept on the true meshes",
-             .help =
-                 "Once its place on the grid is found, a copy slides along the axes towards lower cost, "
-                 "two voxels a way at most, until it meets a copy or a wall (section 3.2 of the paper). What found no "
-                 "place on the grid is then tried off it, between the boxes of what stands.",
+             .group = Group::packing,
+             .line = "slide copies together, up to the exact gap",
+             .help = "Once its place on the grid is found, a copy slides along the axes towards its neighbours, two "
+                     "voxels a way at most, until it is the gap away from a copy or a wall on the true meshes "
+                     "(section 3.2 of the paper). What found no place on the grid is then tried off it, between the "
+                     "boxes of what stands.",
              .off_line = "stay on the grid",
              .hash_place = 12}),
         kept_in<&PackOptions::interlock>(
             {.name = "interlock",
-             .group = Group::search,
+             .group = Group::packing,
              .placeholder = "WHEN",
-             .line = "keep copies from locking: post (repair the packing), place (only where a way out is), off",
-             .help = "Copies that hold each other could not be taken out of the build. 'post' takes the "
-                     "finished tray apart, takes out what is locked and puts it elsewhere where it can leave; "
-                     "the packing file then holds a plan for taking the tray apart. 'place' uses only places "
-                     "that have a way out. 'off' does not look: nothing is known of locking then.",
+             .line = "see that all comes apart: post (once all is placed), place (at each place), off",
+             .help = "Copies that hold each other could not be taken out of the build. 'post' takes the finished "
+                     "tray apart, takes out what cannot leave and puts it elsewhere where it can; the packing file "
+                     "then holds a plan for taking the tray apart. 'place' uses only places that have a way out. "
+                     "'off' does not look: nothing is known of it then.",
              .examples = {"off"},
              .hash_place = 13}),
         kept_in<&PackOptions::links>(
             {.name = "links",
-             .group = Group::search,
+             .group = Group::packing,
              .placeholder = "RULE",
-             .line = "with --interlock post, places where two copies hold each other by themselves, like links of a "
-                     "chain: avoid, allow (the paper's way: taken out again afterwards)",
+             .line = "with --interlock post, places where two copies are like links of a chain: avoid, allow",
+             .help = "'avoid' does not take such places. 'allow' is the paper's way: what cannot leave is taken out "
+                     "again afterwards.",
              .examples = {"allow"},
              .hash_place = 14}),
         kept_in<&PackOptions::take_out>(
             {.name = "take-out",
-             .group = Group::search,
+             .group = Group::packing,
              .placeholder = "WHICH",
-             .line = "of copies that hold each other, which go first, to be put back if they may stay after all or "
-                     "elsewhere: thinnest, lightest, smallest",
-             .help =
-                 "With --interlock post. 'thinnest': the one with the least material for its box, so cages, rings "
-                 "and springs rather than what is in them. 'lightest': the one with the least material. 'smallest': "
-                 "the paper's rule, the smallest boxes up to a tenth of all.",
+             .line = "of copies that cannot leave, which are taken out first: thinnest, lightest, smallest",
+             .help = "With --interlock post. They are put back if they may stay after all, or elsewhere. "
+                     "'thinnest': the one with the least material for its box, so cages, rings and springs rather "
+                     "than what is in them. 'lightest': the one with the least material. 'smallest': the paper's "
+                     "rule, the smallest boxes up to a tenth of all.",
              .examples = {"lightest"},
              .hash_place = 15}),
         kept_in<&PackOptions::unpack>(
             {.name = "unpack",
-             .group = Group::search,
+             .group = Group::packing,
              .none_word = "auto",
              .placeholder = "ORDER",
              .line = "order in which the plan takes copies out: top (from the top down, between the walls), any (also "
@@ -129,21 +130,20 @@ std::vector<Option> placing_options() {
              .examples = {"any"}}),
         kept_in<&PackOptions::ray_spacing>(
             {.name = "ray-spacing",
-             .group = Group::search,
+             .group = Group::packing,
              .type = Type::number,
              .least = 0,
              .above = true,
              .placeholder = "MM",
-             .line = "mm between the rays that tell which copy is straight in whose way; what they miss, flood fills "
-                     "find",
-             .help = "Fewer rays are faster, more leave less to flood fills. No finer than a twentieth of the voxels "
-                     "that collisions are decided on.",
+             .line = "mm between the rays that tell which copy is straight in whose way",
+             .help = "What the rays miss is found otherwise, more slowly. Fewer rays are faster. No finer than a "
+                     "twentieth of the voxels that collisions are decided on.",
              .default_means = "4 voxel / detail",
              .examples = {"0.5"},
              .hash_place = 7}),
         kept_in<&PackOptions::height_penalty>(
             {.name = "height-penalty",
-             .group = Group::search,
+             .group = Group::packing,
              .type = Type::number,
              .least = 0,
              .none_word = "auto",
@@ -151,17 +151,17 @@ std::vector<Option> placing_options() {
              .line = "how much height costs: auto, or p of p z^3",
              .help = "Of two places, the one with the lower cost is taken: how far it is from what stands there, and "
                      "the height penalty. 'auto' is the paper's appendix A.2: 4 where the boxes of all copies are more "
-                     "than 1.2 times the container, else 10^8. It weighs where height counts at the bottom; a number "
-                     "asks for that.",
+                     "than 1.2 times the tray, else 10^8. It weighs where height counts at the bottom; a number asks "
+                     "for that.",
              .examples = {"auto", "4"},
              .hash_place = 4}),
         kept_in<&PackOptions::height_at>(
             {.name = "height-at",
-             .group = Group::search,
+             .group = Group::packing,
+             .help_place = 12,
              .none_word = "auto",
-             .placeholder = "END",
-             .line =
-                 "where height counts: top keeps the build low, bottom is the paper's rule; auto: top where all fits",
+             .placeholder = "WHERE",
+             .line = "auto, top (lower builds), bottom",
              .help =
                  "'bottom' is the paper's: the penalty is of the height of a copy's lower end. With 'top' the place "
                  "whose upper end is lowest wins, and proximity decides between equals. 'auto' is top in a tray that "
@@ -177,11 +177,9 @@ std::vector<Option> order_options() {
     return {
         kept_in<&PackOptions::order>(
             {.name = "order",
-             .group = Group::search,
+             .group = Group::packing,
              .placeholder = "RULE",
-             .line =
-                 "which copies first: size (of the box, largest first), volume (of the solid), mixed (geometric mean "
-                 "of both), random, input",
+             .line = "which copies first: size (of the box), volume (of the material), mixed, random, input",
              .help = "Where not all fit, volume and mixed give a denser tray by letting denser parts in first, not by "
                      "packing better; to place all as low as can be, size is best. Priorities and due dates of a job "
                      "file come before any order.",
@@ -189,25 +187,25 @@ std::vector<Option> order_options() {
              .hash_place = 20}),
         kept_in<&PackOptions::restarts>(
             {.name = "restarts",
-             .group = Group::search,
+             .group = Group::packing,
              .type = Type::integer,
              .least = 1,
              .most = kMostRestarts,
              .placeholder = "N",
-             .line = "pack in N orders, the one asked for and others near it, and keep the best: most solid volume in "
-                     "the tray, or least height where all fits",
-             .help = "The orders are tried on the grid, at most for half of --time-limit; the best is then packed in.",
+             .line = "pack in N orders and keep the best",
+             .help = "The order asked for and others near it. The best has most material in the tray, or the least "
+                     "height where all fits. The orders are tried on the grid, at most for half of --time-limit; "
+                     "the best is then packed in.",
              .examples = {"20"},
              .hash_place = 21}),
         kept_in<&PackOptions::beam>(
             {.name = "beam",
-             .group = Group::search,
+             .group = Group::packing,
              .type = Type::integer,
              .least = 1,
              .most = kMostBeam,
              .placeholder = "WIDTH",
-             .line = "beam search over orders with this many states, compared with the plain order; 5 takes some "
-                     "fifteen times as long",
+             .line = "look for a good order with this many tries side by side; 5 takes 15 times as long",
              .help = "It runs on the grid, at most for half of --time-limit; the order found is then packed in.",
              .default_means = "none",
              .examples = {"5"},

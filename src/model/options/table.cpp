@@ -28,18 +28,29 @@ const Option* find_option(std::string_view name) {
     return found == option_table().end() ? nullptr : &*found;
 }
 
+std::vector<const Option*> options_under(OptionGroup group) {
+    std::vector<const Option*> options;
+    for (const Option& option : option_table()) {
+        if (option.group == group) options.push_back(&option);
+    }
+    std::ranges::stable_sort(options, {}, [](const Option* option) {
+        return option->help_place > 0 ? option->help_place : std::numeric_limits<int>::max();
+    });
+    return options;
+}
+
 std::string_view title_of(OptionGroup group) {
     switch (group) {
-        case OptionGroup::output:
-            return "Output";
-        case OptionGroup::container:
-            return "Container";
-        case OptionGroup::input:
-            return "Input";
-        case OptionGroup::search:
-            return "Search";
-        case OptionGroup::run:
-            return "Run";
+        case OptionGroup::parts:
+            return "Parts";
+        case OptionGroup::tray:
+            return "Tray";
+        case OptionGroup::gap:
+            return "Gap";
+        case OptionGroup::packing:
+            return "Packing";
+        case OptionGroup::result:
+            return "Result";
     }
     return "";
 }

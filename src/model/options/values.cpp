@@ -278,7 +278,14 @@ OptionValue default_of(const Option& option) {
 std::string default_text(const Option& option) {
     const std::string value = text_of(option, default_of(option)), means(option.default_means);
     if (option.type == OptionType::flag) return value == "true" ? "on" : "";
-    return value.empty() || means.empty() ? value + means : value + ": " + means;
+    const std::string first = option.of_printer ? "the printer's, else " : "";
+    return first + (value.empty() || means.empty() ? value + means : value + ": " + means);
+}
+
+std::string short_default_text(const Option& option) {
+    const std::string text = default_text(option);
+    if (text.starts_with("0: ")) return text.substr(3);  // a number that stands for something else
+    return text.substr(0, text.find(':'));
 }
 
 void set_option(PackOptions& options, std::string_view name, std::string_view text) {

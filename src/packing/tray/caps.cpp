@@ -32,7 +32,7 @@ std::string Caps::why_not(int part) const {
     if (!options_.density) return "";
     const double density = (volume_ + parts_.volume(part)) / options_.volume;
     if (density <= *options_.density * (1 + kRounding)) return "";
-    return "the density would come to " + percent(density) + ", beyond the cap of " + percent(*options_.density);
+    return "the tray would be " + percent(density) + " full, beyond the cap of " + percent(*options_.density);
 }
 
 std::vector<double> Caps::sections(int part, int orientation, const Vec3& offset) const {

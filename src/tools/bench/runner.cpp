@@ -74,8 +74,8 @@ void measure(const Packing& packing, Outcome& outcome) {
         outcome.planned = outcome.planned && tray.disassembly && tray.disassembly->complete;
     }
     for (const Unplaced& copy : packing.unplaced) {
-        outcome.interlocked += copy.reason == UnplacedReason::interlocked ? 1 : 0;
-        outcome.cut_off = outcome.cut_off || copy.reason == UnplacedReason::stopped;
+        outcome.interlocked += copy.reason == UnplacedReason::cannot_leave ? 1 : 0;
+        outcome.cut_off = outcome.cut_off || copy.reason == UnplacedReason::not_tried;
     }
     outcome.cut_off = outcome.cut_off || (packing.options.interlock != Interlock::off && !outcome.planned);
     const PhaseSeconds& seconds = packing.metrics.seconds;

@@ -23,9 +23,11 @@ InspectedObject inspect_object(LoadedMesh loaded, const InspectOptions& options)
     object.figures =
         inspect_mesh(object.unit == 1 ? loaded.mesh : transformed(loaded.mesh, {object.unit * Mat3{}, {}}));
     object.repairs = std::move(loaded.repairs);
-    object.warnings = std::move(loaded.warnings);
-    object.unit_hint = size_warning(bounding_box(loaded.mesh), object.unit);
-    if (object.unit_hint) std::erase(object.warnings, *object.unit_hint);  // said once
+    const auto unit_hint = size_warning(bounding_box(loaded.mesh), object.unit);
+    if (unit_hint) object.unit_hint = unit_hint->one;
+    for (const Remark& warning : loaded.warnings) {
+        if (warning != unit_hint) object.warnings.push_back(warning.one);  // said once
+    }
     const bool turned = std::any_of(object.repairs.begin(), object.repairs.end(),
                                     [](const auto& repair) { return repair.starts_with(kTurned); });
     object.facing = object.figures.edges.misdirected > 0 ? Facing::inconsistent
