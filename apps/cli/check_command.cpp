@@ -27,7 +27,10 @@ std::string apart_text(const Packing& packing, std::size_t tray, const std::opti
         return fmt::format("DOES NOT COME APART by its plan ({} of {} fail)", plan->failed_steps.size(),
                            steps_text(plan->steps));
     }
-    if (plan->complete) return fmt::format("comes apart in {}", steps_text(plan->steps));
+    if (plan->complete) {
+        return fmt::format("comes apart in {}{}", steps_text(plan->steps),
+                           through_walls_text(static_cast<std::size_t>(plan->through_walls)));
+    }
     return fmt::format("NOT CHECKED whether it comes apart to the end: {} without a step: {}",
                        plan->without_step.size(), copy_names(packing, packing.trays[tray], plan->without_step));
 }

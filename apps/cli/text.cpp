@@ -49,10 +49,11 @@ std::string printable(std::string text) {
 
 std::string copy_names(const Packing& packing, const TrayPacking& tray, const std::vector<int>& placements) {
     std::string text;
+    const CopyNumbers numbers(packing.parts);
     for (std::size_t i = 0; i < placements.size() && i < kMostNamed; ++i) {
         const Placement& placement = tray.placements[static_cast<std::size_t>(placements[i])];
-        text += fmt::format("{}{} #{}", i > 0 ? ", " : "",
-                            printable(packing.parts[static_cast<std::size_t>(placement.part)].name), placement.copy);
+        text += fmt::format("{}{} {}", i > 0 ? ", " : "", numbers.of(placement),
+                            printable(packing.parts[static_cast<std::size_t>(placement.part)].name));
     }
     if (placements.size() > kMostNamed) text += fmt::format(" and {} more", placements.size() - kMostNamed);
     return text;

@@ -24,7 +24,7 @@ std::string printable(std::string text);
 
 inline constexpr std::size_t kScreenWidth = 80;
 
-/// "ring #3, ring #4 and 7 more", for people.
+/// "3 ring, 4 ring and 7 more", with the copies' numbers.
 std::string copy_names(const Packing& packing, const TrayPacking& tray, const std::vector<int>& placements);
 
 /// Columns that the text takes on a terminal: its characters.

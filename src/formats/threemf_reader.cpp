@@ -50,6 +50,12 @@ class RelationshipParser : public XmlHandler {
 
 /// What an object comes to when its components are followed: objects met, itself included, and
 /// their triangles.
+/// True for "23 fan-shroud" of a fan-shroud.
+bool is_numbered(std::string_view text, std::string_view name) {
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    return digits > 0 && text.size() > digits && text[digits] == ' ' && text.substr(digits + 1) == name;
+}
+
 struct Extent {
     std::uint64_t objects = 1, triangles = 0;
 };
@@ -142,7 +148,8 @@ class Reader {
     LoadedMesh load(const ModelItem& item, const ModelObject& object) {
         LoadedMesh loaded;
         const std::string own_name = object.part_number.empty() ? object.name : object.part_number;
-        loaded.name = item.part_number.empty() ? own_name : item.part_number;
+        // Items of ours are called by the copy's number and the object's name.
+        loaded.name = item.part_number.empty() || is_numbered(item.part_number, own_name) ? own_name : item.part_number;
         loaded.object = name_of(item.object);
         loaded.item_transform = item.transform;
         loaded.unit = parts_.at(root_).unit;

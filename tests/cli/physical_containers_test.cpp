@@ -65,7 +65,7 @@ TEST_F(PhysicalContainers, WhatIsTooWideForTheNeckStaysOut) {
     EXPECT_EQ(build()["metrics"]["placed"], 3);
     const Ran planned = spectralpack({"plan", at("build.json")});
     EXPECT_EQ(planned.status, 1);
-    EXPECT_TRUE(names(planned.out, {1, "container", "wide", 0}));
+    EXPECT_TRUE(names(planned.out, {1, "wide"}));
     EXPECT_FALSE(names(planned.out, {"cube"}));
     const char* reasons[] = {"cannot_leave", "no_place"};
     for (const char* interlock : {"post", "place"}) {

@@ -52,7 +52,7 @@ TEST_F(StandingCopies, TheGapsAreThoseOfTheBuild) {
     fs::rename(folder_ / "build.json", folder_ / "old.json");
     const std::vector<std::string> more{at("cube.stl") + ":2", "--onto", at("old.json")};
     const Ran same = run(more);
-    EXPECT_TRUE(names(same.out, {"60 x 60 x 40 mm", "as in old.json", "2 mm between", "3 mm to the walls"}))
+    EXPECT_TRUE(names(same.out, {"60 x 60 x 40 mm", "as in old.json", "2.0 mm between", "3.0 mm to the walls"}))
         << same.out;
     EXPECT_EQ(same.err, "");
     EXPECT_EQ(build()["options"]["gap"], 2);

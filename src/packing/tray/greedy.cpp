@@ -149,7 +149,7 @@ void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<Pa
         if (outcome != PlaceOutcome::stopped) copy_done(result.placed.size());
         return outcome;
     };
-    while (placed[first.index] < first.count) {
+    while (first.count > 0 && placed[first.index] < first.count) {
         const Copy copy{shares[first.index].part, placed[first.index]};
         const PlaceOutcome outcome = place(first.index, copy);
         if (outcome == PlaceOutcome::stopped) return;
