@@ -125,7 +125,7 @@ TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
     const Ran ran = check();
     EXPECT_EQ(ran.status, 0) << ran.out;
     EXPECT_TRUE(contains(ran.out, "NOT CHECKED")) << ran.out;
-    EXPECT_TRUE(names(ran.out, {"cube #0", "cube #1"}));
+    EXPECT_TRUE(names(ran.out, {"1 cube", "2 cube"}));
     EXPECT_FALSE(names(ran.out, {"comes apart in"}));
     const json report = check_report(file(), 0);
     EXPECT_EQ(report["plans"][0]["without_step"], json({0, 1}));

@@ -99,7 +99,7 @@ TEST(Write3mf, EqualMeshesAreWrittenOnceAndEveryCopyIsAnItem) {
     const auto loaded = read_meshes(folder / "p.3mf");
     ASSERT_EQ(loaded.size(), 2u);  // by scale
     EXPECT_EQ(loaded[0].name, "part 0");
-    EXPECT_EQ(loaded[1].name, "part 1");
+    EXPECT_EQ(loaded[1].name, "2 part 1");
     EXPECT_EQ(loaded[0].instances, 2);
     // The second tray stands beside the first, nothing leaves the positive octant.
     EXPECT_TRUE(test::contains(model, "5 5 5\""));
