@@ -32,7 +32,7 @@ std::vector<double> ends(const std::vector<Shadow>& shadows, int axis, double fi
         if (end > first && end <= last) at.push_back(end);
     }
     std::ranges::sort(at);
-    at.erase(std::ranges::unique(at).begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
     return at;
 }
 
