@@ -11,21 +11,21 @@ const BoxRoom::Accepts kAny = [](const Vec3&) { return true; };
 
 TEST(BoxRoom, BoxesStandBesideEachOtherAtTheLargerGap) {
     BoxRoom room({{1, 1, 1}, {24, 11, 11}});
-    EXPECT_EQ(room.lowest({10, 10, 10}, 1, kAny), Vec3(1, 1, 1));
+    EXPECT_EQ(room.lowest({10, 10, 10}, 1, kAny), (Vec3{1, 1, 1}));
     room.add({{{1, 1, 1}, {11, 11, 11}}, 3});
-    EXPECT_EQ(room.lowest({10, 10, 10}, 1, kAny), Vec3(14, 1, 1));
+    EXPECT_EQ(room.lowest({10, 10, 10}, 1, kAny), (Vec3{14, 1, 1}));
     EXPECT_FALSE(room.lowest({10.1, 10, 10}, 1, kAny));
     EXPECT_FALSE(room.lowest({10, 10, 10}, 3.1, kAny));
     room.add({{{14, 0, 0}, {15, 1, 30}}, 2, true});  // of a wall the wall's gap counts
     EXPECT_FALSE(room.lowest({10, 9, 10}, 9, kAny));
-    EXPECT_EQ(room.lowest({10, 8, 10}, 1, kAny), Vec3(14, 3, 1));
+    EXPECT_EQ(room.lowest({10, 8, 10}, 1, kAny), (Vec3{14, 3, 1}));
 }
 
 TEST(BoxRoom, WhatIsTurnedDownIsAskedAboutBeyond) {
     BoxRoom room({{0, 0, 0}, {30, 10, 10}});
     room.add({{{0, 0, 0}, {10, 10, 10}}, 0});
     room.add({{{15, 0, 0}, {20, 10, 10}}, 0});
-    EXPECT_EQ(room.lowest({5, 10, 10}, 0, [](const Vec3& at) { return at.x > 12; }), Vec3(20, 0, 0));
+    EXPECT_EQ(room.lowest({5, 10, 10}, 0, [](const Vec3& at) { return at.x > 12; }), (Vec3{20, 0, 0}));
 }
 
 TEST(BoxRoom, WorkIsBounded) {
@@ -42,7 +42,7 @@ TEST(BoxRoom, ALatticeLeavesOutWhatIsTaken) {
     room.add({{{1, 1, 1}, {2, 2, 2}}, 0});
     const std::vector<Vec3> corners = room.lattice({10, 10, 10}, 0.2, 100);
     ASSERT_EQ(corners.size(), 3u);
-    EXPECT_EQ(corners.front(), Vec3(10.2, 0, 0));
+    EXPECT_EQ(corners.front(), (Vec3{10.2, 0, 0}));
 }
 
 /// Whatever whole numbers the boxes have: the least place among all whole numbers is found, and none where there is
