@@ -158,7 +158,7 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
     std::int64_t total = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
         for (const Placement& placement : tray.placements) {
-            total += placement.fixed ? 0 : 1;
+            total += placement.fixed ? 0 : unpack == Unpack::top ? 2 : 1;  // planned, then put in order
         }
     }
     std::vector<Disassembly> plans;

@@ -28,7 +28,9 @@ Disassembly final_plan(const FinalPlanOptions& options, const Tray& tray, const 
     const PlacedBodies bodies(standing, tray, placed, context);
     std::vector<Body> all = bodies.placed();
     bodies.add_what_stays(all);
-    Unpacking unpacking{options.unpack, std::nullopt, options.left};
+    // The copies are told of once more, so what is told goes on from where the first plan ended.
+    const auto left = [&](int left, int all) { options.left(left, 2 * all); };
+    Unpacking unpacking{options.unpack, std::nullopt, left};
     if (walls) unpacking.walls = all.size() - 1;
     return unpacked(bodies.disassembly(), all, unpacking, std::move(plan), counts);
 }
