@@ -29,8 +29,8 @@ Disassembly final_plan(const FinalPlanOptions& options, const Tray& tray, const 
     std::vector<Body> all = bodies.placed();
     bodies.add_what_stays(all);
     // The copies are told of once more, so what is told goes on from where the first plan ended.
-    const auto left = [&](int left, int all) { options.left(left, 2 * all); };
-    Unpacking unpacking{options.unpack, std::nullopt, left};
+    const auto told = [&](int left, int of) { options.left(left, 2 * of); };
+    Unpacking unpacking{options.unpack, std::nullopt, told};
     if (walls) unpacking.walls = all.size() - 1;
     return unpacked(bodies.disassembly(), all, unpacking, std::move(plan), counts);
 }
