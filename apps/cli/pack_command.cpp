@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <ctime>
 #include <filesystem>
 #include <memory>
 
@@ -14,6 +13,7 @@
 #include "paths.hpp"
 #include "printer_list.hpp"
 #include "progress_display.hpp"
+#include "run_outputs.hpp"
 #include "summary.hpp"
 #include "text.hpp"
 #include "time_probe.hpp"
@@ -62,59 +62,6 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
     return settings;
 }
 
-/// "28 Nov 2026", where the program runs.
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    if (!localtime_r(&now, &local)) return "";
-    static constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-    return fmt::format("{} {} {}", local.tm_mday, kMonths[local.tm_mon], local.tm_year + 1900);
-}
-
-ReportDetails report_details(const JobSettings& settings) {
-    ReportDetails details;
-    details.job_name = settings.job_name.value_or(std::filesystem::path(settings.file).stem().string());
-    details.date = today();
-    details.material = settings.material.value_or("");
-    details.material_density = settings.material_density;
-    return details;
-}
-
-/// Writes every output; one that fails does not keep the others from being written.
-void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display, RunFacts& facts,
-                   int& status) {
-    std::int64_t done = 0;
-    const auto total = static_cast<std::int64_t>(settings.outputs.size() + settings.reports.size());
-    const int threads = settings.options.threads;
-    const auto write = [&](const auto& action) {
-        try {
-            action();
-        } catch (const Error& error) {
-            display.on_error(error.what());
-            status = kOutOfResources;
-        }
-        ++done;
-        display.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
-    };
-    for (const std::string& output : settings.outputs) {
-        write([&] {
-            WrittenFile written{output, {}};
-            const auto files = write_output(scene, output, threads);
-            for (std::size_t i = 1; i < files.size(); ++i) {
-                written.trays.push_back(files[i].string());
-            }
-            facts.written.push_back(std::move(written));
-        });
-    }
-    for (const std::string& report : settings.reports) {
-        write([&] {
-            write_report(scene, report, report_details(settings), threads);
-            facts.reports.push_back(report);
-        });
-    }
-}
-
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
@@ -134,10 +81,56 @@ int status_without_copies(const PackResult& result) {
     return result.stopped == StopReason::cancelled ? kInterrupted : kNothingPlaced;
 }
 
-int run_job(const Job& job, const JobSettings& settings, RunFacts facts, ProgressDisplay& display,
-            Interrupts& interrupts, bool& unusable) {
+/// From so many seconds on a run is worth a journal that nobody asked for.
+constexpr double kWorthAJournal = 10;
+
+JournalOptions journal_options(const PackArguments& arguments, const JobSettings& settings) {
+    JournalOptions journal;
+    if (arguments.has("resume")) {
+        if (arguments.has("journal")) {
+            throw UsageError("--resume FILE goes on in that file; --journal asks for another");
+        }
+        if (arguments.has("no-resume")) throw UsageError("--resume and --no-resume contradict each other");
+        journal.file = arguments.text("resume");
+        journal.resume = Resume::must;
+    } else if (arguments.has("journal")) {
+        journal.file = arguments.text("journal");
+    } else if (!settings.outputs.empty()) {
+        journal.file = settings.outputs.front() + ".journal";
+        journal.after = kWorthAJournal;
+    }
+    if (arguments.has("no-resume")) journal.resume = Resume::never;
+    return journal;
+}
+
+/// What is left of the journal once the run is over. One that a signal ended, or a lack of memory, may go on.
+void settle_journal(const PackResult& result, bool written, ProgressDisplay& display) {
+    if (!result.journal || !result.journal->on_disk) return;
+    if (result.stopped == StopReason::cancelled || result.failure || !written) {
+        display.on_warning(
+            fmt::format("the same command goes on from here: {} has what was decided", result.journal->file.string()));
+        return;
+    }
+    std::error_code ignored;
+    std::filesystem::remove(result.journal->file, ignored);
+}
+
+/// Writes finished trays while others are packed.
+class PackDisplay final : public ProgressDisplay {
+  public:
+    PackDisplay(ProgressStyle style, const JobSettings& settings) : ProgressDisplay(style), outputs_(settings, *this) {}
+
+    void on_trays(const Scene& finished) override { outputs_.write_trays(finished); }
+    RunOutputs& outputs() { return outputs_; }
+
+  private:
+    RunOutputs outputs_;
+};
+
+int run_job(const Job& job, const JobSettings& settings, const JournalOptions& journal, RunFacts facts,
+            PackDisplay& display, Interrupts& interrupts, bool& unusable) {
     int status = kDone;
-    const PackResult result = pack(job, {&display, interrupts.token()});
+    const PackResult result = pack(job, {&display, interrupts.token()}, journal);
     display.on_unusable(result.unusable);
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
@@ -153,8 +146,9 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
         if (status == kDone) status = status_without_copies(result);
     } else {
         interrupts.begin_writing();
-        write_outputs(scene, settings, display, facts, status);
+        if (!display.outputs().write(scene, facts)) status = kOutOfResources;
     }
+    settle_journal(result, status != kOutOfResources, display);
     display.end();
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
@@ -190,8 +184,10 @@ int run_pack(const PackArguments& arguments) {
     settle(arguments, defaults);  // so that wrong usage is told before files are looked at
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
+    const JournalOptions journal = journal_options(arguments, settings);
+    if (!journal.file.empty()) require_writable(journal.file.string(), "--journal");
     Interrupts interrupts(settings.options.time_limit);
-    ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
+    PackDisplay display(settings.progress.value_or(ProgressStyle::automatic), settings);
     report_passed_over(inputs, display);
     display.on_unusable(inputs.unusable);
     if (inputs.parts.empty()) {
@@ -214,9 +210,10 @@ int run_pack(const PackArguments& arguments) {
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run.value_or(false)
-                           ? run_estimate(job, display, interrupts, unusable)
-                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);
+    const int status =
+        settings.dry_run.value_or(false)
+            ? run_estimate(job, display, interrupts, unusable)
+            : run_job(job, settings, journal, facts_of(job, settings, taken), display, interrupts, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;

@@ -76,6 +76,21 @@ void ProgressDisplay::on_progress(const Progress& progress) {
     }
 }
 
+void ProgressDisplay::on_event(const Event& event) {
+    if (style_ != ProgressStyle::json) return;
+    std::string copy;
+    if (event.part >= 0) {
+        std::string rows;
+        for (int row = 0; row < 3; ++row) {
+            const Vec3& linear = event.transform.linear.rows[row];
+            rows += fmt::format("[{}, {}, {}, {}], ", linear.x, linear.y, linear.z, event.transform.translation[row]);
+        }
+        copy = fmt::format(R"(, "part": {}, "copy": {}, "orientation": {}, "transform": [{}[0, 0, 0, 1]])", event.part,
+                           event.copy, event.orientation, rows);
+    }
+    fmt::print(stderr, "{{\"event\": \"{}\", \"tray\": {}{}}}\n", to_string(event.kind), event.tray + 1, copy);
+}
+
 void ProgressDisplay::draw(const Progress& progress, double left) {
     const int filled = static_cast<int>(progress.work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');

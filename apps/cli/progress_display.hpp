@@ -18,6 +18,8 @@ class ProgressDisplay : public Listener {
   public:
     explicit ProgressDisplay(ProgressStyle style);
 
+    /// Lines of JSON only.
+    void on_event(const Event& event) override;
     void on_progress(const Progress& progress) override;
     void on_warning(const std::string& message) override;
 

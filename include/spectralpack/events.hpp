@@ -11,6 +11,8 @@
 
 namespace spectralpack {
 
+struct Scene;
+
 enum class Phase { load, voxelize, search, disassemble, reinsert, check, render, write };
 
 struct Progress {
@@ -52,6 +54,9 @@ class Listener {
     virtual ~Listener() = default;
     virtual void on_event(const Event&) {}
     virtual void on_progress(const Progress&) {}
+    /// The trays that are finished, as a packing of their own, each time that another is begun. What is not in them is
+    /// among its left over as not tried.
+    virtual void on_trays(const Scene&) {}
     /// Something the user should know that stops nothing; once for each cause, naming the parts it is so of.
     virtual void on_warning(const std::string&) {}
 };

@@ -59,6 +59,10 @@ const char* output_endings();
 /// named, which shows all side by side. Returns what was written.
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads);
 
+/// The file of one tray (from 0) of several, as write_output() names it; a .json holds all trays of the scene. For
+/// trays that are finished while others are still packed. Returns what was written.
+std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads);
+
 /// Endings that write_report() knows: .html .csv.
 bool is_report_file(const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 #include "spectralpack/events.hpp"
 #include "spectralpack/grid.hpp"
 #include "spectralpack/job.hpp"
+#include "spectralpack/journal.hpp"
 #include "spectralpack/options.hpp"
 #include "spectralpack/packing.hpp"
 #include "spectralpack/printers.hpp"
@@ -23,6 +24,7 @@ struct PackResult {
     std::vector<InputError> unusable;       ///< inputs that could not be used; the rest was packed
     StopReason stopped = StopReason::none;  ///< ended early: `packing` is the best so far
     std::optional<Error> failure;           ///< ran out of memory or engines disagreed; `packing` is what was done
+    std::optional<JournalUse> journal;      ///< where one was kept
 };
 
 /// What a run would take, known before it starts.
@@ -46,8 +48,9 @@ struct Estimate {
 /// Inputs that cannot be used are reported and the rest is packed. Throws UsageError for options that make no
 /// sense or are not built, ResourceError when the memory plan does not fit (with the bytes needed and the voxel
 /// size that would fit), InputError when nothing at all is usable, for a container or keep-out mesh that cannot be one
-/// and for fixed copies that overlap or stick out.
-PackResult pack(const Job& job, const Control& control = {});
+/// and for fixed copies that overlap or stick out, and as Resume::must says. A packing that goes on from a journal is
+/// judged by check() before it is returned.
+PackResult pack(const Job& job, const Control& control = {}, const JournalOptions& journal = {});
 
 /// Loads the inputs and plans, without packing; of `control` only the listener counts. Throws as pack() does, but not
 /// for memory.

@@ -9,6 +9,7 @@
 
 #include "spectralpack/check.hpp"
 #include "spectralpack/files.hpp"
+#include "spectralpack/journal.hpp"
 #include "spectralpack/names.hpp"
 #include "spectralpack/option_table.hpp"
 #include "spectralpack/pack.hpp"

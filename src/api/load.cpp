@@ -1,11 +1,7 @@
 #include "api/load.hpp"
 
-#define XXH_INLINE_ALL
-#include <xxhash.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -15,7 +11,6 @@
 #include "core/remarks.hpp"
 #include "formats/mesh_reader.hpp"
 #include "model/part_names.hpp"
-#include "spectralpack/option_table.hpp"
 
 namespace spectralpack {
 namespace {
@@ -88,97 +83,6 @@ void tell_remarks(const std::vector<const Part*>& inputs, const std::vector<Inpu
     for (const std::string& text : remarks.texts()) {
         listener.on_warning(text);
     }
-}
-
-class Hash {
-  public:
-    Hash() : state_(XXH3_createState()) { XXH3_128bits_reset(state_); }
-    ~Hash() { XXH3_freeState(state_); }
-    Hash(const Hash&) = delete;
-    Hash& operator=(const Hash&) = delete;
-
-    template <class T>
-    void add(const T& value) {
-        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
-        XXH3_128bits_update(state_, &value, sizeof value);
-    }
-    void add(const std::string& text) {
-        add(text.size());
-        XXH3_128bits_update(state_, text.data(), text.size());
-    }
-    void add(const Mesh& mesh) {
-        add(mesh.vertices.size());
-        XXH3_128bits_update(state_, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vec3));
-        add(mesh.triangles.size());
-        XXH3_128bits_update(state_, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
-    }
-    void add(const Vec3& v) {
-        add(v.x);
-        add(v.y);
-        add(v.z);
-    }
-    void add(const Transform& transform) {
-        for (const Vec3& row : transform.linear.rows) {
-            add(row);
-        }
-        add(transform.translation);
-    }
-    void add(const PartOrientations& orientations) {
-        add(orientations.kind);
-        add(orientations.yaw.value_or(-1));
-        for (const SignedAxis& axis : orientations.up) {
-            add(axis.axis);
-            add(axis.positive);
-        }
-        for (const Mat3& matrix : orientations.matrices) {
-            XXH3_128bits_update(state_, &matrix, sizeof matrix);
-        }
-    }
-    /// In the bytes of the fields of PackOptions, an enum's being its position; -1 for none.
-    void add(const Option& option, const OptionValue& value) {
-        const bool none = std::holds_alternative<std::monostate>(value);
-        switch (option.type) {
-            case OptionType::flag:
-                return add(std::get<bool>(value));
-            case OptionType::integer:
-                return add(static_cast<int>(std::get<std::int64_t>(value)));
-            case OptionType::natural:
-                return add(std::get<std::uint64_t>(value));
-            case OptionType::number:
-                return add(none ? -1 : std::get<double>(value));
-            case OptionType::size:
-                return add(std::get<Vec3>(value));
-            case OptionType::word: {
-                const auto word =
-                    none ? option.words.end() : std::ranges::find(option.words, std::get<std::string>(value));
-                return add(none ? -1 : static_cast<int>(word - option.words.begin()));
-            }
-            case OptionType::rotations:
-                return add(std::get<std::string>(value));
-            default:
-                throw InternalError("the input hash holds no option like --" + std::string(option.name));
-        }
-    }
-    std::string hex() const {
-        const XXH128_hash_t hash = XXH3_128bits_digest(state_);
-        char text[33];
-        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                      static_cast<unsigned long long>(hash.low64));
-        return text;
-    }
-
-  private:
-    XXH3_state_t* state_;
-};
-
-/// Those that placements depend on.
-std::vector<const Option*> hashed_options() {
-    std::vector<const Option*> options;
-    for (const Option& option : option_table()) {
-        if (option.hash_place > 0) options.push_back(&option);
-    }
-    std::ranges::sort(options, {}, &Option::hash_place);
-    return options;
 }
 
 }  // namespace
@@ -282,41 +186,6 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
                              ": nothing that was named can be used)");
     }
     return result;
-}
-
-std::string input_hash(const LoadedJob& loaded, const Container& container, const PackOptions& options) {
-    Hash hash;
-    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
-        const PackedPart& part = loaded.parts[i];
-        if (!loaded.meshes[i]) continue;
-        hash.add(*loaded.meshes[i]);
-        hash.add(part.count);
-        hash.add(part.to_mm());
-        hash.add(part.gap);
-        hash.add(part.priority);
-        hash.add(part.due);
-        hash.add(part.orientations);
-    }
-    for (const FixedPlacement& fixed : loaded.fixed) {
-        hash.add(fixed.tray);
-        hash.add(fixed.placement.part);
-        hash.add(fixed.placement.transform);
-    }
-    hash.add(container.mesh.has_value());
-    if (container.mesh) hash.add(*container.mesh->surface);
-    for (const KeepOut& keep_out : container.keep_out) {
-        hash.add(keep_out.box.min);
-        hash.add(keep_out.box.max);
-        if (keep_out.mesh) hash.add(*keep_out.mesh->surface);
-    }
-    hash.add(container.physical);
-    PackOptions decisive = options;
-    if (options.trays == 1) decisive.try_per_tray = 0;
-    if (options.order != Order::random && options.restarts == 1) decisive.seed = 0;
-    for (const Option* option : hashed_options()) {
-        hash.add(*option, option->in_pack.get(decisive));
-    }
-    return hash.hex();
 }
 
 }  // namespace spectralpack

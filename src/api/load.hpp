@@ -34,7 +34,4 @@ inline int copies_to_pack(const LoadedJob& loaded, std::size_t part) {
     return part < loaded.fixed_parts ? 0 : loaded.parts[part].count;
 }
 
-/// Hash of all that placements depend on: meshes, counts, scales, container and options. 32 hexadecimal digits.
-std::string input_hash(const LoadedJob& loaded, const Container& container, const PackOptions& options);
-
 }  // namespace spectralpack

@@ -8,6 +8,8 @@
 #include "api/check_together.hpp"
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/input_hash.hpp"
+#include "api/journal/run_journal.hpp"
 #include "api/keep_outs.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
@@ -21,6 +23,7 @@
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
 #include "search/verifying_search.hpp"
+#include "verify/check.hpp"
 
 namespace spectralpack {
 namespace {
@@ -28,8 +31,13 @@ namespace {
 /// One run of pack(): puts together what is loaded, planned, searched with, packed by a strategy and recorded.
 class JobRun {
   public:
-    JobRun(const Job& job, Listener& listener, const StopToken& stop)
-        : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads) {}
+    JobRun(const Job& job, const JournalOptions& journal, Listener& listener, const StopToken& stop)
+        : job_(job),
+          options_(job.options),
+          journal_options_(journal),
+          listener_(listener),
+          stop_(stop),
+          workers_(job.options.threads) {}
 
     PackResult run() {
         const Stopwatch watch;
@@ -47,6 +55,10 @@ class JobRun {
         }
         warn_of_orientations(plan_, options_, listener_);
         PackingJob packing = packing_job({loaded_, plan_, container_, options_}, listener_, workers_);
+        if (!journal_options_.file.empty()) {
+            journal_ =
+                std::make_unique<RunJournal>(journal_options_, input_facts(loaded_, container_, options_), listener_);
+        }
         PackResult result;
         seconds_.load = watch.seconds();
 
@@ -64,9 +76,11 @@ class JobRun {
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();
-        result.packing = packing_of({loaded_, container_, options_, plan_, job_.defaults, trays, packed.base, seconds_,
-                                     verified_, packed.orders},
-                                    workers_);
+        result.packing = recorded(trays, packed);
+        if (journal_) {
+            result.journal = journal_->use();
+            check_what_was_recalled(result);
+        }
         result.packing.metrics.seconds.total = watch.seconds();
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);
@@ -84,6 +98,22 @@ class JobRun {
         require_sound(loaded_, container_, options_, workers_, listener_, stop_);
     }
 
+    Packing recorded(const TraysResult& trays, const PackedJob& packed) const {
+        return packing_of({loaded_, container_, options_, plan_, job_.defaults, trays, packed.base, seconds_, verified_,
+                           packed.orders},
+                          workers_);
+    }
+
+    /// A journal is believed as far as its checksums go, its packing only once it has been judged.
+    void check_what_was_recalled(PackResult& result) {
+        if (result.journal->recalled == 0 || result.failure) return;
+        const CheckReport report = check_packing(result.packing, loaded_.meshes, workers_, listener_, {});
+        if (report.ok()) return;
+        result.failure =
+            InternalError("the packing that goes on from " + result.journal->file.string() +
+                          " is not sound: " + report.findings.front().message + "; --no-resume begins anew");
+    }
+
     void search(PackingJob& job, PackedJob& packed) {
         std::unique_ptr<PlacementSearch> engine = make_engine(plan_.engine, plan_.cache, workers_);
         const VerifyingSearch* verifying = nullptr;
@@ -97,7 +127,10 @@ class JobRun {
         }
         const Stopwatch watch;
         if (verifying) job.verified = [verifying] { return verifying->verified(); };
-        TraysPacker packer(job, *engine, workers_);
+        TraysPacker packer(job, *engine, workers_, journal_.get());
+        packer.tell_of_trays([&](const TraysResult& trays) {
+            listener_.on_trays({recorded(trays, packed), loaded_.meshes});
+        });
         const auto finish = [&] {
             seconds_.voxelize = packer.seconds().voxelize;
             seconds_.refine = packer.seconds().refine;
@@ -134,6 +167,8 @@ class JobRun {
 
     const Job& job_;
     PackOptions options_;  // as used: with the size of a container mesh
+    const JournalOptions& journal_options_;
+    std::unique_ptr<RunJournal> journal_;  // null: none is kept
     Container container_;
     Listener& listener_;
     StopToken stop_;
@@ -146,9 +181,9 @@ class JobRun {
 
 }  // namespace
 
-PackResult pack(const Job& job, const Control& control) {
+PackResult pack(const Job& job, const Control& control, const JournalOptions& journal) {
     Listener quiet;
-    return JobRun(job, control.listener ? *control.listener : quiet, control.stop).run();
+    return JobRun(job, journal, control.listener ? *control.listener : quiet, control.stop).run();
 }
 
 }  // namespace spectralpack

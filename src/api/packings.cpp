@@ -125,6 +125,18 @@ std::filesystem::path tray_file(std::filesystem::path path, std::size_t tray) {
 
 }  // namespace
 
+std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads) {
+    if (ending_of(path) == ".json") {
+        write_one(scene, path, 1, threads);
+        return path;
+    }
+    Scene single = scene;
+    single.packing.trays = {scene.packing.trays[tray]};
+    const std::filesystem::path file = tray_file(path, tray);
+    write_one(single, file, tray + 1, threads);
+    return file;
+}
+
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
     write_one(scene, path, 1, threads);
     std::vector<std::filesystem::path> written{path};

@@ -7,6 +7,7 @@
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/input_hash.hpp"
 #include "api/machine.hpp"
 #include "packing/tray/measure.hpp"
 #include "spectralpack/names.hpp"

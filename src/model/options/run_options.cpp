@@ -118,6 +118,25 @@ std::vector<Option> program_options() {
                  "such a file are known as well.",
          .examples = {"bureau.json"}},
         {.name = "no-config", .group = Group::result, .line = "use no file of settings"},
+        {.name = "journal",
+         .group = Group::result,
+         .type = Type::file,
+         .placeholder = "FILE",
+         .line = "keep what is decided in FILE, so that a run that is cut off can go on",
+         .help = "By default a run of more than ten seconds keeps one beside the first output: build.3mf.journal for "
+                 "build.3mf. The same command finds it and goes on from there; it ends with the same packing. It is "
+                 "removed once the outputs are written, and stays where a signal ended the run.",
+         .default_means = "beside the first -o",
+         .examples = {"night.journal"}},
+        {.name = "resume",
+         .group = Group::result,
+         .type = Type::file,
+         .placeholder = "FILE",
+         .line = "go on from this journal, and from no other",
+         .help = "Refused where it is not there, or of another job: parts, options that decide what comes out, or "
+                 "program.",
+         .examples = {"build.3mf.journal"}},
+        {.name = "no-resume", .group = Group::result, .line = "begin anew, whatever journal is there"},
         kept_in<&JobSettings::dry_run>(
             {.name = "dry-run",
              .group = Group::packing,

@@ -84,6 +84,33 @@ class Untangling {
 
     /// Plans, and takes out what is in the way of that. Returns it, in the order in which it was placed.
     std::vector<PlacedCopy> disassemble() {
+        std::optional<TakenApart> known;
+        if (context_.decisions) known = context_.decisions->recall_taken_apart();
+        TakenApart apart = known ? std::move(*known) : take_apart();
+        if (context_.decisions && !known && !context_.stop.stopped()) context_.decisions->keep(apart);
+        result_.report.counts = apart.counts;
+        result_.plan = std::move(apart.plan);
+        std::vector<PlacedCopy> kept, out;
+        auto next_out = apart.out.begin();
+        for (std::size_t i = 0; i < placed_.size(); ++i) {
+            const bool is_out = next_out != apart.out.end() && static_cast<std::size_t>(*next_out) == i;
+            if (!is_out) {
+                kept.push_back(placed_[i]);
+                continue;
+            }
+            ++next_out;
+            freed_.push_back(tray_.object(placed_[i].object).box());
+            remove_from_tray(placed_[i]);
+            out.push_back(placed_[i]);
+        }
+        placed_ = std::move(kept);
+        for (const PlacedCopy& placed : out) {
+            if (context_.observer) context_.observer->copy_taken_out(placed);
+        }
+        return out;
+    }
+
+    TakenApart take_apart() {
         std::vector<Body> bodies = bodies_.placed();
         const std::size_t movable = bodies.size();
         bodies_.add_what_stays(bodies);
@@ -103,28 +130,22 @@ class Untangling {
         }
         PlanRepair plan(bodies_.disassembly(), bodies, disassembler.steps(), std::move(discarded_after));
         let_back(plan, bodies);
-        result_.report.counts = disassembler.counts();
-        result_.report.counts.fills += plan.fills();
-        result_.plan.complete = disassembler.standing() == 0;
-        std::vector<PlacedCopy> kept, out;
+        TakenApart apart;
+        apart.counts = disassembler.counts();
+        apart.counts.fills += plan.fills();
+        apart.plan.complete = disassembler.standing() == 0;
         std::vector<int> renumbered(bodies.size(), -1);
+        int kept = 0;
         for (std::size_t i = 0; i < movable; ++i) {
             if (plan.out(static_cast<int>(i))) {
-                ++result_.report.counts.removed;
-                freed_.push_back(tray_.object(placed_[i].object).box());
-                remove_from_tray(placed_[i]);
-                out.push_back(placed_[i]);
+                apart.out.push_back(static_cast<int>(i));
             } else {
-                renumbered[i] = static_cast<int>(kept.size());
-                kept.push_back(placed_[i]);
+                renumbered[i] = kept++;
             }
         }
-        result_.plan.steps = remaining_steps(plan.steps(), renumbered, bodies.size() - movable);
-        placed_ = std::move(kept);
-        for (const PlacedCopy& placed : out) {
-            if (context_.observer) context_.observer->copy_taken_out(placed);
-        }
-        return out;
+        apart.counts.removed += static_cast<int>(apart.out.size());
+        apart.plan.steps = remaining_steps(plan.steps(), renumbered, bodies.size() - movable);
+        return apart;
     }
 
     /// Lets stand what may after all of what was taken out, the heaviest first.

@@ -2,11 +2,11 @@
 /// Makes a packed tray one that comes apart (section 4): plans its disassembly, takes out what is interlocked, and puts
 /// that back where it can be taken out again.
 
-#include <optional>
 #include <vector>
 
 #include "disassembly/disassembler.hpp"
 #include "packing/interlocking/placed_bodies.hpp"
+#include "packing/tray/filled_tray.hpp"
 #include "spectralpack/disassembly.hpp"
 #include "spectralpack/options.hpp"
 
@@ -24,15 +24,6 @@ struct UntangleOptions : BodyOptions {
     /// Told how many copies are still to be tried, while letting them back where they stood, then anew while putting
     /// them back elsewhere.
     Disassembler::Left to_put_back;
-};
-
-/// What was done about interlocking, for the record.
-struct InterlockReport {
-    InterlockCounts counts;
-    bool changed = false;             ///< copies were removed, or all packed anew
-    std::optional<double> least_gap;  ///< between two copies, mm, in the end; where changed and asked for
-    double disassemble_seconds = 0;
-    double reinsert_seconds = 0;  ///< without making voxels
 };
 
 struct Untangled {

@@ -12,6 +12,7 @@
 #include "packing/interlocking/reachable_search.hpp"
 #include "packing/off_grid/fill_up.hpp"
 #include "packing/tray/measure.hpp"
+#include "packing/tray/open_height.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -78,8 +79,52 @@ Vec3 TrayFiller::room_for_moves(const TrayCopies& wanted) const {
     return wanted.within ? *wanted.within + Vec3{wall, wall, wall} : options_.container.size;
 }
 
+/// Stands in the tray what a run before had packed. The context's observer is told of it.
+void TrayFiller::stand_again(const PackedTray& known, Tray& tray, const TrayContext& context, Refinement* refinement,
+                             FilledTray& result) const {
+    if (tray.extent().z < known.layers) tray = grown(tray, known.layers);
+    static_cast<GreedyResult&>(result) = known.result;
+    std::vector<Copy> copies;
+    for (const PlacedCopy& placed : result.placed) {
+        copies.push_back(placed.copy);
+    }
+    if (!refinement) context.shapes.start_tray(copies);
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        PlacedCopy& placed = result.placed[i];
+        const auto& [part, number] = placed.copy;
+        if (refinement) {
+            const std::vector<double>& gaps = tray.setup().gap_classes;
+            const auto gap_class = std::ranges::find(gaps, part_of_(part).gap) - gaps.begin();
+            placed.object = tray.add(
+                refinement->stand_at(placed.copy, placed.orientation, placed.offset, static_cast<int>(gap_class))
+                    .object);
+        } else {
+            const Shape& shape = context.shapes.at(i);
+            const auto oriented =
+                std::ranges::find(shape.orientations, placed.orientation, &OrientedShape::orientation);
+            BestPlacement place;
+            place.index = static_cast<int>(oriented - shape.orientations.begin());
+            place.position = placed.position;
+            placed.object =
+                tray.add(settle_on_grid(shape, place, tray.voxel_size(), tray.detail(), options_.wall_gap).object);
+            context.shapes.release(i, true);
+        }
+        if (Caps* caps = context.limits.caps) caps->add(part, placed.orientation, placed.offset);
+        if (context.observer) context.observer->copy_placed(placed);
+    }
+}
+
 template <class Pack, class FillUp>
-void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up) {
+bool TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up) {
+    Decisions* const decisions = context_.decisions;
+    if (decisions) {
+        decisions->begin_filling();
+        if (std::optional<FilledTray> known = decisions->recall_filled()) {
+            result = std::move(*known);
+            if (context_.observer) tell_anew(*context_.observer, wanted.number, result.placed);
+            return false;
+        }
+    }
     TraySetup setup = options_.tray;
     setup.size = wanted.within.value_or(setup.size);
     Tray tray(setup);
@@ -111,7 +156,12 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     double refining = 0;
     const Settle settle = [&](const Copy& copy, const Shape& shape, const BestPlacement& best) {
         if (!refinement) return settle_on_grid(shape, best, dx, detail, options_.wall_gap);
-        Settled settled = refinement->settle(copy, shape, best);
+        std::optional<SettledCopy> known;
+        if (decisions) known = decisions->recall_settled(copy);
+        const int orientation = shape.orientations[static_cast<std::size_t>(best.index)].orientation;
+        Settled settled = known ? refinement->stand_at(copy, orientation, known->offset, shape.gap_class)
+                                : refinement->settle(copy, shape, best);
+        if (decisions && !known) decisions->keep(SettledCopy{copy, settled.offset});
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
         return settled;
     };
@@ -123,7 +173,7 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     model.height_at = wanted.height_at.value_or(model.height_at);
     result.height_at = model.height_at;
     const auto with = [&](PlacementSearch& asked) {
-        return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer},
+        return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer, decisions},
                            wanted.number,
                            model,
                            {caps ? &*caps : nullptr, options_.most_layers, wanted.give_up_after},
@@ -131,15 +181,22 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     };
     if (context_.observer) context_.observer->tray_begun(wanted.number);
     const TrayContext packing = with(search);
-    pack(tray, packing);
+    std::optional<PackedTray> packed;
+    if (decisions) packed = decisions->recall_packed();
+    if (packed) {
+        stand_again(*packed, tray, packing, refinement.get(), result);
+    } else {
+        pack(tray, packing);
+    }
     // Off the grid nothing tells of places that can be reached now. On part of the base what is left over says that
     // this part is too small.
-    if (refinement && tray.setup().ceiling == Ceiling::closed && options_.interlock != Interlock::place &&
+    if (!packed && refinement && tray.setup().ceiling == Ceiling::closed && options_.interlock != Interlock::place &&
         !wanted.within) {
         OffGrid off_grid(options_.container, options_.wall_gap, tray, packing, *refinement, surfaces);
         fill_up(tray, packing, off_grid, surfaces);
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
     }
+    if (decisions && !packed && !context_.stop.stopped()) decisions->keep(PackedTray{tray.extent().z, result});
     if (options_.interlock != Interlock::off) {
         search.forget();  // planning takes memory of its own
         UntangleOptions options = untangle_options(wanted, result);
@@ -148,6 +205,8 @@ void TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
         make_removable(tray, with(context_.search), options, result);
     }
     if (refinement) result.least_gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
+    if (decisions && !context_.stop.stopped()) decisions->keep(result);
+    return true;
 }
 
 UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const FilledTray& result) {
@@ -180,10 +239,10 @@ void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const Un
 }
 
 void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result) {
-    context_.shapes.start_tray(wanted.copies);
-    fill_one(
+    const bool packed = fill_one(
         wanted, result,
         [&](Tray& tray, const TrayContext& context) {
+            context.shapes.start_tray(wanted.copies);
             if (options_.beam) {
                 pack_in_beam(tray, *options_.beam, context, wanted.copies, copy_done, result);
             } else {
@@ -193,6 +252,7 @@ void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, Fille
         [&](Tray& tray, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
             fill_up(off_grid, surfaces, tray, context, wanted.copies, result);
         });
+    if (!packed) copy_done(wanted.copies.size());
     if (context_.observer) context_.observer->tray_finished();
 }
 
@@ -202,16 +262,17 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Firs
     for (const PartShare& share : shares) {
         copies.push_back({share.part, 0});
     }
-    context_.shapes.start_tray(copies);
-    fill_one(
+    const bool packed = fill_one(
         {}, result,
         [&](Tray& tray, const TrayContext& context) {
+            context.shapes.start_tray(copies);
             pack_in_shares(tray, context, shares, first, copy_done, result);
         },
         [&](Tray&, const TrayContext& context, OffGrid& off_grid, PartSurfaces& surfaces) {
             fill_up_in_shares(off_grid, surfaces, context, shares, result);
             copy_done(result.placed.size());
         });
+    if (!packed) copy_done(result.placed.size());
 }
 
 /// The part that has least of its share, where it is a whole round behind some other; and so many of it as there would

@@ -11,6 +11,7 @@
 #include "packing/interlocking/unlinked_search.hpp"
 #include "packing/interlocking/untangle.hpp"
 #include "packing/order/beam.hpp"
+#include "packing/tray/filled_tray.hpp"
 #include "packing/tray/greedy.hpp"
 #include "packing/tray/refinement.hpp"
 #include "spectralpack/packing.hpp"
@@ -48,16 +49,6 @@ struct TrayCopies {
     std::optional<Vec3> within = {};
 };
 
-/// What became of one tray.
-struct FilledTray : GreedyResult {
-    std::vector<Copy> interlocked;    ///< taken out again: they could not be taken out of the finished packing
-    std::optional<Disassembly> plan;  ///< by index into `placed`; none where interlocking was not looked at
-    InterlockReport report;
-    HeightAt height_at = HeightAt::bottom;  ///< where it counted
-    /// Least distance between two copies, mm, as refined; none without refinement or with fewer than two.
-    std::optional<double> least_gap;
-};
-
 class TrayFiller {
   public:
     /// `part_of`: the meshes that are moved.
@@ -84,9 +75,12 @@ class TrayFiller {
   private:
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
     /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it
-    /// off the grid; then makes what they packed come apart.
+    /// off the grid; then makes what they packed come apart. Where a run before did so, its decisions take the place of
+    /// these steps; false where that was all of them.
     template <class Pack, class FillUp>
-    void fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
+    bool fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
+    void stand_again(const PackedTray& known, Tray& tray, const TrayContext& context, Refinement* refinement,
+                     FilledTray& result) const;
 
     void fill_in_shares(const std::vector<PartShare>& shares, const FirstCopies& first, const CopyDone& copy_done,
                         FilledTray& result);

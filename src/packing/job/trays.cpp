@@ -32,13 +32,15 @@ std::optional<double> TraysResult::least_gap() const {
 }
 
 void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
-                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result) {
+                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result,
+                const std::function<void()>& next_tray) {
     const StopToken& stop = filler.context().stop;
     const bool several = limit.trays != 1;
     std::vector<Copy> remaining = copies;
     bool stopped = false;
     do {
         const auto index = result.trays.size();
+        if (next_tray && index > 0) next_tray();
         const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
         const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0, {}};
         FilledTray& tray = result.trays.emplace_back();

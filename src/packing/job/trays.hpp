@@ -52,9 +52,11 @@ using TrayCopyDone = std::function<void(const FilledTray& tray, std::size_t copi
 /// tried in the next. Ends when all are placed, the limit is reached or, where several trays are allowed, a tray
 /// without fixed copies stays empty. `result` is filled as it goes, so that it holds what was done when an exception
 /// leaves this function.
-/// `choice` (null: height counts where the filler's model says) fills a tray as fill_by_choice() does.
+/// `choice` (null: height counts where the filler's model says) fills a tray as fill_by_choice() does. `next_tray` is
+/// called before each tray but the first.
 void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
-                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result);
+                const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result,
+                const std::function<void()>& next_tray = {});
 
 /// Tells of a packing that is done: tray by tray, each copy where it stands. `told`: so many trays have been told of
 /// before; those that are not among the result's are empty now.

@@ -121,8 +121,13 @@ class SearchProgress {
 
 }  // namespace
 
-TraysPacker::TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers)
-    : job_(job), engine_(engine), workers_(workers), shape_ids_(shape_ids_of(job.parts)), kept_(job.parts.size()) {}
+TraysPacker::TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers, Decisions* decisions)
+    : job_(job),
+      engine_(engine),
+      workers_(workers),
+      shape_ids_(shape_ids_of(job.parts)),
+      kept_(job.parts.size()),
+      decisions_(decisions) {}
 
 std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int count, const TraySetup& tray, const Workers& workers) {
     const auto i = static_cast<std::size_t>(part);
@@ -145,7 +150,7 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
             return shape_of(part, counts[static_cast<std::size_t>(part)], pass.fill.tray, workers);
         },
         workers_, job_.keep, job_.ahead);
-    TrayFiller filler(pass.fill, {engine_, shapes, workers_, pass.stop, pass.observer},
+    TrayFiller filler(pass.fill, {engine_, shapes, workers_, pass.stop, pass.observer, decisions_},
                       [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); });
     TraysLimit limit = job_.limit;
     if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
@@ -166,7 +171,10 @@ void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
         } else {
             std::optional<HeightChoice> choice;
             if (job_.choose_heights) choice = choose_heights(job_, pass.fill);
-            fill_trays(pass.copies, limit, filler, choice ? &*choice : nullptr, copy_done, result);
+            const auto next_tray = [&] {
+                if (trays_told_ && pass.observer) trays_told_(result);
+            };
+            fill_trays(pass.copies, limit, filler, choice ? &*choice : nullptr, copy_done, result, next_tray);
         }
     } catch (...) {
         note();

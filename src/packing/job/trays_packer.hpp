@@ -24,14 +24,17 @@ struct PackingPass {
 
 class TraysPacker {
   public:
-    /// `job` and `engine`, which answers all that is asked, outlive it.
-    TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers);
+    /// `job` and `engine`, which answers all that is asked, outlive it, and so do `decisions` (null: none).
+    TraysPacker(const PackingJob& job, PlacementSearch& engine, const Workers& workers, Decisions* decisions = nullptr);
 
     const PackingJob& job() const { return job_; }
     const Workers& workers() const { return workers_; }
 
     /// `result` is filled as it goes, so that it holds what was done when an exception leaves this function.
     void pack(const PackingPass& pass, TraysResult& result);
+
+    /// From now on `told` gets the trays that are finished each time that another is begun, in passes with an observer.
+    void tell_of_trays(std::function<void(const TraysResult&)> told) { trays_told_ = std::move(told); }
 
     /// From now on the voxels of all parts are held from one packing to the next.
     void keep_shapes() { keeps_shapes_ = true; }
@@ -52,6 +55,8 @@ class TraysPacker {
     std::vector<std::uint64_t> shape_ids_;            // by part
     std::vector<std::shared_ptr<const Shape>> kept_;  // by part
     bool keeps_shapes_ = false;
+    Decisions* decisions_;
+    std::function<void(const TraysResult&)> trays_told_;
     Seconds seconds_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/parallel.hpp"
 #include "packing/tray/caps.hpp"
+#include "packing/tray/decisions.hpp"
 #include "packing/tray/shape_store.hpp"
 #include "packing/tray/tray_observer.hpp"
 #include "search/placement_search.hpp"
@@ -17,6 +18,7 @@ struct PackContext {
     Workers workers;
     StopToken stop = {};
     TrayObserver* observer = nullptr;  ///< null: nobody is told
+    Decisions* decisions = nullptr;    ///< null: none are known, and nobody keeps them
 };
 
 /// What else decides whether a copy is placed.

@@ -69,8 +69,10 @@ class Placer {
 
 }  // namespace
 
-SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
-                        const Shape& shape) {
+namespace {
+
+SearchResult search_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                          const Shape& shape) {
     Caps* const caps = context.limits.caps;
     for (;;) {
         CostModel allowed = context.model;
@@ -82,6 +84,20 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& 
         if (!found.best && tray.extent().z >= enough) return found;
         grow(tray, enough, context.limits.most_layers);
     }
+}
+
+}  // namespace
+
+SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
+                        const Shape& shape) {
+    if (!context.decisions) return search_place(tray, search, context, copy, shape);
+    if (const std::optional<FoundPlace> known = context.decisions->recall_place(copy)) {
+        if (tray.extent().z < known->layers) tray = grown(tray, known->layers);
+        return {known->best, false};
+    }
+    SearchResult found = search_place(tray, search, context, copy, shape);
+    if (!found.stopped) context.decisions->keep(FoundPlace{copy, tray.extent().z, found.best});
+    return found;
 }
 
 void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,

@@ -1,26 +1,17 @@
 #pragma once
 /// Greedy packing (Algorithm 2): copies in order, each at its best placement among those already placed.
 
-#include <cstdint>
+#include <cstddef>
 #include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
 #include "packing/tray/context.hpp"
+#include "packing/tray/filled_tray.hpp"
 
 namespace spectralpack {
 
 /// Called after each copy with how many are done.
 using CopyDone = std::function<void(std::size_t copies_done)>;
-
-struct GreedyResult {
-    std::vector<PlacedCopy> placed;  ///< in the order placed
-    std::vector<Copy> left_over;     ///< no free candidate was left for them, in the order tried
-    std::vector<Copy> untried;       ///< the stop token came first
-    std::int64_t searches = 0;       ///< copies really searched for
-    std::map<int, std::string> why;  ///< by part, of what a cap left over
-};
 
 /// The best placement that `search` finds for `shape`, of `copy`, within the limits. Under an open ceiling `tray` is
 /// replaced by a higher one while a place above its grid could be the best (packing/tray/open_height.hpp); throws

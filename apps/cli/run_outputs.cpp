@@ -1,0 +1,91 @@
+#include "run_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <ctime>
+#include <system_error>
+
+namespace spectralpack::cli {
+namespace {
+
+/// "28 Nov 2026", where the program runs.
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    if (!localtime_r(&now, &local)) return "";
+    static constexpr const char* kMonths[] = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                              "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+    return fmt::format("{} {} {}", local.tm_mday, kMonths[local.tm_mon], local.tm_year + 1900);
+}
+
+}  // namespace
+
+ReportDetails RunOutputs::report_details() const {
+    ReportDetails details;
+    details.job_name = settings_.job_name.value_or(std::filesystem::path(settings_.file).stem().string());
+    details.date = today();
+    details.material = settings_.material.value_or("");
+    details.material_density = settings_.material_density;
+    return details;
+}
+
+/// False where it failed, which is told.
+template <class Write>
+bool RunOutputs::attempt(const Write& write) {
+    try {
+        write();
+        return true;
+    } catch (const Error& error) {
+        display_.on_error(error.what());
+        return false;
+    }
+}
+
+void RunOutputs::write_trays(const Scene& finished) {
+    for (; trays_ < finished.packing.trays.size(); ++trays_) {
+        for (const std::string& output : settings_.outputs) {
+            attempt([&] { of_trays_.insert(write_tray(finished, trays_, output, settings_.options.threads)); });
+        }
+    }
+}
+
+bool RunOutputs::write(const Scene& scene, RunFacts& facts) {
+    bool all = true;
+    std::int64_t done = 0;
+    const auto total = static_cast<std::int64_t>(settings_.outputs.size() + settings_.reports.size());
+    const int threads = settings_.options.threads;
+    const auto tell = [&] {
+        ++done;
+        display_.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
+    };
+    for (const std::string& output : settings_.outputs) {
+        all &= attempt([&] {
+            WrittenFile written{output, {}};
+            const auto files = write_output(scene, output, threads);
+            for (std::size_t i = 1; i < files.size(); ++i) {
+                written.trays.push_back(files[i].string());
+            }
+            for (const std::filesystem::path& file : files) {
+                of_trays_.erase(file);
+            }
+            facts.written.push_back(std::move(written));
+        });
+        tell();
+    }
+    for (const std::string& report : settings_.reports) {
+        all &= attempt([&] {
+            write_report(scene, report, report_details(), threads);
+            facts.reports.push_back(report);
+        });
+        tell();
+    }
+    if (all) {
+        for (const std::filesystem::path& file : of_trays_) {
+            std::error_code ignored;
+            std::filesystem::remove(file, ignored);
+        }
+    }
+    return all;
+}
+
+}  // namespace spectralpack::cli
