@@ -266,6 +266,16 @@ TEST(Journal, ThatIsDamagedAnywhere) {
     }
 }
 
+TEST(Journal, WritesOverNoOtherFile) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder / "build.3mf";
+    std::ofstream(file) << "something else";
+    for (const Resume resume : {Resume::if_it_fits, Resume::must, Resume::never}) {
+        EXPECT_THROW(pack(job_of(1, {50, 40, 30}), {}, {file, 0, resume}), InputError);
+    }
+    EXPECT_EQ(test::read_text(file), "something else");
+}
+
 TEST(Journal, ThatCannotBeWrittenEndsNoRun) {
     TellerOfAll teller;
     const PackResult result = pack(job_of(2, {50, 40, 30}), {&teller}, {"/dev/full", 0, Resume::never});

@@ -105,7 +105,7 @@ constexpr const char* kBegun = "begun";
 std::string difference(const std::vector<std::string>& records, const std::vector<InputFact>& facts,
                        std::size_t& decisions) {
     const auto begun = std::ranges::find(records, kBegun);
-    if (records.empty() || !records.front().starts_with(kFormat)) return "it is not a journal";
+    if (records.empty()) return "it is empty";
     if (records.front() != first_record()) {
         int version = 0;
         std::string program;
@@ -135,10 +135,20 @@ std::string difference(const std::vector<std::string>& records, const std::vecto
     return "";
 }
 
+/// A file that is something else is not written over.
+void require_no_other_file(const std::filesystem::path& path) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown) || std::filesystem::file_size(path, unknown) == 0) return;
+    const JournalText text = read_journal(path);
+    if (!text.records.empty() && text.records.front().starts_with(kFormat)) return;
+    throw InputError(path.string(), "", "is there, and is not a journal; it is left as it is");
+}
+
 }  // namespace
 
 RunJournal::RunJournal(const JournalOptions& options, const std::vector<InputFact>& facts, Listener& listener)
     : path_(options.file), listener_(listener) {
+    require_no_other_file(path_);
     std::optional<JournalText> standing;
     if (options.resume != Resume::never) standing = take_what_stands(options.resume, facts);
     file_ = std::make_unique<JournalFile>(path_, options.after, standing ? &*standing : nullptr);
