@@ -27,20 +27,6 @@ using namespace spectralpack::cli;
 
 constexpr std::array kNotBuilt{"serve", "view"};
 
-int status_of(ErrorKind kind) {
-    switch (kind) {
-        case ErrorKind::usage:
-            return kUsage;
-        case ErrorKind::input:
-            return kUnusableInput;
-        case ErrorKind::resource:
-            return kOutOfResources;
-        case ErrorKind::internal:
-            return kCheckFailed;
-    }
-    return kCheckFailed;
-}
-
 int complain(const std::string& message, int status) {
     fmt::print(stderr, "spectralpack: {}\n", message);
     return status;

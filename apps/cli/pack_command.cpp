@@ -182,10 +182,7 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
         display.on_error(result.failure->what());
-        const ErrorKind kind = result.failure->kind();
-        status = kind == ErrorKind::resource ? kOutOfResources
-                 : kind == ErrorKind::input  ? kUnusableInput
-                                             : kCheckFailed;
+        status = status_of(result.failure->kind());
     }
     const Scene scene{result.packing, result.meshes};
     const bool empty = newly_placed(result.packing) == 0;

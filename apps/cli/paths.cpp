@@ -61,8 +61,8 @@ void require_tray_files(const NamedOutput& output, std::int64_t trays, const std
                         const std::vector<std::string>& inputs) {
     if (trays < 2 || !has_tray_files(output.path)) return;
     const auto refuse = [&](const std::string& file, const std::string& why) {
-        throw UsageError(
-            fmt::format("{} {}: {}, which is the name of a tray's own file, {}", output.option, output.path, file, why));
+        throw UsageError(fmt::format("{} {}: {}, which is the name of a tray's own file, {}", output.option,
+                                     output.path, file, why));
     };
     const fs::path place = place_of(output.path);
     for (const NamedOutput& other : outputs) {

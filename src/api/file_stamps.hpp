@@ -22,8 +22,8 @@ class FileStamps {
   public:
     FileStamps() = default;
 
-    /// Remembers size, times and a hash of every mesh file of the job that can be read. To be made before they are read,
-    /// so that no change goes unnoticed.
+    /// Remembers size, times and a hash of every mesh file of the job that can be read. To be made before they are
+    /// read, so that no change goes unnoticed.
     FileStamps(const Job& job, const Workers& workers);
 
     /// Names the files that changed or are gone. Reads only those whose size or times are others.

@@ -86,7 +86,8 @@ int product(int count, int times, const std::string& file, const std::string& pl
 
 double scaled(double scale, double times, const std::string& file, const std::string& place) {
     if (is_scale(scale * times)) return scale * times;
-    throw InputError(file, place, "comes to a scale of " + short_number(scale * times) + ", which must be " + scales_text());
+    throw InputError(file, place,
+                     "comes to a scale of " + short_number(scale * times) + ", which must be " + scales_text());
 }
 
 /// Rows of a set that say the same, but for how many.

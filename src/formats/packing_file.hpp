@@ -3,8 +3,8 @@
 /// all.
 
 #include <filesystem>
-#include <set>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -341,7 +341,7 @@ class PackingReader {
     fs::path folder_;
     Node root_;
     Packing packing_;
-    std::vector<std::string> named_;  ///< by part: its mesh, as the file writes it
+    std::vector<std::string> named_;                              ///< by part: its mesh, as the file writes it
     mutable std::unordered_map<std::string, std::string> paths_;  ///< of meshes, as the file writes them
 };
 
