@@ -63,7 +63,8 @@ TEST_F(InMemory, ManyPartsOfOneMeshArePackedAsOneOfManyCopies) {
             job.parts.push_back({.name = "part " + std::to_string(i), .mesh = mesh, .count = count});
         }
         std::vector<Transform> found;
-        for (const Placement& placement : pack(job).packing.trays.front().placements) {
+        const PackResult result = pack(job);
+        for (const Placement& placement : result.packing.trays.front().placements) {
             found.push_back(placement.transform);
         }
         return found;

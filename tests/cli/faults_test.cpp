@@ -92,8 +92,8 @@ TEST_F(Faults, ASetOrJobThatNamesNoPartSaysSo) {
 }
 
 TEST_F(Faults, ATrayThatStaysEmptyLeavesCopiesOverAndIsNoBadFile) {
-    const std::vector<std::string> call{at("cube.stl"), at("slab.stl"),  "--tray", "60x60x60", "--trays", "2",
-                                        "--keep-out",   "0,0,0,40,60,60"};
+    const std::vector<std::string> call{at("cube.stl"), at("slab.stl@1.3"), "--tray", "60x60x60", "--trays", "2",
+                                        "--keep-out",   "0,0,0,48,60,60"};
     const Ran ran = pack(call);
     EXPECT_EQ(ran.status, 0) << ran.err;
     EXPECT_TRUE(names(ran.err, {"slab", "tray 2"}));
@@ -208,7 +208,8 @@ TEST_F(Faults, WhatCannotBeWrittenIsToldBeforePacking) {
     const std::vector<std::string> before = files();
     expect_refused_before_packing({"-o", at(std::string(252, 'n') + ".stl")}, {"too long"});
     expect_refused_before_packing({"--report", at(std::string(252, 'n') + ".csv")}, {"too long"});
-    expect_refused_before_packing({"-o", at(std::string(250, 'n') + ".stl"), "--trays", "2"}, {"n-2.stl", "too long"});
+    expect_refused_before_packing({"-o", at(std::string(250, 'n') + ".stl"), "--trays", "2"},
+                                  {at(std::string(250, 'n') + "-2.stl"), "too long"});
     expect_refused_before_packing({"-o", at("cube.stl/a.stl")}, {"folder"});
     EXPECT_EQ(files(), before) << "files were left behind";
     const std::string longest = std::string(250, 'n') + ".json";  // 255 bytes
