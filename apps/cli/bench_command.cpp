@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
+#include "number_options.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -104,10 +105,9 @@ Command add_bench_command(CLI::App& app) {
     sub->add_option("--scale", a.scale, "full: the paper's sizes; quick: toys, to see that it works [full]");
     sub->add_option("--sets", a.sets, "folder of set files to use instead of generated ones");
     sub->add_option("--mesh-dir", a.options.mesh_dir, "folder that the paths in those set files start from");
-    sub->add_option("--time-limit", a.options.time_limit,
-                    "seconds for each run; what it has by then counts, marked as cut off")
-        ->check(CLI::PositiveNumber);
-    sub->add_option("--threads", a.threads, "threads of each run, 0 for all [0]");
+    add_number(*sub, "time-limit", "SECONDS", kAboveZero, a.options.time_limit,
+               "seconds for each run; what it has by then counts, marked as cut off");
+    add_threads(*sub, a.threads, "threads of each run, 0 for all [0]");
     sub->add_option(
            "--peer", a.peers,
            "program for table 4, repeatable: NAME=COMMAND for a shell. {set}: the set file; {files}: every copy's\n"

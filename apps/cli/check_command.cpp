@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
+#include "number_options.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
 
@@ -98,7 +99,7 @@ Command add_check_command(CLI::App& app) {
         "the packer. Exit: 0 nothing wrong, 1 a fault, 3 a bad file, 6 nothing is placed.");
     auto arguments = std::make_shared<CheckArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
-    sub->add_option("--threads", arguments->threads, "threads, 0 for all");
+    add_threads(*sub, arguments->threads);
     sub->add_flag("--json", arguments->json, "print the findings as JSON");
     sub->add_flag("--require-plan", arguments->require_plan, "no plan by which every copy comes out is a fault");
     return {sub, [arguments] { return run_check(*arguments); }};

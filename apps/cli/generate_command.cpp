@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "number_options.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
 
@@ -61,8 +62,8 @@ Command add_generate_command(CLI::App& app) {
     GenerateArguments& a = *arguments;
     sub->add_option("SET", a.set, "pieces, mixtures, locks, tori, polyhedra or letters")->required();
     sub->add_option("-o,--output", a.folder, "folder for the STL files and SET.csv")->required();
-    sub->add_option("--seed", a.options.seed, "which set of its kind [0]");
-    sub->add_option("--count", a.options.copies, "copies in all [1446, 286, 468, 48, 80]");
+    add_number(*sub, "seed", "N", kFromZero, a.options.seed, "which set of its kind [0]");
+    add_number(*sub, "count", "N", kFromOne, a.options.copies, "copies in all [1446, 286, 468, 48, 80]");
     return {sub, [arguments] { return run_generate(*arguments); }};
 }
 

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "number_options.hpp"
 #include "passed_over.hpp"
 #include "paths.hpp"
 #include "progress_display.hpp"
@@ -173,7 +174,7 @@ Command add_inspect_command(CLI::App& app) {
     sub->add_option("-o,--output", a.picture, "draw them into this file (.png)");
     sub->add_option("--size", a.size, "pixels of the picture [1600x1200]");
     sub->add_option("--unit", a.unit, "unit of files that do not say: mm, inch, m [mm]");
-    sub->add_option("--threads", a.threads, "threads, 0 for all");
+    add_threads(*sub, a.threads);
     sub->add_flag("--json", a.json, "print the findings as JSON");
     return {sub, [arguments] { return run_inspect(*arguments); }};
 }

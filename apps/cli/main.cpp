@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -15,6 +17,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "misspelt.hpp"
+#include "standard_output.hpp"
 #include "text.hpp"
 
 namespace {
@@ -24,23 +27,20 @@ using namespace spectralpack::cli;
 
 constexpr std::array kNotBuilt{"serve", "view"};
 
-int status_of(ErrorKind kind) {
-    switch (kind) {
-        case ErrorKind::usage:
-            return kUsage;
-        case ErrorKind::input:
-            return kUnusableInput;
-        case ErrorKind::resource:
-            return kOutOfResources;
-        case ErrorKind::internal:
-            return kCheckFailed;
-    }
-    return kCheckFailed;
-}
-
 int complain(const std::string& message, int status) {
     fmt::print(stderr, "spectralpack: {}\n", message);
     return status;
+}
+
+/// "--gap=" would take the next argument for its value.
+void require_values(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (argument == "--") return;
+        if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
+            throw UsageError(fmt::format("{} says no value", printable(argument)));
+        }
+    }
 }
 
 int run(int argc, char** argv) {
@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
     if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
         return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);
     }
+    require_values(argc, argv);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -73,17 +74,28 @@ void use_one_heap() {
 #endif
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    use_one_heap();
+/// The exit status of run(), whose errors become messages.
+int told(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const Error& error) {
         return complain(printable(error.what()), status_of(error.kind()));
     } catch (const std::bad_alloc&) {
         return complain("out of memory", kOutOfResources);
+    } catch (const std::system_error& error) {
+        if (std::ferror(stdout)) return kOutOfResources;  // of which main() tells
+        return complain(printable(error.what()), kOutOfResources);
     } catch (const std::exception& error) {
         return complain(fmt::format("internal error: {}", error.what()), kCheckFailed);
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    hold_standard_streams();
+    use_one_heap();
+    const int status = told(argc, argv);
+    const auto loss = lost_output();
+    return loss ? complain("cannot write standard output: " + *loss, kOutOfResources) : status;
 }

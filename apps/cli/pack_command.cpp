@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -21,6 +22,17 @@
 namespace spectralpack::cli {
 namespace {
 
+std::vector<NamedOutput> outputs_of(const JobSettings& settings) {
+    std::vector<NamedOutput> outputs;
+    for (const std::string& output : settings.outputs) {
+        outputs.push_back({"-o", output});
+    }
+    for (const std::string& report : settings.reports) {
+        outputs.push_back({"--report", report});
+    }
+    return outputs;
+}
+
 void check_files(const JobSettings& settings) {
     for (const std::string& output : settings.outputs) {
         require_output(output);
@@ -31,6 +43,18 @@ void check_files(const JobSettings& settings) {
         }
         require_writable(report, "--report");
     }
+    require_apart(outputs_of(settings));
+}
+
+/// Trays that can come of it.
+std::int64_t most_trays(const Job& job) {
+    std::int64_t copies = 0, before = 0;
+    for (const Part& part : job.parts) {
+        copies += part.count;
+    }
+    if (job.onto) before = static_cast<std::int64_t>(job.onto->packing.trays.size());
+    const std::int64_t trays = job.options.trays > 0 ? std::min<std::int64_t>(job.options.trays, copies) : copies;
+    return std::max(trays, before);
 }
 
 /// Nothing that is read is written over: a part would be lost, or the last build, lying among the parts, packed as one.
@@ -46,12 +70,28 @@ void spare_inputs(const Job& job, const JobSettings& settings, const PackArgumen
     for (const FixedSource& fixed : job.fixed) {
         inputs.push_back(fixed.mesh.file);
     }
+    if (job.onto) {  // the build itself may be replaced by what it is topped up to
+        for (const PackedPart& part : job.onto->packing.parts) {
+            inputs.push_back(part.mesh);
+        }
+    }
+    std::ranges::sort(inputs);
+    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+    const std::vector<NamedOutput> outputs = outputs_of(settings);
+    for (const NamedOutput& output : outputs) {
+        require_no_input(output.path, output.option, inputs);
+    }
     for (const std::string& output : settings.outputs) {
-        require_no_input(output, "-o", inputs);
+        require_tray_files({"-o", output}, most_trays(job), outputs, inputs);
     }
-    for (const std::string& report : settings.reports) {
-        require_no_input(report, "--report", inputs);
+}
+
+/// The outputs can hold what the parts are called.
+void check_names(const Job& job, const JobSettings& settings) {
+    for (const std::string& output : settings.outputs) {
+        require_nameable(job, output);
     }
+    if (settings.json.value_or(false)) require_nameable(job, std::filesystem::current_path() / "packing.json");
 }
 
 /// What the command line and the job file ask for, as far as it can be checked before any work: words, endings,
@@ -95,6 +135,10 @@ JournalOptions journal_options(const PackArguments& arguments, const JobSettings
         journal.resume = Resume::must;
     } else if (arguments.has("journal")) {
         journal.file = arguments.text("journal");
+        require_writable(journal.file.string(), "--journal");
+        std::vector<NamedOutput> files = outputs_of(settings);
+        files.push_back({"--journal", journal.file.string()});
+        require_apart(files);
     } else if (!settings.outputs.empty()) {
         journal.file = settings.outputs.front() + ".journal";
         journal.after = kWorthAJournal;
@@ -135,10 +179,7 @@ int run_job(const Job& job, const JobSettings& settings, const JournalOptions& j
     unusable = unusable || !result.unusable.empty();
     if (result.failure) {
         display.on_error(result.failure->what());
-        const ErrorKind kind = result.failure->kind();
-        status = kind == ErrorKind::resource ? kOutOfResources
-                 : kind == ErrorKind::input  ? kUnusableInput
-                                             : kCheckFailed;
+        status = status_of(result.failure->kind());
     }
     const Scene scene{result.packing, result.meshes};
     const bool empty = newly_placed(result.packing) == 0;
@@ -185,7 +226,6 @@ int run_pack(const PackArguments& arguments) {
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
     const JournalOptions journal = journal_options(arguments, settings);
-    if (!journal.file.empty()) require_writable(journal.file.string(), "--journal");
     Interrupts interrupts(settings.options.time_limit);
     PackDisplay display(settings.progress.value_or(ProgressStyle::automatic), settings);
     report_passed_over(inputs, display);
@@ -208,6 +248,7 @@ int run_pack(const PackArguments& arguments) {
     }
     if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
+    check_names(job, settings);
 
     bool unusable = !inputs.unusable.empty();
     const int status =

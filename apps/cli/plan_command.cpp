@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
+#include "number_options.hpp"
 #include "paths.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
@@ -53,9 +54,12 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
 }
 
 int run_plan(const PlanArguments& arguments) {
+    std::vector<NamedOutput> outputs;
     for (const std::string& output : arguments.outputs) {
         require_output(output);
+        outputs.push_back({"-o", output});
     }
+    require_apart(outputs);
     const Interrupts interrupts(arguments.time_limit);
     ProgressDisplay display(ProgressStyle::automatic);
     Scene scene = load_scene(arguments.packing);
@@ -63,8 +67,9 @@ int run_plan(const PlanArguments& arguments) {
     for (const PackedPart& part : scene.packing.parts) {
         meshes.push_back(part.mesh);
     }
-    for (const std::string& output : arguments.outputs) {
-        require_no_input(output, "-o", meshes);
+    for (const NamedOutput& output : outputs) {
+        require_no_input(output.path, output.option, meshes);
+        require_tray_files(output, static_cast<std::int64_t>(scene.packing.trays.size()), outputs, meshes);
     }
     const std::vector<Disassembly> plans = plan_packing(scene, arguments.settings, {&display, interrupts.token()});
     display.finish();
@@ -108,18 +113,17 @@ Command add_plan_command(CLI::App& app) {
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    sub->add_option("--voxel", arguments->settings.voxel,
-                    "finer voxels find narrower ways out, mm [those of the packing: voxel / detail]");
-    sub->add_option("--ray-spacing", arguments->settings.ray_spacing,
-                    "mm between the rays that tell which copy is straight in whose way [the packing's, or 4 voxels]")
-        ->check(CLI::PositiveNumber);
+    add_number(*sub, "voxel", "MM", kAboveZero, arguments->settings.voxel,
+               "finer voxels find narrower ways out, mm [those of the packing: voxel / detail]");
+    add_number(*sub, "ray-spacing", "MM", kAboveZero, arguments->settings.ray_spacing,
+               "mm between the rays that tell which copy is straight in whose way [the packing's, or 4 voxels]");
     sub->add_option_function<std::string>(
            "--unpack", [arguments](const std::string& rule) { arguments->settings.unpack = from_string<Unpack>(rule); },
            "order in which copies are taken out: top (from the top down, between the walls), any (also sideways) [the "
            "packing's]")
         ->check(CLI::IsMember({"top", "any"}));
-    sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
+    add_number(*sub, "time-limit", "SECONDS", kFromZero, arguments->time_limit, "seconds");
+    add_threads(*sub, arguments->settings.threads);
     sub->add_flag("--json", arguments->json, "print the plan's findings as JSON");
     return {sub, [arguments] { return run_plan(*arguments); }};
 }

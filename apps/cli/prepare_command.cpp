@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "interrupts.hpp"
+#include "number_options.hpp"
 #include "progress_display.hpp"
 #include "text.hpp"
 
@@ -55,9 +56,9 @@ Command add_prepare_command(CLI::App& app) {
     sub->add_option("FOLDER", a.folder, "folder of meshes, and the folders in it")->required();
     sub->add_option("-o,--output", a.output, "folder for the results")->required();
     sub->add_option("--tray", a.tray, "what is larger is scaled down to this, mm [480x245x200]");
-    sub->add_option("--triangles", a.options.rules.triangles, "meshes of more are simplified [4000]");
+    add_number(*sub, "triangles", "N", kFromZero, a.options.rules.triangles, "meshes of more are simplified [4000]");
     sub->add_option("--unit", a.unit, "unit of files that do not say: mm, inch, m [mm]");
-    sub->add_option("--threads", a.options.threads, "threads, 0 for all");
+    add_threads(*sub, a.options.threads);
     return {sub, [arguments] { return run_prepare(*arguments); }};
 }
 

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <memory>
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "number_options.hpp"
 #include "paths.hpp"
 #include "text.hpp"
 
@@ -31,14 +34,10 @@ Section parse_section(const std::string& text) {
     if (text.size() < 3 || text[1] != '=') throw wrong();
     const std::size_t axis = std::string("xyz").find(text[0]);
     if (axis == std::string::npos) throw wrong();
-    std::size_t end = 0;
     Section section{static_cast<int>(axis), 0};
-    try {
-        section.at = std::stod(text.substr(2), &end);
-    } catch (const std::exception&) {
-        throw wrong();
-    }
-    if (end + 2 != text.size()) throw wrong();
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data() + 2, end, section.at);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(section.at)) throw wrong();
     return section;
 }
 
@@ -49,10 +48,7 @@ int run_render(RenderArguments arguments) {
     if (!arguments.section.empty()) options.section = parse_section(arguments.section);
     options.marks = options.numbers = !arguments.plain;
     require_picture(arguments.output);
-    if (arguments.tray) {
-        if (*arguments.tray < 1) throw UsageError(fmt::format("--tray {}: trays count from 1", *arguments.tray));
-        arguments.options.tray = *arguments.tray - 1;
-    }
+    if (arguments.tray) options.tray = *arguments.tray - 1;
     const Scene scene = load_scene(arguments.packing);
     write_picture(scene, arguments.output, arguments.options, arguments.threads);
     fmt::print("Written: {}\n", printable(arguments.output));
@@ -67,21 +63,20 @@ Command add_render_command(CLI::App& app) {
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
     sub->add_option("-o,--output", arguments->output, "picture to write (.png)")->required();
     sub->add_option("--size", arguments->size, "pixels [1600x1200; with --explode 1600x2000]");
-    sub->add_option("--azimuth", arguments->options.azimuth, "degrees that you look from the side [35]");
-    sub->add_option("--elevation", arguments->options.elevation, "degrees that you look from above [28]");
-    sub->add_option("--tray", arguments->tray, "only this tray, counted from 1 [all]");
-    auto* explode = sub->add_option("--explode", arguments->options.explode,
-                                    "draw the tray's layers apart; at FACTOR 1 none hides the next")
-                        ->type_name("FACTOR");
+    RenderOptions& options = arguments->options;
+    add_number(*sub, "azimuth", "DEGREES", kAnyNumber, options.azimuth, "degrees that you look from the side [35]");
+    add_number(*sub, "elevation", "DEGREES", {-90, 90}, options.elevation, "degrees that you look from above [28]");
+    add_number(*sub, "tray", "N", kFromOne, arguments->tray, "only this tray, counted from 1 [all]");
+    auto* explode = add_number(*sub, "explode", "FACTOR", kFromZero, options.explode,
+                               "draw the tray's layers apart; at FACTOR 1 none hides the next");
     sub->add_option("--section", arguments->section,
                     "look inside: cut away what lies before this plane, like z=80 (mm from the tray's corner)")
         ->type_name("AXIS=MM");
     sub->add_flag("--plain", arguments->plain, "without numbers, scale bar and the names of sides");
-    sub->add_option("--step", arguments->options.step,
-                    "draw step K of taking it apart, from 1 on: its copies half way out")
-        ->type_name("K")
+    add_number(*sub, "step", "K", {0, kFromOne.most}, options.step,
+               "draw step K of taking it apart, from 1 on: its copies half way out")
         ->excludes(explode);
-    sub->add_option("--threads", arguments->threads, "threads, 0 for all");
+    add_threads(*sub, arguments->threads);
     return {sub, [arguments] { return run_render(*arguments); }};
 }
 

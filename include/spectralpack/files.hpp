@@ -1,6 +1,7 @@
 #pragma once
 /// Files in and out: what a user names as input, packings on disk, reports. Everything else works in memory.
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "spectralpack/error.hpp"
+#include "spectralpack/job.hpp"
 #include "spectralpack/job_settings.hpp"
 #include "spectralpack/packing.hpp"
 
@@ -62,6 +64,20 @@ std::vector<std::filesystem::path> write_output(const Scene& scene, const std::f
 /// The file of one tray (from 0) of several, as write_output() names it; a .json holds all trays of the scene. For
 /// trays that are finished while others are still packed. Returns what was written.
 std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads);
+
+/// Whether several trays get a file each besides the one named, and the name of a tray's, which count from 1:
+/// "build-2.3mf" for "build.3mf".
+bool has_tray_files(const std::filesystem::path& path);
+std::filesystem::path tray_file(std::filesystem::path path, std::int64_t tray);
+
+/// Throws where no file can be written to `path`, as far as that can be known before it is: its folder is not there or
+/// read-only, it is a folder itself or a file that cannot be replaced, the name is too long (UsageError), the disk is
+/// full (ResourceError). `what` stands before the reason: "-o build.json". Makes a file beside it and removes it.
+void require_writable(const std::filesystem::path& path, const std::string& what);
+
+/// Throws UsageError where a packing of this job cannot be written to `path` because of the names of its mesh files,
+/// which a .json holds in UTF-8.
+void require_nameable(const Job& job, const std::filesystem::path& path);
 
 /// Endings that write_report() knows: .html .csv.
 bool is_report_file(const std::filesystem::path& path);

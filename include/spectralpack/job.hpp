@@ -49,6 +49,9 @@ class MeshInput {
     std::variant<std::string, std::shared_ptr<const Mesh>> source_;
 };
 
+/// Scales of parts are within these: what is smaller or larger comes to numbers that transforms cannot hold.
+inline constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
+
 /// A mesh to pack, how often, and its constraints. The objects of a file (a 3MF may hold several) become parts of
 /// their own.
 struct Part {

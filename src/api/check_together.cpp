@@ -3,12 +3,19 @@
 #include <string>
 
 #include "api/check_options.hpp"
+#include "api/short_number.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
 
 void check_together(const Job& job) {
     const PackOptions& options = job.options;
+    for (const Part& part : job.parts) {
+        if (!(part.scale >= kLeastScale && part.scale <= kMostScale)) {
+            throw UsageError("the scale of a part must be from " + short_number(kLeastScale) + " to " +
+                             short_number(kMostScale) + ", not " + short_number(part.scale));
+        }
+    }
     const auto refuse = [](const std::string& what, const std::string& with, const std::string& why) {
         throw UsageError(what + " does not go with " + with + ": " + why);
     };

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <iterator>
 #include <optional>
-#include <regex>
 #include <system_error>
 
 #include "api/folder_inputs.hpp"
+#include "api/short_number.hpp"
 #include "formats/job_file.hpp"
 #include "formats/set_file.hpp"
 #include "formats/settings_file.hpp"
@@ -27,31 +26,41 @@ struct CountAndScale {
     double scale = 1;
 };
 
+bool is_scale(double scale) { return scale >= kLeastScale && scale <= kMostScale; }
+
+std::string scales_text() { return "from " + short_number(kLeastScale) + " to " + short_number(kMostScale); }
+
+/// The text behind the last `mark`, where that is made of these characters.
+std::optional<std::string> behind(const std::string& text, char mark, const char* characters) {
+    const std::size_t at = text.rfind(mark);
+    if (at == std::string::npos || at == 0 || at + 1 == text.size()) return std::nullopt;
+    if (text.find_first_not_of(characters, at + 1) != std::string::npos) return std::nullopt;
+    return text.substr(at + 1);
+}
+
 /// FILE:COUNT, FILE@SCALE or FILE:COUNT@SCALE, when `argument` reads so.
 std::optional<CountAndScale> split_argument(const std::string& argument) {
-    static const std::regex with_count(R"(^([\s\S]+):([+-]?[0-9.]+)(?:@([^@:/]*))?$)");
-    static const std::regex with_scale(R"(^([\s\S]+)@([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)$)");
+    constexpr const char *kOfCounts = "+-.0123456789", *kOfScales = "+-.0123456789eE";
     const auto read = [&](const std::string& text, auto& value, const char* what) {
         const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0) ||
-            !std::isfinite(static_cast<double>(value))) {
+        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0)) {
             throw UsageError("'" + argument + "': the " + what + " '" + text + "' must be a positive number");
         }
     };
-    std::smatch match;
-    if (std::regex_match(argument, match, with_count)) {
-        CountAndScale result{match[1]};
-        read(match[2], result.count, "count");
-        if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
-        if (match[3].matched) read(match[3], result.scale, "scale");
-        return result;
+    CountAndScale result{argument};
+    const auto cut = [&](const std::string& number) { result.file.resize(result.file.size() - number.size() - 1); };
+    const auto scale = behind(result.file, '@', kOfScales);
+    if (scale) cut(*scale);
+    const auto count = behind(result.file, ':', kOfCounts);
+    if (count) cut(*count);
+    if (!count && !scale) return std::nullopt;
+    if (count) read(*count, result.count, "count");
+    if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
+    if (scale) read(*scale, result.scale, "scale");
+    if (!is_scale(result.scale)) {
+        throw UsageError("'" + argument + "': the scale '" + *scale + "' must be " + scales_text());
     }
-    if (std::regex_match(argument, match, with_scale)) {
-        CountAndScale result{match[1]};
-        read(match[2], result.scale, "scale");
-        return result;
-    }
-    return std::nullopt;
+    return result;
 }
 
 /// "no such file or folder", and one with a name like it that is there.
@@ -75,6 +84,19 @@ int product(int count, int times, const std::string& file, const std::string& pl
     return count * times;
 }
 
+double scaled(double scale, double times, const std::string& file, const std::string& place) {
+    if (is_scale(scale * times)) return scale * times;
+    throw InputError(file, place,
+                     "comes to a scale of " + short_number(scale * times) + ", which must be " + scales_text());
+}
+
+/// Rows of a set that say the same, but for how many.
+bool alike(const Part& a, const Part& b) {
+    return a.mesh.file() == b.mesh.file() && a.name == b.name && a.scale == b.scale && a.gap == b.gap &&
+           a.orientations == b.orientations && a.unit == b.unit && a.priority == b.priority && a.due == b.due &&
+           a.value == b.value;
+}
+
 class Expander {
   public:
     Expander(fs::path mesh_dir, const JobSettings& defaults) : defaults_(defaults), mesh_dir_(std::move(mesh_dir)) {}
@@ -86,7 +108,11 @@ class Expander {
         any(split.value_or(CountAndScale{text, 1, 1}));
     }
 
-    ExpandedInputs take() { return std::move(inputs_); }
+    ExpandedInputs take() {
+        const bool nothing = inputs_.parts.empty() && inputs_.unusable.empty();
+        if (nothing && inputs_.job) inputs_.unusable.emplace_back(inputs_.job->file, "parts", "names nothing to pack");
+        return std::move(inputs_);
+    }
 
   private:
     void any(const CountAndScale& wanted) {
@@ -115,18 +141,26 @@ class Expander {
             for (const SetRow& row : read_set(file)) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                parts.push_back({.name = row.name,
-                                 .mesh = (base / row.mesh).string(),
-                                 .count = count,
-                                 .scale = row.scale * wanted.scale,
-                                 .gap = row.gap,
-                                 .orientations = row.orientations,
-                                 .unit = row.unit,
-                                 .priority = row.priority,
-                                 .due = row.due,
-                                 .value = row.value,
-                                 .origin = file + " " + place});
+                Part part{.name = row.name,
+                          .mesh = (base / row.mesh).string(),
+                          .count = count,
+                          .scale = scaled(row.scale, wanted.scale, file, place),
+                          .gap = row.gap,
+                          .orientations = row.orientations,
+                          .unit = row.unit,
+                          .priority = row.priority,
+                          .due = row.due,
+                          .value = row.value,
+                          .origin = file + " " + place};
+                // One part, not thousands that are each prepared by themselves.
+                const bool again = !parts.empty() && alike(parts.back(), part);
+                if (again && parts.back().count <= kMaxCount - count) {
+                    parts.back().count += count;
+                } else {
+                    parts.push_back(std::move(part));
+                }
             }
+            if (parts.empty()) throw InputError(file, "", "names no part: it has a header and nothing else");
         } catch (const InputError& error) {
             inputs_.unusable.push_back(error);
             return;
@@ -141,7 +175,7 @@ class Expander {
         JobFile job = read_job(file, defaults_);
         for (Part& part : job.parts) {
             part.count = product(part.count, wanted.count, file, part.origin + ".count");
-            part.scale *= wanted.scale;
+            part.scale = scaled(part.scale, wanted.scale, file, part.origin + ".scale");
             part.origin = file + " " + part.origin;
             inputs_.parts.push_back(std::move(part));
         }

@@ -34,8 +34,13 @@ void require_free(const BitGrid& blocked, const Container& container, const Pack
     if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
     std::string what = "no voxel of " + short_number(options.voxel) + " mm is wholly free";
     if (options.wall_gap > 0) what += " and " + short_number(options.wall_gap) + " mm from the walls";
-    if (container.mesh) throw InputError(container.mesh->file, "", "as a container, " + what);
-    throw UsageError("the keep-outs leave no room in the tray: " + what);
+    // A vessel stands among the keep-outs itself.
+    const std::size_t own = container.is == ContainerIs::vessel ? 1 : 0;
+    if (container.mesh && container.keep_out.size() == own) {
+        throw InputError(container.mesh->file, "", "as a container, " + what);
+    }
+    throw UsageError("the keep-outs leave no room in " + (container.mesh ? container.mesh->file : "the tray") + ": " +
+                     what);
 }
 
 }  // namespace spectralpack

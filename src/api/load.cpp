@@ -18,6 +18,7 @@ namespace {
 struct InputContent {
     std::vector<LoadedMesh> meshes;
     std::vector<std::shared_ptr<const Mesh>> shared;  // the meshes, moved out
+    std::vector<double> volume, box_volume;           // of each, in the file's own unit
     std::optional<InputError> error;
 };
 
@@ -106,6 +107,10 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             const std::size_t input = begin + static_cast<std::size_t>(i);
             try {
                 contents[input] = content_of(*inputs[input], unit_of(*inputs[input]));
+                for (const std::shared_ptr<const Mesh>& mesh : contents[input].shared) {
+                    contents[input].volume.push_back(signed_volume(*mesh));
+                    contents[input].box_volume.push_back(bounding_box(*mesh).volume());
+                }
             } catch (const InputError& error) {
                 contents[input].error = error;
             }
@@ -170,8 +175,8 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
             part.unit = loaded.unit.value_or(unit_of(source));
             part.repairs = loaded.repairs;
             const double mm = part.to_mm();
-            part.volume = signed_volume(*content.shared[i]) * mm * mm * mm;
-            add(source, part, content.shared[i], bounding_box(*content.shared[i]).volume() * mm * mm * mm, "");
+            part.volume = content.volume[i] * mm * mm * mm;
+            add(source, part, content.shared[i], content.box_volume[i] * mm * mm * mm, "");
         }
     }
     const std::vector<std::string> apart = names_apart(names);

@@ -7,6 +7,7 @@
 #include "api/check_options.hpp"
 #include "api/check_together.hpp"
 #include "api/engine_factory.hpp"
+#include "api/file_stamps.hpp"
 #include "api/fixed_copies.hpp"
 #include "api/input_hash.hpp"
 #include "api/journal/run_journal.hpp"
@@ -72,11 +73,12 @@ class JobRun {
         }
         TraysResult& trays = packed.trays;
         // Where nothing is placed at all, each copy says why.
-        if (trays.stuck && trays.placed() > 0) result.failure = stuck_error(loaded_, trays);
+        if (trays.stuck && trays.placed() > 0) listener_.on_warning(stuck_text(loaded_, trays));
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
         result.stopped = stop_.reason();
         result.packing = recorded(trays, packed);
+        stamps_.warn_of_changes(listener_);
         if (journal_) {
             result.journal = journal_->use();
             check_what_was_recalled(result);
@@ -91,6 +93,7 @@ class JobRun {
     void load() {
         check_options(options_);
         check_together(job_);
+        stamps_ = FileStamps(job_, workers_);
         container_ = container_of(job_, listener_);
         warn_of_keep_outs(container_, listener_);
         options_.tray = container_.size;
@@ -173,6 +176,7 @@ class JobRun {
     Listener& listener_;
     StopToken stop_;
     Workers workers_;
+    FileStamps stamps_;
     LoadedJob loaded_;
     Plan plan_;
     PhaseSeconds seconds_;

@@ -117,12 +117,6 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
     }
 }
 
-/// build-2.3mf for the second tray of build.3mf.
-std::filesystem::path tray_file(std::filesystem::path path, std::size_t tray) {
-    const std::string name = path.stem().string() + "-" + std::to_string(tray + 1) + path.extension().string();
-    return path.replace_filename(name);
-}
-
 }  // namespace
 
 std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads) {
@@ -132,7 +126,7 @@ std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std
     }
     Scene single = scene;
     single.packing.trays = {scene.packing.trays[tray]};
-    const std::filesystem::path file = tray_file(path, tray);
+    const std::filesystem::path file = tray_file(path, static_cast<std::int64_t>(tray) + 1);
     write_one(single, file, tray + 1, threads);
     return file;
 }
@@ -141,11 +135,11 @@ std::vector<std::filesystem::path> write_output(const Scene& scene, const std::f
     write_one(scene, path, 1, threads);
     std::vector<std::filesystem::path> written{path};
     const std::size_t trays = scene.packing.trays.size();
-    if (trays < 2 || ending_of(path) == ".json") return written;
+    if (trays < 2 || !has_tray_files(path)) return written;
     Scene single = scene;
     for (std::size_t tray = 0; tray < trays; ++tray) {
         single.packing.trays = {scene.packing.trays[tray]};
-        written.push_back(tray_file(path, tray));
+        written.push_back(tray_file(path, static_cast<std::int64_t>(tray) + 1));
         write_one(single, written.back(), tray + 1, threads);
     }
     return written;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 
 #include "api/check_options.hpp"
 #include "api/engine_factory.hpp"
@@ -91,6 +92,22 @@ void plan_orientations(const LoadedJob& loaded, const PackOptions& options, cons
     }
 }
 
+/// By part, the first that is to be packed with the same mesh, as large and in the same orientations: what is so of
+/// its size is so of this one. Itself where there is none, and for fixed copies.
+std::vector<std::size_t> first_of_their_size(const LoadedJob& loaded, const Plan& plan) {
+    using Key = std::tuple<const Mesh*, double, const std::vector<Mat3>*>;
+    std::map<Key, std::size_t> known;
+    std::vector<std::size_t> first(loaded.parts.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const PackedPart& part = loaded.parts[i];
+        first[i] = i;
+        if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) continue;
+        const Key key{loaded.meshes[i].get(), part.to_mm(), plan.orientations[i].get()};
+        first[i] = known.try_emplace(key, i).first->second;
+    }
+    return first;
+}
+
 /// Layers that hold the fixed copies whole.
 int fixed_layers(const LoadedJob& loaded, double voxel) {
     double top = 0;
@@ -135,14 +152,20 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     double material = 0;
     plan.too_large.resize(loaded.parts.size());
     plan.turned_sizes.resize(loaded.parts.size());
+    const std::vector<std::size_t> first = first_of_their_size(loaded, plan);
+    const auto is_first = [&](std::size_t i) { return first[i] == i && copies_to_pack(loaded, i) > 0; };
     workers.for_each(static_cast<std::int64_t>(loaded.parts.size()), [&](std::int64_t k) {
         const auto i = static_cast<std::size_t>(k);
-        if (!loaded.meshes[i] || copies_to_pack(loaded, i) == 0) return;
+        if (!loaded.meshes[i] || !is_first(i)) return;
         const PackedPart& part = loaded.parts[i];
         plan.too_large[i] = why_too_large({*loaded.meshes[i], part.to_mm(), part.orientations, *plan.orientations[i]},
                                           plan.room, options, !container.mesh, own_printers);
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        plan.too_large[i] = plan.too_large[first[i]];
+        plan.turned_sizes[i] = plan.turned_sizes[first[i]];
+    }
     plan.ahead = ShapeStore::ahead(plan.most_orientations);
     if (options.interlock == Interlock::place) plan.ahead = std::min(plan.ahead, ShapeStore::kAheadOfWays);
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {

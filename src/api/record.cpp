@@ -172,13 +172,11 @@ Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedCo
     return {mm * turns[static_cast<std::size_t>(placed.orientation)], placed.offset};
 }
 
-Error stuck_error(const LoadedJob& loaded, const TraysResult& trays) {
+std::string stuck_text(const LoadedJob& loaded, const TraysResult& trays) {
     const PackedPart& first = loaded.parts[static_cast<std::size_t>(trays.left_over.front().part)];
-    return Error(ErrorKind::input, "tray " + std::to_string(trays.trays.size() + 1) + " stays empty: of " +
-                                       std::to_string(trays.left_over.size()) +
-                                       (trays.left_over.size() == 1 ? " copy" : " copies") +
-                                       " tried none finds a place in it, the first of them " + first.name +
-                                       (trays.trays.empty() ? "" : "; the trays before are kept"));
+    return "tray " + std::to_string(trays.trays.size() + 1) + " would stay empty: of " +
+           std::to_string(trays.left_over.size()) + (trays.left_over.size() == 1 ? " copy" : " copies") +
+           " tried none finds a place in it, the first of them " + first.name;
 }
 
 }  // namespace spectralpack

@@ -29,7 +29,7 @@ Packing packing_of(const PackRun& run, const Workers& workers);
 /// The transform from the mesh file's own coordinates to where the copy stands.
 Transform transform_of(const LoadedJob& loaded, const Plan& plan, const PlacedCopy& placed);
 
-/// Several trays were allowed, and one stayed empty of what is left.
-Error stuck_error(const LoadedJob& loaded, const TraysResult& trays);
+/// For people: several trays were allowed, and one stayed empty of what is left.
+std::string stuck_text(const LoadedJob& loaded, const TraysResult& trays);
 
 }  // namespace spectralpack

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -11,10 +12,36 @@ namespace spectralpack {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::size_t kLongestName = 255;  ///< bytes, of a file in its folder
+constexpr std::size_t kProcessDigits = 10;
+
+/// Temporary names are this, the number of the process, and the ending, which is kept because some writers choose the
+/// format by it.
+std::string temporary_stem(const fs::path& path) {
+    const std::string before = ".", behind = ".part", ending = path.extension().string();
+    const std::size_t taken = before.size() + behind.size() + kProcessDigits + ending.size();
+    std::string stem = path.stem().string();
+    std::size_t length = std::min(stem.size(), kLongestName - std::min(kLongestName, taken));
+    const auto inside_character = [&] { return (static_cast<unsigned char>(stem[length]) & 0xc0) == 0x80; };
+    while (length > 0 && length < stem.size() && inside_character()) {
+        --length;
+    }
+    stem.resize(length);
+    return before + stem + behind;
+}
+
+}  // namespace
+
 ResourceError write_failure(const fs::path& path) {
     const std::string reason =
         errno == 0 ? "the disk is full or the folder is read-only" : std::generic_category().message(errno);
     return ResourceError("cannot write " + path.string() + ": " + reason);
+}
+
+fs::path temporary_file(const fs::path& path) {
+    return path.parent_path() / (temporary_stem(path) + std::to_string(::getpid()) + path.extension().string());
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
@@ -22,9 +49,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
     if (!fs::is_directory(folder)) {
         throw ResourceError("cannot write " + path.string() + ": there is no folder " + folder.string());
     }
-    // The ending is kept because some writers choose the format by it.
-    fs::path temporary =
-        folder / ("." + path.stem().string() + ".part" + std::to_string(::getpid()) + path.extension().string());
+    const fs::path temporary = temporary_file(path);
     std::error_code ignored;
     try {
         errno = 0;

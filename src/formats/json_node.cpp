@@ -1,6 +1,7 @@
 #include "formats/json_node.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "spectralpack/typed_text.hpp"
 
@@ -13,6 +14,66 @@ std::string parse_cause(const nlohmann::json::exception& error) {
     const std::size_t at = message.find("] ");
     return "is not valid JSON: " + (at == std::string::npos ? message : message.substr(at + 2));
 }
+
+/// Follows the parser through a document and refuses a key that an object says twice: the parser would keep the last.
+class KeysOnce {
+  public:
+    explicit KeysOnce(const std::string& file) : file_(file) {}
+
+    void see(nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+        using Event = nlohmann::json::parse_event_t;
+        switch (event) {
+            case Event::object_start:
+            case Event::array_start:
+                begin_value();
+                levels_.push_back({event == Event::array_start});
+                break;
+            case Event::object_end:
+            case Event::array_end:
+                levels_.pop_back();
+                break;
+            case Event::key:
+                take(parsed.get_ref<const std::string&>());
+                break;
+            case Event::value:
+                begin_value();
+                break;
+        }
+    }
+
+  private:
+    struct Level {
+        bool array = false;
+        std::size_t elements = 0;  ///< of an array, so far
+        std::string key = {};      ///< of an object: the one being read
+        std::set<std::string> keys = {};
+    };
+
+    void begin_value() {
+        if (!levels_.empty() && levels_.back().array) ++levels_.back().elements;
+    }
+
+    void take(const std::string& key) {
+        Level& object = levels_.back();
+        object.key = key;
+        if (!object.keys.insert(key).second) throw InputError(file_, path(), "is said twice");
+    }
+
+    std::string path() const {
+        std::string path;
+        for (const Level& level : levels_) {
+            if (level.array) {
+                path += "[" + std::to_string(level.elements - 1) + "]";
+            } else {
+                path += (path.empty() ? "" : ".") + level.key;
+            }
+        }
+        return path;
+    }
+
+    const std::string& file_;
+    std::vector<Level> levels_;  ///< the outermost first
+};
 
 }  // namespace
 
@@ -82,8 +143,13 @@ Transform transform_of(const Node& node) {
 }
 
 nlohmann::json parse_json(const std::string& file, std::string_view text) {
+    KeysOnce keys(file);
+    const auto follow = [&keys](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+        keys.see(event, parsed);
+        return true;
+    };
     try {
-        return nlohmann::json::parse(text.begin(), text.end());
+        return nlohmann::json::parse(text.begin(), text.end(), follow);
     } catch (const nlohmann::json::exception& error) {
         throw InputError(file, "", parse_cause(error));
     }

@@ -144,7 +144,7 @@ Box box_of(const Node& node);
 /// 4 x 4, row-major, the last row 0 0 0 1, invertible.
 Transform transform_of(const Node& node);
 
-/// The document in `text`. Throws InputError naming `file` where it is not JSON.
+/// The document in `text`. Throws InputError naming `file` where it is not JSON or an object says a key twice.
 nlohmann::json parse_json(const std::string& file, std::string_view text);
 
 }  // namespace spectralpack

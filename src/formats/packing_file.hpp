@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,10 @@ using PartMeshes = std::vector<std::shared_ptr<const Mesh>>;
 /// JSON text of `packing`; mesh paths are written relative to `folder` (the packing file's).
 std::string packing_to_json(const Packing& packing, const std::filesystem::path& folder);
 void write_packing(const Packing& packing, const std::filesystem::path& path);
+
+/// Throws UsageError where a packing file in `folder` cannot hold the path of one of these mesh files, relative to the
+/// folder: it is not valid UTF-8.
+void require_mesh_paths(const std::set<std::string>& files, const std::filesystem::path& folder);
 
 /// Reads and validates a packing file. Mesh paths come out usable from the working directory.
 /// Throws InputError naming the key's path ("trays[0].placements[3].transform") for anything

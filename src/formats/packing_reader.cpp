@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <unordered_map>
 
 #include "formats/file_bytes.hpp"
 #include "formats/json_node.hpp"
@@ -26,6 +28,9 @@ UnplacedReason reason_of(const Node& node) {
 }
 
 namespace fs = std::filesystem;
+
+/// Scales that differ by no more, relatively, are the same.
+constexpr double kSameScaleOfPart = 1e-9;
 
 /// Reads a tray's disassembly plan and keeps track of who still stands with whom.
 class PlanReader {
@@ -158,17 +163,22 @@ class PackingReader {
         if (const auto open = node.find("open_height")) packing_.container.open_height = open->boolean();
         Container& container = packing_.container;
         if (const auto mesh = node.find("mesh")) container.mesh = standing_mesh(*mesh, node);
-        if (const auto is = node.find("is"); is && container.mesh) container.is = is->one_of<ContainerIs>();
+        for (const char* key : {"transform", "is"}) {
+            if (const auto v = node.find(key); v && !container.mesh) v->fail("needs a mesh");
+        }
+        if (const auto is = node.find("is")) container.is = is->one_of<ContainerIs>();
         if (const auto keep_out = node.find("keep_out")) {
-            keep_out->for_each([&](const Node& zone) {
-                if (const auto mesh = zone.find("mesh")) {
-                    container.keep_out.push_back({{}, standing_mesh(*mesh, zone)});
-                } else {
-                    container.keep_out.push_back({box_of(zone.at("box"))});
-                }
-            });
+            keep_out->for_each([&](const Node& zone) { container.keep_out.push_back(keep_out_of(zone)); });
         }
         if (const auto physical = node.find("physical")) container.physical = physical->boolean();
+    }
+
+    KeepOut keep_out_of(const Node& zone) const {
+        const auto mesh = zone.find("mesh"), box = zone.find("box"), transform = zone.find("transform");
+        if (mesh && box) box->fail("is one keep-out, the mesh another");
+        if (mesh) return {{}, standing_mesh(*mesh, zone)};
+        if (transform) transform->fail("needs a mesh");
+        return {box_of(zone.at("box"))};
     }
 
     void read_defaults(const Node& node) {
@@ -189,6 +199,7 @@ class PackingReader {
             id->fail("must be the part's position, " + std::to_string(part.id));
         }
         part.mesh = mesh_path(node.at("mesh"));
+        named_.push_back(node.at("mesh").text());
         const auto name = node.find("name");
         part.name = name ? name->text() : fs::path(part.mesh).stem().string();
         if (const auto v = node.find("object")) part.object = v->text();
@@ -212,6 +223,12 @@ class PackingReader {
 
     std::string mesh_path(const Node& node) const {
         const std::string text = node.text();
+        const auto [path, fresh] = paths_.try_emplace(text);
+        if (fresh) path->second = found_path(node, text);
+        return path->second;
+    }
+
+    std::string found_path(const Node& node, const std::string& text) const {
         if (text.empty() || text.find('\0') != std::string::npos) node.fail("must be the path of a file");
         // Dropping ".." from the text is only right where the folder before it is no link.
         const fs::path joined = folder_ / text, plain = joined.lexically_normal();
@@ -229,11 +246,27 @@ class PackingReader {
         return index;
     }
 
+    /// What a placement says of its part again is as its part says it: nobody is to be judged by one and built by the
+    /// other.
+    void expect_of_part(const Node& placed, int index) const {
+        const auto i = static_cast<std::size_t>(index);
+        const PackedPart& part = packing_.parts[i];
+        const std::string owner = "parts[" + std::to_string(index) + "]";
+        if (const auto mesh = placed.find("mesh"); mesh && mesh->text() != named_[i] && mesh_path(*mesh) != part.mesh) {
+            mesh->fail("must be the mesh of its part, " + named_[i] + " (" + owner + ")");
+        }
+        if (const auto scale = placed.find("scale");
+            scale && std::abs(scale->positive() - part.scale) > kSameScaleOfPart * part.scale) {
+            scale->fail("must be the scale of its part, " + nlohmann::json(part.scale).dump() + " (" + owner + ")");
+        }
+    }
+
     void read_tray(const Node& node) {
         TrayPacking tray;
         node.at("placements").for_each([&](const Node& placed) {
             Placement placement;
             placement.part = part_of(placed);
+            expect_of_part(placed, placement.part);
             if (const auto v = placed.find("copy")) placement.copy = v->integer<int>(0);
             if (const auto v = placed.find("orientation")) placement.orientation = v->integer<int>(0);
             if (const auto v = placed.find("fixed")) placement.fixed = v->boolean();
@@ -308,6 +341,8 @@ class PackingReader {
     fs::path folder_;
     Node root_;
     Packing packing_;
+    std::vector<std::string> named_;                              ///< by part: its mesh, as the file writes it
+    mutable std::unordered_map<std::string, std::string> paths_;  ///< of meshes, as the file writes them
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "core/atomic_file.hpp"
 #include "formats/packing_file.hpp"
@@ -95,13 +96,18 @@ Json plan_json(const Disassembly& plan) {
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
+        std::unordered_map<std::string, std::string> known;  // to ask the system once for each file
         for (const PackedPart& part : packing.parts) {
             if (part.mesh.empty()) {
                 throw UsageError("a packing file names mesh files, and " + part.name +
                                  " has none: its mesh came from memory");
             }
-            mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
-            check_utf8(mesh_paths_.back());
+            const auto [path, fresh] = known.try_emplace(part.mesh);
+            if (fresh) {
+                path->second = relative_mesh_path(part.mesh, folder);
+                check_utf8(path->second);
+            }
+            mesh_paths_.push_back(path->second);
         }
         if (packing.container.mesh) container_path_ = path_of(*packing.container.mesh, folder);
         for (const KeepOut& keep_out : packing.container.keep_out) {
@@ -284,6 +290,12 @@ void append_text(std::string& text, const Json& value, std::size_t indent) {
 }
 
 }  // namespace
+
+void require_mesh_paths(const std::set<std::string>& files, const fs::path& folder) {
+    for (const std::string& file : files) {
+        check_utf8(relative_mesh_path(file, folder));
+    }
+}
 
 std::string packing_to_json(const Packing& packing, const fs::path& folder) {
     std::string text;

@@ -45,6 +45,36 @@ class EmptyFolder : public testing::Test {
 
 using InMemory = EmptyFolder;
 
+TEST_F(InMemory, AScaleThatNoTransformHoldsIsRefused) {
+    for (const double scale : {0.0, -1.0, 1e-300, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        Job job = small_job();
+        job.parts[1].scale = scale;
+        EXPECT_THROW(pack(job), UsageError) << scale;
+    }
+}
+
+TEST_F(InMemory, ManyPartsOfOneMeshArePackedAsOneOfManyCopies) {
+    const auto mesh = std::make_shared<const Mesh>(test::bracket());
+    const auto transforms = [&](int parts, int count) {
+        Job job = small_job();
+        job.options.threads = 1;
+        job.parts.clear();
+        for (int i = 0; i < parts; ++i) {
+            job.parts.push_back({.name = "part " + std::to_string(i), .mesh = mesh, .count = count});
+        }
+        std::vector<Transform> found;
+        const PackResult result = pack(job);
+        for (const Placement& placement : result.packing.trays.front().placements) {
+            found.push_back(placement.transform);
+        }
+        return found;
+    };
+    const std::vector<Transform> one = transforms(1, 40);
+    EXPECT_FALSE(one.empty());
+    EXPECT_EQ(transforms(40, 1), one);
+    EXPECT_EQ(transforms(8, 5), one);
+}
+
 TEST_F(InMemory, PacksBoxesAndBracketsWithoutAFile) {
     const PackResult result = pack(small_job());
     EXPECT_FALSE(result.failure);

@@ -46,6 +46,23 @@ TEST(ReplaceFile, KeepsTheEndingForWritersThatChooseByIt) {
     EXPECT_TRUE(std::filesystem::exists(folder / "a.3mf"));
 }
 
+TEST(ReplaceFile, TakesNamesAsLongAsTheFileSystemDoes) {
+    const test::TemporaryFolder folder;
+    std::string characters;  // of two bytes each
+    for (int i = 0; i < 125; ++i) {
+        characters += "\xc3\xa9";
+    }
+    for (const std::string& stem : {std::string(250, 'a'), characters}) {
+        const std::filesystem::path path = folder / (stem + ".json"), temporary = temporary_file(path);
+        const std::string name = temporary.filename().string();
+        EXPECT_LE(name.size(), 255u);
+        EXPECT_EQ(name.find("\xc3."), std::string::npos) << "a character is cut in two";
+        replace_file(path, "x");
+        EXPECT_EQ(test::read_text(path), "x");
+    }
+    EXPECT_EQ(temporary_file("build.3mf").extension(), ".3mf");
+}
+
 TEST(ReplaceFile, AMissingFolderIsNamed) {
     const test::TemporaryFolder folder;
     try {

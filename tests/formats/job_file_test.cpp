@@ -272,6 +272,19 @@ TEST(JobFile, WhatIsSaidTwiceIsRefused) {
     }
 }
 
+TEST(JobFile, AKeySaidTwiceIsRefusedWhereverItStands) {
+    const std::pair<const char*, const char*> cases[] = {
+        {R"({"format": "spectralpack/job", "version": 1, "parts": [], "version": 1})", "version"},
+        {R"({"parts": [{"mesh": "a.stl"}, {"mesh": "b.stl", "count": 1, "count": 2}]})", "parts[1].count"},
+        {R"({"keep_out": [{"box": [[0, 0, 0], [1, 1, 1]]}, [], {"mesh": 1, "mesh": 1}]})", "keep_out[2].mesh"},
+        {R"({"options": {"gap": 1, "voxel": 2, "gap": 1}})", "options.gap"}};
+    for (const auto& [text, place] : cases) {
+        const InputError error = refusal([&] { parse_job("j.json", text); });
+        EXPECT_EQ(error.place(), place);
+        EXPECT_TRUE(contains(error.cause(), "twice")) << error.cause();
+    }
+}
+
 /// docs/job.schema.json and the reader know the same keys, and the reader takes the schema's examples.
 TEST(JobFile, TheSchemaKnowsTheSameKeys) {
     const json schema =

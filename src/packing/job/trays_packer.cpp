@@ -127,20 +127,41 @@ TraysPacker::TraysPacker(const PackingJob& job, PlacementSearch& engine, const W
       workers_(workers),
       shape_ids_(shape_ids_of(job.parts)),
       kept_(job.parts.size()),
-      decisions_(decisions) {}
+      decisions_(decisions) {
+    std::unordered_map<std::uint64_t, int> parts;
+    for (const std::uint64_t id : shape_ids_) {
+        ++parts[id];
+    }
+    for (const std::uint64_t id : shape_ids_) {
+        shared_.push_back(parts[id] > 1);
+    }
+}
 
 std::shared_ptr<const Shape> TraysPacker::shape_of(int part, int count, const TraySetup& tray, const Workers& workers) {
     const auto i = static_cast<std::size_t>(part);
     std::shared_ptr<const Shape> shape = kept_[i];
+    if (!shape && shared_[i]) shape = last_shared_.find(shape_ids_[i]);
     if (!shape) {
         const ScaledPart scaled = job_.parts[i].scaled();
         Shape made = make_shape(shape_ids_[i], *scaled.mesh, *scaled.orientations, tray.voxel_size, tray.detail,
                                 scaled.gap, tray.gap_classes, workers, job_.room);
         made.copies = job_.in_shares ? 0 : count;  // filling goes on as long as there is room
         shape = std::make_shared<const Shape>(std::move(made));
+        if (shared_[i]) last_shared_.put(shape_ids_[i], shape);
         if (keeps_shapes_) kept_[i] = shape;
     }
     return shape;
+}
+
+std::shared_ptr<const Shape> TraysPacker::LastShared::find(std::uint64_t id) {
+    const std::lock_guard lock(mutex_);
+    return id == id_ ? shape_ : nullptr;
+}
+
+void TraysPacker::LastShared::put(std::uint64_t id, std::shared_ptr<const Shape> shape) {
+    const std::lock_guard lock(mutex_);
+    id_ = id;
+    shape_ = std::move(shape);
 }
 
 void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {

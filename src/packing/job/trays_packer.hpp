@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -47,6 +48,19 @@ class TraysPacker {
     const Seconds& seconds() const { return seconds_; }
 
   private:
+    /// The voxels made last of those that several parts have: a set may name one mesh in thousands of rows, one after
+    /// the other. Used by several threads.
+    class LastShared {
+      public:
+        std::shared_ptr<const Shape> find(std::uint64_t id);  ///< null where it is another
+        void put(std::uint64_t id, std::shared_ptr<const Shape> shape);
+
+      private:
+        std::mutex mutex_;
+        std::uint64_t id_ = 0;  // of none
+        std::shared_ptr<const Shape> shape_;
+    };
+
     std::shared_ptr<const Shape> shape_of(int part, int count, const TraySetup& tray, const Workers& workers);
 
     const PackingJob& job_;
@@ -54,6 +68,8 @@ class TraysPacker {
     Workers workers_;
     std::vector<std::uint64_t> shape_ids_;            // by part
     std::vector<std::shared_ptr<const Shape>> kept_;  // by part
+    std::vector<bool> shared_;                        // by part: others have its voxels, too
+    LastShared last_shared_;
     bool keeps_shapes_ = false;
     Decisions* decisions_;
     std::function<void(const TraysResult&)> trays_told_;
