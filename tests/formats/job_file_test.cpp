@@ -278,9 +278,9 @@ TEST(JobFile, AKeySaidTwiceIsRefusedWhereverItStands) {
         {R"({"parts": [{"mesh": "a.stl"}, {"mesh": "b.stl", "count": 1, "count": 2}]})", "parts[1].count"},
         {R"({"keep_out": [{"box": [[0, 0, 0], [1, 1, 1]]}, [], {"mesh": 1, "mesh": 1}]})", "keep_out[2].mesh"},
         {R"({"options": {"gap": 1, "voxel": 2, "gap": 1}})", "options.gap"}};
-    for (const auto& [text, place] : cases) {
-        const InputError error = refusal([&] { parse_job("j.json", text); });
-        EXPECT_EQ(error.place(), place);
+    for (const auto& one : cases) {
+        const InputError error = refusal([&] { parse_job("j.json", one.first); });
+        EXPECT_EQ(error.place(), one.second);
         EXPECT_TRUE(contains(error.cause(), "twice")) << error.cause();
     }
 }
