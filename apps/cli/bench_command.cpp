@@ -107,7 +107,7 @@ Command add_bench_command(CLI::App& app) {
     sub->add_option("--time-limit", a.options.time_limit,
                     "seconds for each run; what it has by then counts, marked as cut off")
         ->check(CLI::PositiveNumber);
-    sub->add_option("--threads", a.threads, "threads of each run, 0 for all [0]");
+    sub->add_option("--threads", a.threads, "threads of each run, 0 for all [0]")->check(CLI::Range(0, kMostThreads));
     sub->add_option(
            "--peer", a.peers,
            "program for table 4, repeatable: NAME=COMMAND for a shell. {set}: the set file; {files}: every copy's\n"

@@ -6,6 +6,7 @@
 #include "exit_status.hpp"
 #include "interrupts.hpp"
 #include "progress_display.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -83,7 +84,7 @@ int run_check(const CheckArguments& arguments) {
     }
     if (report.stopped) return kInterrupted;
     if (plan_missing)
-        fmt::print(stderr, "spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
+        tell("spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
     if (!report.ok() || plan_missing) return kCheckFailed;
     return copies == 0 ? kNothingPlaced : kDone;
 }
@@ -98,7 +99,7 @@ Command add_check_command(CLI::App& app) {
         "the packer. Exit: 0 nothing wrong, 1 a fault, 3 a bad file, 6 nothing is placed.");
     auto arguments = std::make_shared<CheckArguments>();
     sub->add_option("PACKING", arguments->packing, "packing file (.json)")->required();
-    sub->add_option("--threads", arguments->threads, "threads, 0 for all");
+    sub->add_option("--threads", arguments->threads, "threads, 0 for all")->check(CLI::Range(0, kMostThreads));
     sub->add_flag("--json", arguments->json, "print the findings as JSON");
     sub->add_flag("--require-plan", arguments->require_plan, "no plan by which every copy comes out is a fault");
     return {sub, [arguments] { return run_check(*arguments); }};

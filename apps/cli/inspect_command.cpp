@@ -11,6 +11,7 @@
 #include "passed_over.hpp"
 #include "paths.hpp"
 #include "progress_display.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -155,7 +156,7 @@ int run_inspect(const InspectArguments& arguments) {
     }
     if (unusable == 0) return kDone;
     std::fflush(stdout);
-    fmt::print(stderr, "spectralpack: {} of {} cannot be used\n", unusable, counted(files.size(), "file", "files"));
+    tell("spectralpack: {} of {} cannot be used\n", unusable, counted(files.size(), "file", "files"));
     return kUnusableInput;
 }
 
@@ -173,7 +174,7 @@ Command add_inspect_command(CLI::App& app) {
     sub->add_option("-o,--output", a.picture, "draw them into this file (.png)");
     sub->add_option("--size", a.size, "pixels of the picture [1600x1200]");
     sub->add_option("--unit", a.unit, "unit of files that do not say: mm, inch, m [mm]");
-    sub->add_option("--threads", a.threads, "threads, 0 for all");
+    sub->add_option("--threads", a.threads, "threads, 0 for all")->check(CLI::Range(0, kMostThreads));
     sub->add_flag("--json", a.json, "print the findings as JSON");
     return {sub, [arguments] { return run_inspect(*arguments); }};
 }

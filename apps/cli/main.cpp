@@ -1,6 +1,7 @@
 /// The command line: parses, runs one subcommand, and turns errors into messages and exit statuses.
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <array>
@@ -77,6 +78,7 @@ void use_one_heap() {
 
 int main(int argc, char** argv) {
     use_one_heap();
+    signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error where it is written, as a full disk is
     try {
         return run(argc, argv);
     } catch (const Error& error) {

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <new>
 
 #include "commands.hpp"
 #include "default_settings.hpp"
@@ -15,11 +18,40 @@
 #include "printer_list.hpp"
 #include "progress_display.hpp"
 #include "summary.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 #include "time_probe.hpp"
 
 namespace spectralpack::cli {
 namespace {
+
+using Clock = Interrupts::Clock;
+
+// Of a time limit, kept for writing and for planning: shares, and no more than so many seconds. How long the plan takes
+// grows with what stands, as placing does (docs/conventions.md).
+constexpr double kWriting = 0.07, kDrawing = 0.2, kPlanning = 0.3;
+constexpr double kMostWriting = 10, kMostDrawing = 60;
+
+bool is_picture(const std::string& file) { return std::filesystem::path(file).extension() == ".png"; }
+
+/// How the time limit, if any, is spent.
+TimeShares time_shares(const JobSettings& settings) {
+    const bool draws = std::ranges::any_of(settings.outputs, is_picture) ||
+                       std::ranges::any_of(settings.reports, [](const std::string& report) {
+                           return std::filesystem::path(report).extension() == ".html";
+                       });
+    const double limit = settings.options.time_limit.value_or(0);
+    const auto at_most = [&](double share, double seconds) {
+        return limit > 0 ? std::min(share, seconds / limit) : share;
+    };
+    const double writing = draws ? at_most(kDrawing, kMostDrawing) : at_most(kWriting, kMostWriting);
+    const bool plans = settings.options.interlock != Interlock::off;
+    TimeShares shares;
+    shares.planning = 1 - writing;
+    shares.placing = (plans ? 1 - kPlanning : 1) * shares.planning;
+    shares.drawing = 1 - writing / 2;
+    return shares;
+}
 
 void check_files(const JobSettings& settings) {
     for (const std::string& output : settings.outputs) {
@@ -82,25 +114,30 @@ ReportDetails report_details(const JobSettings& settings) {
 }
 
 /// Writes every output; one that fails does not keep the others from being written.
-void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisplay& display, RunFacts& facts,
-                   int& status) {
+void write_outputs(const Scene& scene, const JobSettings& settings, const StopToken& hurry, ProgressDisplay& display,
+                   RunFacts& facts, int& status) {
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings.outputs.size() + settings.reports.size());
     const int threads = settings.options.threads;
-    const auto write = [&](const auto& action) {
+    const auto write = [&](const std::string& file, const auto& action) {
         try {
             action();
         } catch (const Error& error) {
             display.on_error(error.what());
             status = kOutOfResources;
+        } catch (const std::bad_alloc&) {
+            display.on_error("out of memory while " + file + " was made");
+            status = kOutOfResources;
         }
         ++done;
         display.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
     };
-    for (const std::string& output : settings.outputs) {
-        write([&] {
+    std::vector<std::string> outputs = settings.outputs;
+    std::ranges::stable_partition(outputs, std::not_fn(is_picture));  // what takes longest comes last
+    for (const std::string& output : outputs) {
+        write(output, [&] {
             WrittenFile written{output, {}};
-            const auto files = write_output(scene, output, threads);
+            const auto files = write_output(scene, output, threads, hurry);
             for (std::size_t i = 1; i < files.size(); ++i) {
                 written.trays.push_back(files[i].string());
             }
@@ -108,8 +145,8 @@ void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisp
         });
     }
     for (const std::string& report : settings.reports) {
-        write([&] {
-            write_report(scene, report, report_details(settings), threads);
+        write(report, [&] {
+            write_report(scene, report, report_details(settings), threads, hurry);
             facts.reports.push_back(report);
         });
     }
@@ -118,13 +155,20 @@ void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisp
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
-int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
-    const Estimate planned = estimate(job, {&display});
+int run_estimate(const Job& job, ProgressDisplay& display, Interrupts& interrupts, bool& unusable) {
+    const Clock::time_point start = Clock::now();
+    const Estimate planned = estimate(job, {&display, interrupts.token()});
+    const std::chrono::duration<double> loading = Clock::now() - start;
     display.finish();
+    if (planned.stopped != StopReason::none) {
+        tell("Stopped before anything was known.\n");
+        return planned.stopped == StopReason::cancelled ? kInterrupted : kDone;
+    }
     display.on_unusable(planned.unusable);
     display.end();
     unusable = unusable || !planned.unusable.empty();
-    const std::optional<ProbedTime> time = probe_time(job, kProbeSeconds, interrupts.token());
+    const std::optional<ProbedTime> time = probe_time(
+        job, kProbeSeconds, interrupts.trial(kProbePatience * kProbeSeconds + 2 * loading.count()));
     fmt::print("{}", estimate_text(planned, job.options, time));
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
@@ -135,7 +179,7 @@ int status_without_copies(const PackResult& result) {
 }
 
 int run_job(const Job& job, const JobSettings& settings, RunFacts facts, ProgressDisplay& display,
-            Interrupts& interrupts, bool& unusable) {
+            Interrupts& interrupts, Clock::time_point start, bool& unusable) {
     int status = kDone;
     const PackResult result = pack(job, {&display, interrupts.token()});
     display.on_unusable(result.unusable);
@@ -153,12 +197,13 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
         if (status == kDone) status = status_without_copies(result);
     } else {
         interrupts.begin_writing();
-        write_outputs(scene, settings, display, facts, status);
+        write_outputs(scene, settings, interrupts.hurry(), display, facts, status);
     }
     display.end();
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
     } else {
+        facts.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         fmt::print("{}", summary_text(result, facts));
     }
     if (status != kDone) return status;
@@ -178,24 +223,25 @@ RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& 
 }
 
 int run_pack(const PackArguments& arguments) {
+    const Clock::time_point start = Clock::now();
     if (arguments.text("printer") == "list") {
         print_printers(default_settings(arguments).own_printers, arguments.has("json"));
         return kDone;
     }
     if (arguments.parts.empty()) {
-        fmt::print(stderr, "{}'spectralpack pack --help' shows the options.\n", pack_help_head());
+        tell("{}'spectralpack pack --help' shows the options.\n", pack_help_head());
         return kUsage;
     }
     const JobSettings defaults = default_settings(arguments);
     settle(arguments, defaults);  // so that wrong usage is told before files are looked at
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
-    Interrupts interrupts(settings.options.time_limit);
+    Interrupts interrupts(settings.options.time_limit, time_shares(settings), start);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
     report_passed_over(inputs, display);
     display.on_unusable(inputs.unusable);
     if (inputs.parts.empty()) {
-        fmt::print(stderr, "Nothing is left to pack.\n");
+        tell("Nothing is left to pack.\n");
         return inputs.unusable.empty() ? kUsage : kUnusableInput;
     }
     Job job;
@@ -205,7 +251,8 @@ int run_pack(const PackArguments& arguments) {
     job.fixed = settings.fixed;
     job.own_printers = settings.own_printers;
     job.defaults = settings.defaults;
-    job.enough_orders = interrupts.half_time();
+    job.enough_orders = interrupts.half_placed();
+    job.enough_placed = interrupts.placed();
     const TakenOver taken = settle_container(arguments, settings, job);
     for (const std::string& remark : taken.remarks) {
         display.on_warning(remark);
@@ -216,7 +263,7 @@ int run_pack(const PackArguments& arguments) {
     bool unusable = !inputs.unusable.empty();
     const int status = settings.dry_run.value_or(false)
                            ? run_estimate(job, display, interrupts, unusable)
-                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);
+                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, start, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;
@@ -233,7 +280,8 @@ Command add_pack_command(CLI::App& app) {
         "A job file brings options of its own; those given on the command line override them.\n"
         "Exit status: 0 done, also with copies left over; 2 wrong usage; 3 a file cannot be used (the rest is\n"
         "packed and written); 4 no memory or disk; 5 copies left over with --require-all; 6 nothing placed, and\n"
-        "nothing written; 130 interrupted, the best so far is written.");
+        "nothing written; 130 interrupted, the best so far is written (a third signal within one second ends it\n"
+        "at once).");
     sub->formatter(std::make_shared<PackHelp>());
     sub->set_help_all_flag("--help-all", "Print this help with all options");
     auto arguments = std::make_shared<PackArguments>();

@@ -119,7 +119,7 @@ Command add_plan_command(CLI::App& app) {
            "packing's]")
         ->check(CLI::IsMember({"top", "any"}));
     sub->add_option("--time-limit", arguments->time_limit, "seconds")->check(CLI::NonNegativeNumber);
-    sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all");
+    sub->add_option("--threads", arguments->settings.threads, "threads, 0 for all")->check(CLI::Range(0, kMostThreads));
     sub->add_flag("--json", arguments->json, "print the plan's findings as JSON");
     return {sub, [arguments] { return run_plan(*arguments); }};
 }

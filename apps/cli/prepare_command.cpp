@@ -57,7 +57,7 @@ Command add_prepare_command(CLI::App& app) {
     sub->add_option("--tray", a.tray, "what is larger is scaled down to this, mm [480x245x200]");
     sub->add_option("--triangles", a.options.rules.triangles, "meshes of more are simplified [4000]");
     sub->add_option("--unit", a.unit, "unit of files that do not say: mm, inch, m [mm]");
-    sub->add_option("--threads", a.options.threads, "threads, 0 for all");
+    sub->add_option("--threads", a.options.threads, "threads, 0 for all")->check(CLI::Range(0, kMostThreads));
     return {sub, [arguments] { return run_prepare(*arguments); }};
 }
 

@@ -81,7 +81,7 @@ Command add_render_command(CLI::App& app) {
                     "draw step K of taking it apart, from 1 on: its copies half way out")
         ->type_name("K")
         ->excludes(explode);
-    sub->add_option("--threads", arguments->threads, "threads, 0 for all");
+    sub->add_option("--threads", arguments->threads, "threads, 0 for all")->check(CLI::Range(0, kMostThreads));
     return {sub, [arguments] { return run_render(*arguments); }};
 }
 

@@ -40,6 +40,7 @@ struct Estimate {
     double height_penalty = 0;           ///< p as it would be used
     std::vector<std::string> too_large;  ///< parts that fit in no orientation
     std::vector<InputError> unusable;
+    StopReason stopped = StopReason::none;  ///< ended early: the rest says nothing
 };
 
 /// Loads, voxelises and packs. The same job gives the same placements on any machine and number of threads.
@@ -49,8 +50,7 @@ struct Estimate {
 /// and for fixed copies that overlap or stick out.
 PackResult pack(const Job& job, const Control& control = {});
 
-/// Loads the inputs and plans, without packing; of `control` only the listener counts. Throws as pack() does, but not
-/// for memory.
+/// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.
 Estimate estimate(const Job& job, const Control& control = {});
 
 }  // namespace spectralpack

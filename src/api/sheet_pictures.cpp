@@ -19,8 +19,8 @@ int pixels(double millimetres, double a_millimetre) {
 
 class PictureMaker {
   public:
-    PictureMaker(const Scene& scene, const Workers& workers)
-        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers) {
+    PictureMaker(const Scene& scene, const Workers& workers, const StopToken& hurry)
+        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers), hurry_(hurry) {
         held_.add(meshes_, workers);
     }
 
@@ -62,7 +62,7 @@ class PictureMaker {
             if (part >= meshes_.size() || !meshes_[part]) return;
             const Stage stage = set_part_stage(meshes_[part], part_colour(static_cast<int>(i)),
                                                pixels(kThumbWidth, kSmallPixels), pixels(kThumbHeight, kSmallPixels));
-            result[part] = encode_png(paint(stage, held_, kSamples, workers_).image);
+            result[part] = encode_png(paint(stage, held_, kSamples, workers_, hurry_).image);
         });
         return result;
     }
@@ -84,7 +84,7 @@ class PictureMaker {
     /// Keep-outs that are boxes get a mesh with their stage.
     Picture picture_of(const Stage& stage) {
         held_.add(stage.meshes, workers_);
-        return paint(stage, held_, kSamples, workers_);
+        return paint(stage, held_, kSamples, workers_, hurry_);
     }
 
     SheetPicture sheet_picture(const Stage& stage, const Picture& picture, bool numbered) const {
@@ -149,13 +149,14 @@ class PictureMaker {
     const Packing& packing_;
     const PartMeshes& meshes_;
     const Workers& workers_;
+    const StopToken& hurry_;
     RayMeshes held_;
 };
 
 }  // namespace
 
-void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers) {
-    PictureMaker maker(scene, workers);
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const StopToken& hurry) {
+    PictureMaker maker(scene, workers, hurry);
     const std::vector<std::vector<Box>> boxes = maker.boxes();
     contents.layout = sheet_layout(scene.packing, boxes);
     for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {

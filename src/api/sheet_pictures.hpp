@@ -7,7 +7,7 @@
 
 namespace spectralpack {
 
-/// Fills in layout, pictures and thumbs. Each mesh is prepared once for all of them.
-void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers);
+/// Fills in layout, pictures and thumbs. Each mesh is prepared once for all of them. `hurry`: as paint() has it.
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const StopToken& hurry);
 
 }  // namespace spectralpack

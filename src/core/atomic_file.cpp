@@ -1,15 +1,46 @@
 #include "core/atomic_file.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace spectralpack {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Temporary names are this, the number of the process, and the ending, which is kept because some writers choose the
+/// format by it.
+std::string temporary_stem(const fs::path& path) { return "." + path.stem().string() + ".part"; }
+
+/// Removes temporary files of `path` whose processes are gone: they were killed.
+void remove_leftovers(const fs::path& folder, const fs::path& path) {
+    const std::string stem = temporary_stem(path), ending = path.extension().string();
+    std::error_code ignored;
+    std::vector<fs::path> leftovers;
+    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.size() <= stem.size() + ending.size() || !name.starts_with(stem) || !name.ends_with(ending)) continue;
+        const char* const first = name.data() + stem.size();
+        const char* const last = name.data() + name.size() - ending.size();
+        pid_t process = 0;
+        const auto [after, error] = std::from_chars(first, last, process);
+        if (error != std::errc() || after != last || process <= 0) continue;
+        if (::kill(process, 0) != 0 && errno == ESRCH) leftovers.push_back(entry->path());
+    }
+    for (const fs::path& leftover : leftovers) {
+        fs::remove(leftover, ignored);
+    }
+}
+
+}  // namespace
 
 ResourceError write_failure(const fs::path& path) {
     const std::string reason =
@@ -22,9 +53,9 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
     if (!fs::is_directory(folder)) {
         throw ResourceError("cannot write " + path.string() + ": there is no folder " + folder.string());
     }
-    // The ending is kept because some writers choose the format by it.
-    fs::path temporary =
-        folder / ("." + path.stem().string() + ".part" + std::to_string(::getpid()) + path.extension().string());
+    remove_leftovers(folder, path);
+    const fs::path temporary =
+        folder / (temporary_stem(path) + std::to_string(::getpid()) + path.extension().string());
     std::error_code ignored;
     try {
         errno = 0;

@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "packing/tray/open_height.hpp"
 #include "spectralpack/error.hpp"
 
@@ -33,6 +34,16 @@ class Placer {
 
     template <class ShapeOf>
     PlaceOutcome place(const Copy& copy, const ShapeOf& shape_of) {
+        try {
+            return try_place(copy, shape_of);
+        } catch (const Stopped&) {  // while its voxels were made
+            return PlaceOutcome::stopped;
+        }
+    }
+
+  private:
+    template <class ShapeOf>
+    PlaceOutcome try_place(const Copy& copy, const ShapeOf& shape_of) {
         if (context_.stop.stopped()) return PlaceOutcome::stopped;
         Caps* const caps = context_.limits.caps;
         if (caps) {
@@ -61,7 +72,6 @@ class Placer {
         return PlaceOutcome::placed;
     }
 
-  private:
     Tray& tray_;
     const TrayContext& context_;
     GreedyResult& result_;
@@ -71,6 +81,7 @@ class Placer {
 
 SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
                         const Shape& shape) {
+    if (tray.excludes(shape.gap_class)) return {};
     Caps* const caps = context.limits.caps;
     for (;;) {
         CostModel allowed = context.model;
