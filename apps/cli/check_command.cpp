@@ -83,8 +83,7 @@ int run_check(const CheckArguments& arguments) {
         print_report(scene, report, copies);
     }
     if (report.stopped) return kInterrupted;
-    if (plan_missing)
-        tell("spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
+    if (plan_missing) tell("spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
     if (!report.ok() || plan_missing) return kCheckFailed;
     return copies == 0 ? kNothingPlaced : kDone;
 }

@@ -167,8 +167,8 @@ int run_estimate(const Job& job, ProgressDisplay& display, Interrupts& interrupt
     display.on_unusable(planned.unusable);
     display.end();
     unusable = unusable || !planned.unusable.empty();
-    const std::optional<ProbedTime> time = probe_time(
-        job, kProbeSeconds, interrupts.trial(kProbePatience * kProbeSeconds + 2 * loading.count()));
+    const std::optional<ProbedTime> time =
+        probe_time(job, kProbeSeconds, interrupts.trial(kProbePatience * kProbeSeconds + 2 * loading.count()));
     fmt::print("{}", estimate_text(planned, job.options, time));
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
@@ -261,9 +261,9 @@ int run_pack(const PackArguments& arguments) {
     spare_inputs(job, settings, arguments);
 
     bool unusable = !inputs.unusable.empty();
-    const int status = settings.dry_run.value_or(false)
-                           ? run_estimate(job, display, interrupts, unusable)
-                           : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, start, unusable);
+    const int status = settings.dry_run.value_or(false) ? run_estimate(job, display, interrupts, unusable)
+                                                        : run_job(job, settings, facts_of(job, settings, taken),
+                                                                  display, interrupts, start, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;

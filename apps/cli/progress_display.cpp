@@ -67,10 +67,10 @@ void ProgressDisplay::on_progress(const Progress& progress) {
             progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
         const std::string verified = progress.verified > 0 ? fmt::format(R"(, "verified": {})", progress.verified) : "";
         tell(R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
-                   "\n",
-                   to_string(progress.phase), progress.done, progress.total,
-                   progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
-                   left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
+             "\n",
+             to_string(progress.phase), progress.done, progress.total,
+             progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
+             left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
     } else {
         draw(progress, left);
     }

@@ -95,7 +95,8 @@ VoxelBytes voxel_bytes(const Vec3& size, double voxel, int detail, std::span<con
 
 /// The gaps that voxels are widened by.
 std::span<const double> widening_gaps(const Plan& plan) {
-    const auto beyond = std::ranges::find_if(plan.gap_classes, [&](double gap) { return holds_one_only(plan.room, gap); });
+    const auto beyond =
+        std::ranges::find_if(plan.gap_classes, [&](double gap) { return holds_one_only(plan.room, gap); });
     return {plan.gap_classes.begin(), beyond};
 }
 

@@ -32,7 +32,12 @@ namespace {
 class JobRun {
   public:
     JobRun(const Job& job, Listener& listener, const StopToken& stop)
-        : job_(job), options_(job.options), listener_(listener), stop_(stop), workers_(job.options.threads), preparing_(workers_.stopping_with(enough())) {}
+        : job_(job),
+          options_(job.options),
+          listener_(listener),
+          stop_(stop),
+          workers_(job.options.threads),
+          preparing_(workers_.stopping_with(enough())) {}
 
     PackResult run() {
         const Stopwatch watch;

@@ -100,7 +100,8 @@ bool is_output_file(const std::filesystem::path& path) {
 namespace {
 
 /// `first`: the number of its first tray.
-void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads, const StopToken& hurry) {
+void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads,
+               const StopToken& hurry) {
     const std::string ending = ending_of(path);
     if (ending == ".json") {
         write_packing(scene.packing, path);

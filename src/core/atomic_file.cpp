@@ -54,8 +54,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
         throw ResourceError("cannot write " + path.string() + ": there is no folder " + folder.string());
     }
     remove_leftovers(folder, path);
-    const fs::path temporary =
-        folder / (temporary_stem(path) + std::to_string(::getpid()) + path.extension().string());
+    const fs::path temporary = folder / (temporary_stem(path) + std::to_string(::getpid()) + path.extension().string());
     std::error_code ignored;
     try {
         errno = 0;

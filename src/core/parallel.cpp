@@ -86,8 +86,7 @@ constexpr rlim_t kStack = 8 << 20;
 int threads_that_start(int wanted) {
     rlimit addresses{};
     if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) {
-        wanted = static_cast<int>(
-            std::min(static_cast<rlim_t>(wanted), addresses.rlim_cur / kShareOfStacks / kStack));
+        wanted = static_cast<int>(std::min(static_cast<rlim_t>(wanted), addresses.rlim_cur / kShareOfStacks / kStack));
     }
     std::promise<void> all_there;
     const std::shared_future<void> wait = all_there.get_future().share();

@@ -18,7 +18,7 @@ struct PaintInput {
     const RayScene& rays;
     const Shading& shading;
     const Outline& outline;
-    int samples;           ///< per pixel and axis
+    int samples;          ///< per pixel and axis
     bool shadows = true;  ///< and occlusion of the sky, which take most of the time
 };
 

@@ -116,7 +116,8 @@ void set_near_by_voxel(BitGrid& grid, const BitGrid& far, const VoxelIndex& firs
 
 void set_near_by_triangle(BitGrid& grid, const VoxelIndex& first, const GridMesh& mesh, double reach,
                           const Workers& workers) {
-    for_each_triangle(mesh, workers, [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach, workers); });
+    for_each_triangle(mesh, workers,
+                      [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach, workers); });
 }
 
 /// By the distances between voxels' centres all but a thin layer, and that by the voxel or by the triangle, whichever

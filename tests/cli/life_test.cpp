@@ -58,9 +58,9 @@ TEST(RunLife, AThirdSignalWithinASecondEndsItAtOnceAndSaysSo) {
 
 TEST(RunLife, UnderNohupAHangUpDoesNotEndIt) {
     const TemporaryFolder folder;
-    RunningProgram program({"pack", kHook + ":3", "--tray", "90x90x60", "--progress", "json", "-o",
-                            (folder / "b.json").string()},
-                           [] { ::signal(SIGHUP, SIG_IGN); });
+    RunningProgram program(
+        {"pack", kHook + ":3", "--tray", "90x90x60", "--progress", "json", "-o", (folder / "b.json").string()},
+        [] { ::signal(SIGHUP, SIG_IGN); });
     ASSERT_TRUE(program.says(placed(0)));
     program.signal(SIGHUP);
     EXPECT_EQ(program.wait(), 0) << program.err();
@@ -68,15 +68,14 @@ TEST(RunLife, UnderNohupAHangUpDoesNotEndIt) {
 
 TEST(RunLife, WhoReadsTheProgressMayGo) {
     const TemporaryFolder folder;
-    RunningProgram program({"pack", kHook + ":3", "--tray", "90x90x60", "--progress", "json", "-o",
-                            (folder / "b.json").string()},
-                           [] {
-                               int ends[2];
-                               if (pipe(ends) != 0) _exit(125);
-                               dup2(ends[1], STDERR_FILENO);
-                               close(ends[0]);  // nobody reads
-                               close(ends[1]);
-                           });
+    RunningProgram program(
+        {"pack", kHook + ":3", "--tray", "90x90x60", "--progress", "json", "-o", (folder / "b.json").string()}, [] {
+            int ends[2];
+            if (pipe(ends) != 0) _exit(125);
+            dup2(ends[1], STDERR_FILENO);
+            close(ends[0]);  // nobody reads
+            close(ends[1]);
+        });
     EXPECT_EQ(program.wait(), 0);
     EXPECT_EQ(read_json(folder / "b.json")["metrics"]["placed"], 3);
 }
@@ -128,7 +127,7 @@ TEST(RunLife, GoesOnWithTheThreadsThatStart) {
 TEST(RunLife, WithLittleRoomItIsRefusedOrWritesWhatItHas) {
     if (kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
     for (const rlim_t megabytes : {120, 160, 250, 400}) {
-        for (const std::string& memory : {"100M", "4G"}) {
+        for (const char* memory : {"100M", "4G"}) {
             const TemporaryFolder folder;
             const Ran ran = spectralpack({"pack", kHook + ":300000", "--tray", "80x80x80", "--voxel", "3", "--memory",
                                           memory, "-o", (folder / "b.json").string()},
@@ -150,10 +149,9 @@ class WideGap : public testing::TestWithParam<std::string> {};
 TEST_P(WideGap, LeavesOneCopyForEachTrayAtOnce) {
     const TemporaryFolder folder;
     for (const bool all : {false, true}) {
-        const Ran ran =
-            spectralpack({"pack", kHook + ":2", "--tray", "60x60x40", "--voxel", "4", "--gap", GetParam(), "--trays",
-                          all ? "all" : "1", "-o", (folder / "b.json").string()},
-                         {}, {0, 60, 200});
+        const Ran ran = spectralpack({"pack", kHook + ":2@0.5", "--tray", "60x60x40", "--voxel", "4", "--gap",
+                                      GetParam(), "--trays", all ? "all" : "1", "-o", (folder / "b.json").string()},
+                                     {}, {0, 60, 200});
         ASSERT_EQ(ran.status, 0) << ran.err;
         const json packing = read_json(folder / "b.json");
         EXPECT_EQ(packing["metrics"]["placed"], all ? 2 : 1);

@@ -77,9 +77,8 @@ inline std::vector<std::string> long_job(const std::filesystem::path& output) {
 
 /// Whether so many copies stand.
 inline Moment placed(int copies) {
-    return reported([copies](const nlohmann::json& line) {
-        return line.value("phase", "") == "search" && line["done"] >= copies;
-    });
+    return reported(
+        [copies](const nlohmann::json& line) { return line.value("phase", "") == "search" && line["done"] >= copies; });
 }
 
 }  // namespace spectralpack::test

@@ -53,9 +53,12 @@ TEST(ReplaceFile, RemovesWhatKilledProcessesLeftOfTheSameFile) {
     int status = 0;
     ASSERT_EQ(waitpid(gone, &status, 0), gone);
     const std::string killed = std::to_string(gone), alive = std::to_string(getppid());
-    const std::vector<std::string> kept{".b.part" + killed + ".txt", ".a.part" + killed + ".json",
-                                        ".a.part" + alive + ".txt",  ".a.part.txt",
-                                        ".a.part12x.txt",            "a.part" + killed + ".txt"};
+    const std::vector<std::string> kept{".b.part" + killed + ".txt",
+                                        ".a.part" + killed + ".json",
+                                        ".a.part" + alive + ".txt",
+                                        ".a.part.txt",
+                                        ".a.part12x.txt",
+                                        "a.part" + killed + ".txt"};
     for (const std::string& name : kept) {
         std::ofstream(folder / name) << "x";
     }

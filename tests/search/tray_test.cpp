@@ -228,9 +228,7 @@ TEST(Tray, ExcludesWhatCannotKeepItsGapInIt) {
     TraySetup setup = setup_of({6, 8, 10}, 1);  // diagonal 14.14
     setup.gap_classes = {0, 14.1, 14.2};
     Tray tray(setup);
-    const auto excluded = [&tray] {
-        return std::array{tray.excludes(0), tray.excludes(1), tray.excludes(2)};
-    };
+    const auto excluded = [&tray] { return std::array{tray.excludes(0), tray.excludes(1), tray.excludes(2)}; };
     EXPECT_EQ(excluded(), (std::array{false, false, false})) << "nothing stands";
     const ObjectId plain = tray.add({box({2, 2, 2}), {0, 0, 0}, 1});
     EXPECT_EQ(excluded(), (std::array{false, false, true}));

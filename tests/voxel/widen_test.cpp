@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/triangle_distance.hpp"
 #include "core/stopped.hpp"
+#include "geometry/triangle_distance.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
 #include "spectralpack/error.hpp"

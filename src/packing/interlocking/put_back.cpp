@@ -57,8 +57,8 @@ class PuttingBack {
         std::unordered_set<int> hopeless;
         for (std::size_t i = 0; i < copies.size(); ++i) {
             const bool was_taken_out = wish_.taken_out.contains(copies[i]);
-            const bool again =
-                !stop.stopped() && !hopeless.contains(copies[i].part) && try_put_in(shapes, i, copies[i], was_taken_out);
+            const bool again = !stop.stopped() && !hopeless.contains(copies[i].part) &&
+                               try_put_in(shapes, i, copies[i], was_taken_out);
             if (!again) {
                 hopeless.insert(copies[i].part);
                 if (was_taken_out && !stop.stopped()) result_.interlocked.push_back(copies[i]);

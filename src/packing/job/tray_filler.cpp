@@ -243,7 +243,7 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Copy
         context_.search.forget();
         fill_in_shares(shares, first, copy_done, other);
         const bool better = !enough().stopped() && std::ranges::min(rounds_of(shares, other.placed)) >
-                                                            std::ranges::min(rounds_of(shares, result.placed));
+                                                       std::ranges::min(rounds_of(shares, result.placed));
         const std::int64_t searches = result.searches + other.searches;
         if (better) {
             result = std::move(other);
