@@ -49,7 +49,7 @@ TimeShares time_shares(const JobSettings& settings) {
     TimeShares shares;
     shares.planning = 1 - writing;
     shares.placing = (plans ? 1 - kPlanning : 1) * shares.planning;
-    shares.drawing = 1 - writing / 2;
+    shares.drawing = 1 - 0.75 * writing;
     return shares;
 }
 

@@ -305,7 +305,7 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
                                      plan.memory_limit) {
         fitting *= 1.1;
     }
-    const bool by_copies = 2 * plan.memory_of_copies > plan.memory_limit;
+    const bool by_copies = 2 * plan.memory_of_copies > plan.memory;
     std::string advice = by_copies ? "; fewer copies would fit" : "; no voxel size fits";
     if (fitting < coarsest) {
         // Rounded up to two digits, so that it is a size a person would type.
