@@ -31,6 +31,8 @@ using Clock = Interrupts::Clock;
 // grows with what stands, as placing does (docs/conventions.md).
 constexpr double kWriting = 0.07, kDrawing = 0.2, kPlanning = 0.3;
 constexpr double kMostWriting = 10, kMostDrawing = 60;
+// Drawn plainly, pictures still take so many seconds; for that a third is kept at most.
+constexpr double kLeastDrawing = 2.5, kMostOfAll = 0.33;
 
 bool is_picture(const std::string& file) { return std::filesystem::path(file).extension() == ".png"; }
 
@@ -44,7 +46,8 @@ TimeShares time_shares(const JobSettings& settings) {
     const auto at_most = [&](double share, double seconds) {
         return limit > 0 ? std::min(share, seconds / limit) : share;
     };
-    const double writing = draws ? at_most(kDrawing, kMostDrawing) : at_most(kWriting, kMostWriting);
+    const double drawing = std::max(at_most(kDrawing, kMostDrawing), at_most(kMostOfAll, kLeastDrawing));
+    const double writing = draws ? drawing : at_most(kWriting, kMostWriting);
     const bool plans = settings.options.interlock != Interlock::off;
     TimeShares shares;
     shares.planning = 1 - writing;

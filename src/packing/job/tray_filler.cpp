@@ -172,6 +172,11 @@ UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const Fil
 
 void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options,
                                 FilledTray& result) {
+    if (context.stop.stopped() &&
+        !result.placed.empty()) {  // nothing would be found out, of large meshes after seconds
+        result.plan.emplace();
+        return;
+    }
     Untangled untangled = untangle(tray, result.placed, context, options);
     result.interlocked = std::move(untangled.interlocked);
     result.report = untangled.report;

@@ -62,6 +62,7 @@ class Placer {
             if (!why.empty()) result_.why[copy.part] = why;
             return PlaceOutcome::no_place;
         }
+        if (context_.stop.stopped()) return PlaceOutcome::stopped;  // the surfaces of a large mesh take seconds
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
         Settled settled = context_.settle(copy, shape, *found.best);
         const ObjectId object = tray_.add(std::move(settled.object));
