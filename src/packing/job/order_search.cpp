@@ -175,7 +175,9 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
         keep(std::move(found.trays), last.trays.size());
         throw;
     }
-    if (!last.trays.back().untried.empty()) return keep(std::move(found.trays), last.trays.size());
+    // Cut short, it holds fewer copies than the one found, but these are known to come apart.
+    const bool comes_apart = job.fill.interlock != Interlock::off && !options.stop.stopped() && last.placed() > 0;
+    if (!last.trays.back().untried.empty() && !comes_apart) return keep(std::move(found.trays), last.trays.size());
     last.trays.front().searches += searches;
     packed.trays = std::move(last);
 }
