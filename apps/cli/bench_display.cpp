@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "tell.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -35,7 +36,7 @@ void BenchDisplay::on_table(const std::string& markdown) { fmt::print("{}\n", ma
 
 void BenchDisplay::tell(const std::string& line) {
     line_.clear();
-    fmt::print(stderr, "{}\n", printable(line));
+    cli::tell("{}\n", printable(line));
 }
 
 }  // namespace spectralpack::cli

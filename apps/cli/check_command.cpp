@@ -7,6 +7,7 @@
 #include "interrupts.hpp"
 #include "number_options.hpp"
 #include "progress_display.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -83,8 +84,7 @@ int run_check(const CheckArguments& arguments) {
         print_report(scene, report, copies);
     }
     if (report.stopped) return kInterrupted;
-    if (plan_missing)
-        fmt::print(stderr, "spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
+    if (plan_missing) tell("spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
     if (!report.ok() || plan_missing) return kCheckFailed;
     return copies == 0 ? kNothingPlaced : kDone;
 }

@@ -12,6 +12,7 @@
 #include "passed_over.hpp"
 #include "paths.hpp"
 #include "progress_display.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 
 namespace spectralpack::cli {
@@ -156,7 +157,7 @@ int run_inspect(const InspectArguments& arguments) {
     }
     if (unusable == 0) return kDone;
     std::fflush(stdout);
-    fmt::print(stderr, "spectralpack: {} of {} cannot be used\n", unusable, counted(files.size(), "file", "files"));
+    tell("spectralpack: {} of {} cannot be used\n", unusable, counted(files.size(), "file", "files"));
     return kUnusableInput;
 }
 

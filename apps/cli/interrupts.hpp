@@ -1,41 +1,68 @@
 #pragma once
-/// Turns Ctrl-C, SIGTERM and a time limit into a stop request.
+/// Turns Ctrl-C, SIGTERM, SIGHUP and a time limit into stop requests.
+
+#include <signal.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <optional>
-#include <thread>
+#include <vector>
 
 #include <spectralpack/spectralpack.hpp>
 
 namespace spectralpack::cli {
 
-/// While it lives, a thread waits for SIGINT and SIGTERM (blocked in the whole process, so make it before any
-/// other thread) and for the time limit. The first signal asks the work to stop; the second ends the process.
+/// How a run spends a time limit: the ends of its parts, as shares of it.
+struct TimeShares {
+    double placing = 1;   ///< then what stands is made to come apart
+    double planning = 1;  ///< then files are written
+    double drawing = 1;   ///< then pictures are drawn plainly
+};
+
+/// While it lives, signals ask the work to stop; only a third within one second ends the process. SIGHUP counts unless
+/// it was ignored before (nohup). The end of who reads the output (SIGPIPE) does not end the work. One at a time.
+///
+/// There is no thread for it, which might not start: timers and handlers set the tokens, which is safe in them.
 class Interrupts {
   public:
-    explicit Interrupts(std::optional<double> time_limit_seconds);
+    using Clock = std::chrono::steady_clock;
+
+    /// The limit counts from `start`.
+    explicit Interrupts(std::optional<double> time_limit_seconds, const TimeShares& shares = {},
+                        Clock::time_point start = Clock::now());
     ~Interrupts();
     Interrupts(const Interrupts&) = delete;
     Interrupts& operator=(const Interrupts&) = delete;
 
-    StopToken token() const { return source_.token(); }
+    /// Ends all work but writing.
+    StopToken token() const { return ends_[kPlanned].token(); }
+    /// Ends placing; stops with token(), too.
+    StopToken placed() const { return ends_[kPlaced].token(); }
+    /// For what may take half of the time for placing; stops with placed(), too.
+    StopToken half_placed() const { return ends_[kHalf].token(); }
+    /// For a try beforehand, which takes no longer than so many seconds from now on; stops with all others.
+    StopSource& trial(double most_seconds);
+    /// Pictures are drawn plainly from here on. Signals do not request it.
+    StopToken hurry() const { return ends_[kHurry].token(); }
 
-    /// From here on files are written: the second signal cannot say that none was.
+    /// From here on files are written: who ends the process cannot say that none was.
     void begin_writing() { writing_ = true; }
 
-    /// For what may take half of the time limit; stops with token(), too.
-    StopToken half_time() const { return half_.token(); }
-
   private:
-    void wait();
-    [[noreturn]] void stop_at_once() const;
-    void request(StopReason reason);
+    enum End { kTrial, kHalf, kPlaced, kPlanned, kHurry, kEnds };
 
-    StopSource source_, half_;
-    std::optional<std::chrono::steady_clock::time_point> deadline_, half_time_;
-    std::atomic<bool> done_{false}, writing_{false};
-    std::thread thread_;
+    static void handle(int signal, siginfo_t* info, void*);
+    void set_timer(End end, Clock::time_point when);
+    void time_is_over(int end);
+    void ask_to_stop();
+    [[noreturn]] void stop_at_once() const;
+
+    StopSource ends_[kEnds];
+    std::vector<timer_t> timers_;
+    std::vector<struct sigaction> before_;  // what the signals did
+    std::atomic<bool> writing_{false};
+    std::atomic<std::int64_t> last_{0}, last_but_one_{0};  // when signals came, ns
 };
 
 }  // namespace spectralpack::cli

@@ -1,6 +1,7 @@
 /// The command line: parses, runs one subcommand, and turns errors into messages and exit statuses.
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <array>
@@ -95,6 +96,7 @@ int told(int argc, char** argv) {
 int main(int argc, char** argv) {
     hold_standard_streams();
     use_one_heap();
+    signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error where it is written, as a full disk is
     const int status = told(argc, argv);
     const auto loss = lost_output();
     return loss ? complain("cannot write standard output: " + *loss, kOutOfResources) : status;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <new>
 
 #include "commands.hpp"
 #include "default_settings.hpp"
@@ -16,11 +18,15 @@
 #include "progress_display.hpp"
 #include "run_outputs.hpp"
 #include "summary.hpp"
+#include "tell.hpp"
 #include "text.hpp"
 #include "time_probe.hpp"
+#include "time_shares.hpp"
 
 namespace spectralpack::cli {
 namespace {
+
+using Clock = Interrupts::Clock;
 
 std::vector<NamedOutput> outputs_of(const JobSettings& settings) {
     std::vector<NamedOutput> outputs;
@@ -105,13 +111,20 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
-int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
-    const Estimate planned = estimate(job, {&display});
+int run_estimate(const Job& job, ProgressDisplay& display, Interrupts& interrupts, bool& unusable) {
+    const Clock::time_point start = Clock::now();
+    const Estimate planned = estimate(job, {&display, interrupts.token()});
+    const std::chrono::duration<double> loading = Clock::now() - start;
     display.finish();
+    if (planned.stopped != StopReason::none) {
+        tell("Stopped before anything was known.\n");
+        return planned.stopped == StopReason::cancelled ? kInterrupted : kDone;
+    }
     display.on_unusable(planned.unusable);
     display.end();
     unusable = unusable || !planned.unusable.empty();
-    const std::optional<ProbedTime> time = probe_time(job, kProbeSeconds, interrupts.token());
+    const std::optional<ProbedTime> time =
+        probe_time(job, kProbeSeconds, interrupts.trial(kProbePatience * kProbeSeconds + 2 * loading.count()));
     fmt::print("{}", estimate_text(planned, job.options, time));
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
@@ -172,7 +185,7 @@ class PackDisplay final : public ProgressDisplay {
 };
 
 int run_job(const Job& job, const JobSettings& settings, const JournalOptions& journal, RunFacts facts,
-            PackDisplay& display, Interrupts& interrupts, bool& unusable) {
+            PackDisplay& display, Interrupts& interrupts, Clock::time_point start, bool& unusable) {
     int status = kDone;
     const PackResult result = pack(job, {&display, interrupts.token()}, journal);
     display.on_unusable(result.unusable);
@@ -187,13 +200,14 @@ int run_job(const Job& job, const JobSettings& settings, const JournalOptions& j
         if (status == kDone) status = status_without_copies(result);
     } else {
         interrupts.begin_writing();
-        if (!display.outputs().write(scene, facts)) status = kOutOfResources;
+        if (!display.outputs().write(scene, interrupts.hurry(), facts)) status = kOutOfResources;
     }
     settle_journal(result, status != kOutOfResources, display);
     display.end();
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
     } else {
+        facts.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         fmt::print("{}", summary_text(result, facts));
     }
     if (status != kDone) return status;
@@ -213,12 +227,13 @@ RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& 
 }
 
 int run_pack(const PackArguments& arguments) {
+    const Clock::time_point start = Clock::now();
     if (arguments.text("printer") == "list") {
         print_printers(default_settings(arguments).own_printers, arguments.has("json"));
         return kDone;
     }
     if (arguments.parts.empty()) {
-        fmt::print(stderr, "{}'spectralpack pack --help' shows the options.\n", pack_help_head());
+        tell("{}'spectralpack pack --help' shows the options.\n", pack_help_head());
         return kUsage;
     }
     const JobSettings defaults = default_settings(arguments);
@@ -226,12 +241,12 @@ int run_pack(const PackArguments& arguments) {
     const ExpandedInputs inputs = expand_inputs(arguments.parts, arguments.text("mesh-dir"), defaults);
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
     const JournalOptions journal = journal_options(arguments, settings);
-    Interrupts interrupts(settings.options.time_limit);
+    Interrupts interrupts(settings.options.time_limit, time_shares(settings), start);
     PackDisplay display(settings.progress.value_or(ProgressStyle::automatic), settings);
     report_passed_over(inputs, display);
     display.on_unusable(inputs.unusable);
     if (inputs.parts.empty()) {
-        fmt::print(stderr, "Nothing is left to pack.\n");
+        tell("Nothing is left to pack.\n");
         return inputs.unusable.empty() ? kUsage : kUnusableInput;
     }
     Job job;
@@ -241,7 +256,8 @@ int run_pack(const PackArguments& arguments) {
     job.fixed = settings.fixed;
     job.own_printers = settings.own_printers;
     job.defaults = settings.defaults;
-    job.enough_orders = interrupts.half_time();
+    job.enough_orders = interrupts.half_placed();
+    job.enough_placed = interrupts.placed();
     const TakenOver taken = settle_container(arguments, settings, job);
     for (const std::string& remark : taken.remarks) {
         display.on_warning(remark);
@@ -254,7 +270,7 @@ int run_pack(const PackArguments& arguments) {
     const int status =
         settings.dry_run.value_or(false)
             ? run_estimate(job, display, interrupts, unusable)
-            : run_job(job, settings, journal, facts_of(job, settings, taken), display, interrupts, unusable);
+            : run_job(job, settings, journal, facts_of(job, settings, taken), display, interrupts, start, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;
@@ -271,7 +287,8 @@ Command add_pack_command(CLI::App& app) {
         "A job file brings options of its own; those given on the command line override them.\n"
         "Exit status: 0 done, also with copies left over; 2 wrong usage; 3 a file cannot be used (the rest is\n"
         "packed and written); 4 no memory or disk; 5 copies left over with --require-all; 6 nothing placed, and\n"
-        "nothing written; 130 interrupted, the best so far is written.");
+        "nothing written; 130 interrupted, the best so far is written (a third signal within one second ends it\n"
+        "at once).");
     sub->formatter(std::make_shared<PackHelp>());
     sub->set_help_all_flag("--help-all", "Print this help with all options");
     auto arguments = std::make_shared<PackArguments>();

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "tell.hpp"
 #include "text.hpp"
 #include "unusable_files.hpp"
 
@@ -65,12 +66,11 @@ void ProgressDisplay::on_progress(const Progress& progress) {
         const std::string orders =
             progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
         const std::string verified = progress.verified > 0 ? fmt::format(R"(, "verified": {})", progress.verified) : "";
-        fmt::print(stderr,
-                   R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
-                   "\n",
-                   to_string(progress.phase), progress.done, progress.total,
-                   progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
-                   left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
+        tell(R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
+             "\n",
+             to_string(progress.phase), progress.done, progress.total,
+             progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
+             left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
     } else {
         draw(progress, left);
     }
@@ -107,7 +107,7 @@ void ProgressDisplay::draw(const Progress& progress, double left) {
 
 void ProgressDisplay::end() {
     finish();
-    if (told_) fmt::print(stderr, "\n");
+    if (told_) tell("\n");
     told_ = false;
 }
 
@@ -120,9 +120,9 @@ void ProgressDisplay::on_unusable(const std::vector<InputError>& errors) {
         }
         return;
     }
-    if (told_) fmt::print(stderr, "\n");
+    if (told_) tell("\n");
     for (const std::string& line : unusable_lines(errors)) {
-        fmt::print(stderr, "{}\n", line);
+        tell("{}\n", line);
     }
     told_ = true;
 }
@@ -130,10 +130,10 @@ void ProgressDisplay::on_unusable(const std::vector<InputError>& errors) {
 void ProgressDisplay::on_warning(const std::string& message) {
     finish();
     if (style_ == ProgressStyle::json) {
-        fmt::print(stderr, "{{\"warning\": {}}}\n", json_string(message));
+        tell("{{\"warning\": {}}}\n", json_string(message));
     } else {
         const char* end = message.ends_with('?') || message.ends_with('.') ? "" : ".";
-        fmt::print(stderr, "{}\n", wrapped(fmt::format("Remark: {}{}", printable(message), end), kScreenWidth));
+        tell("{}\n", wrapped(fmt::format("Remark: {}{}", printable(message), end), kScreenWidth));
         told_ = true;
     }
 }
@@ -141,9 +141,9 @@ void ProgressDisplay::on_warning(const std::string& message) {
 void ProgressDisplay::on_error(const std::string& message) {
     finish();
     if (style_ == ProgressStyle::json) {
-        fmt::print(stderr, "{{\"error\": {}}}\n", json_string(message));
+        tell("{{\"error\": {}}}\n", json_string(message));
     } else {
-        fmt::print(stderr, "spectralpack: {}\n", printable(message));
+        tell("spectralpack: {}\n", printable(message));
         told_ = true;
     }
 }

@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
+#include <functional>
+#include <new>
 #include <system_error>
+
+#include "time_shares.hpp"
 
 namespace spectralpack::cli {
 namespace {
@@ -31,25 +36,27 @@ ReportDetails RunOutputs::report_details() const {
 
 /// False where it failed, which is told.
 template <class Write>
-bool RunOutputs::attempt(const Write& write) {
+bool RunOutputs::attempt(const std::string& file, const Write& write) {
     try {
         write();
         return true;
     } catch (const Error& error) {
         display_.on_error(error.what());
-        return false;
+    } catch (const std::bad_alloc&) {
+        display_.on_error("out of memory while " + file + " was made");
     }
+    return false;
 }
 
 void RunOutputs::write_trays(const Scene& finished) {
     for (; trays_ < finished.packing.trays.size(); ++trays_) {
         for (const std::string& output : settings_.outputs) {
-            attempt([&] { of_trays_.insert(write_tray(finished, trays_, output, settings_.options.threads)); });
+            attempt(output, [&] { of_trays_.insert(write_tray(finished, trays_, output, settings_.options.threads)); });
         }
     }
 }
 
-bool RunOutputs::write(const Scene& scene, RunFacts& facts) {
+bool RunOutputs::write(const Scene& scene, const StopToken& hurry, RunFacts& facts) {
     bool all = true;
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings_.outputs.size() + settings_.reports.size());
@@ -58,10 +65,12 @@ bool RunOutputs::write(const Scene& scene, RunFacts& facts) {
         ++done;
         display_.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
     };
-    for (const std::string& output : settings_.outputs) {
-        all &= attempt([&] {
+    std::vector<std::string> outputs = settings_.outputs;
+    std::ranges::stable_partition(outputs, std::not_fn(is_picture));  // what takes longest comes last
+    for (const std::string& output : outputs) {
+        all &= attempt(output, [&] {
             WrittenFile written{output, {}};
-            const auto files = write_output(scene, output, threads);
+            const auto files = write_output(scene, output, threads, hurry);
             for (std::size_t i = 1; i < files.size(); ++i) {
                 written.trays.push_back(files[i].string());
             }
@@ -73,8 +82,8 @@ bool RunOutputs::write(const Scene& scene, RunFacts& facts) {
         tell();
     }
     for (const std::string& report : settings_.reports) {
-        all &= attempt([&] {
-            write_report(scene, report, report_details(), threads);
+        all &= attempt(report, [&] {
+            write_report(scene, report, report_details(), threads, hurry);
             facts.reports.push_back(report);
         });
         tell();

@@ -23,11 +23,12 @@ class RunOutputs {
 
     /// Writes every output and report; one that fails does not keep the others from being written. False: one did. What
     /// write_trays() wrote and the packing no longer has is removed.
-    bool write(const Scene& scene, RunFacts& facts);
+    /// Once `hurry` is requested pictures are drawn plainly.
+    bool write(const Scene& scene, const StopToken& hurry, RunFacts& facts);
 
   private:
     template <class Write>
-    bool attempt(const Write& write);
+    bool attempt(const std::string& file, const Write& write);
     ReportDetails report_details() const;
 
     const JobSettings& settings_;

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "tell.hpp"
+
 namespace spectralpack::cli {
 namespace {
 
@@ -12,13 +14,13 @@ constexpr const char* kEmptyLine = "\r\033[K";
 }  // namespace
 
 void StatusLine::draw(const std::string& line) {
-    fmt::print(stderr, "{}{}", kEmptyLine, line);
+    tell("{}{}", kEmptyLine, line);
     std::fflush(stderr);
     drawn_ = true;
 }
 
 void StatusLine::clear() {
-    if (drawn_) fmt::print(stderr, "{}", kEmptyLine);
+    if (drawn_) tell("{}", kEmptyLine);
     drawn_ = false;
 }
 

@@ -88,7 +88,7 @@ SummaryLines summary_lines(const PackResult& result, const RunFacts& facts, cons
     lines.labelled("Left over", left_over_texts(packing, result.stopped, room.reason_lines));
     lines.labelled("Checked", checked_texts(packing, facts));
     lines.labelled("Written", written_text(facts, several));
-    lines.labelled("Took", took_text(packing.metrics));
+    lines.labelled("Took", took_text(packing.metrics, facts.seconds.value_or(packing.metrics.seconds.total)));
     if (facts.details) add_details(result, lines);
     return lines;
 }

@@ -27,6 +27,7 @@ struct RunFacts {
     TakenOver taken;                    ///< from the build that was topped up
     std::optional<double> onto_height;  ///< of that build
     std::vector<Printer> own_printers;  ///< known besides those of the table
+    std::optional<double> seconds;      ///< that all of it took, files included; none: as long as packing
     bool details = false;
     bool require_all = false;
 };

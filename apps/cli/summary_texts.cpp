@@ -252,9 +252,9 @@ std::string written_text(const RunFacts& facts, bool several_trays) {
     return text;
 }
 
-std::string took_text(const Metrics& metrics) {
+std::string took_text(const Metrics& metrics, double seconds) {
     const std::string orders = metrics.orders > 1 ? fmt::format("; the best of {} orders", metrics.orders) : "";
-    return duration_text(metrics.seconds.total) + orders;
+    return duration_text(seconds) + orders;
 }
 
 }  // namespace spectralpack::cli

@@ -11,26 +11,22 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 /// A few copies at least are wanted; for them the run may take this many times as long.
 constexpr std::int64_t kEnoughCopies = 8;
-constexpr double kPatience = 4;
 
 /// Stops the run once it has searched for long enough; remembers how far it came.
 class Probe : public Listener {
   public:
-    Probe(double seconds, const StopToken& stop) : seconds_(seconds), stop_(stop) {}
+    Probe(double seconds, StopSource& stop) : seconds_(seconds), stop_(stop) {}
 
     void on_progress(const Progress& progress) override {
-        if (stop_.stopped()) source_.request(stop_.reason());
         if (progress.phase != Phase::search) return;
         last_ = {seconds_since(begin_), progress.work};
         if (progress.done == 0) start_ = last_;
         if (progress.done <= 1) first_ = last_;
         const double searching = last_.at - start_.at;
-        if (searching > (progress.done < kEnoughCopies ? kPatience * seconds_ : seconds_)) {
-            source_.request(StopReason::time_limit);
+        if (searching > (progress.done < kEnoughCopies ? kProbePatience * seconds_ : seconds_)) {
+            stop_.request(StopReason::time_limit);
         }
     }
-
-    StopToken token() const { return source_.token(); }
 
     /// The first copy waits for the voxels of many, so it says nothing of how long the others take.
     ProbedTime time() const {
@@ -47,19 +43,19 @@ class Probe : public Listener {
 
     Clock::time_point begin_ = Clock::now();
     double seconds_;
-    StopToken stop_;
-    StopSource source_;
+    StopSource& stop_;
     Point start_, first_, last_;
 };
 
 }  // namespace
 
-std::optional<ProbedTime> probe_time(const Job& job, double seconds, const StopToken& stop) {
+std::optional<ProbedTime> probe_time(const Job& job, double seconds, StopSource& stop) {
     Probe probe(seconds, stop);
     Job probed = job;
     probed.enough_orders.reset();
+    probed.enough_placed.reset();
     try {
-        pack(probed, {&probe, probe.token()});
+        pack(probed, {&probe, stop.token()});
     } catch (const ResourceError&) {
         return std::nullopt;
     }

@@ -109,6 +109,9 @@ struct Job {
     /// Ends a search for an order (restarts, beam), whose best is then packed in; none: only pack()'s own token does.
     /// Who has one requests it whenever he requests that.
     std::optional<StopToken> enough_orders = {};
+    /// Ends placing: what stands by then is still made to come apart, until pack()'s own token is requested. None: that
+    /// ends all. Who has one requests it whenever he requests that.
+    std::optional<StopToken> enough_placed = {};
     std::optional<Scene> onto = {};  ///< its copies stand where they are; those placed come on top, tray by tray
     std::vector<Printer> own_printers = {};     ///< known besides printers(): named where a part needs a larger tray
     std::vector<SettingsSource> defaults = {};  ///< where options came from that nobody said; kept for the record

@@ -31,6 +31,9 @@ struct VerifyWith {
     bool operator==(const VerifyWith&) const = default;
 };
 
+/// More would only wait for each other.
+inline constexpr int kMostThreads = 1024;
+
 struct PackOptions {
     Vec3 tray{480, 245, 200};  ///< container size, mm
     int trays = 1;             ///< containers to fill, at most; 0: as many as it takes
@@ -62,7 +65,7 @@ struct PackOptions {
     int restarts = 1;  ///< orders to pack in, of which the best is kept
     int beam = 1;      ///< states that a beam search over orders keeps; 1: none
     EngineKind engine = EngineKind::automatic;
-    int threads = 0;  ///< 0: all the machine has
+    int threads = 0;  ///< 0: all the machine has; at most kMostThreads
     std::uint64_t seed = 0;
     std::int64_t memory = 0;  ///< bytes the run may use; 0: what the machine has free
     std::optional<VerifyWith> verify_with;

@@ -42,6 +42,7 @@ struct Estimate {
     double height_penalty = 0;           ///< p as it would be used
     std::vector<std::string> too_large;  ///< parts that fit in no orientation
     std::vector<InputError> unusable;
+    StopReason stopped = StopReason::none;  ///< ended early: the rest says nothing
 };
 
 /// Loads, voxelises and packs. The same job gives the same placements on any machine and number of threads.
@@ -52,8 +53,7 @@ struct Estimate {
 /// judged by check() before it is returned.
 PackResult pack(const Job& job, const Control& control = {}, const JournalOptions& journal = {});
 
-/// Loads the inputs and plans, without packing; of `control` only the listener counts. Throws as pack() does, but not
-/// for memory.
+/// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.
 Estimate estimate(const Job& job, const Control& control = {});
 
 }  // namespace spectralpack

@@ -5,23 +5,27 @@
 #include "api/load.hpp"
 #include "api/load_container.hpp"
 #include "api/plan.hpp"
+#include "core/stopped.hpp"
 #include "packing/containers/walls.hpp"
 #include "spectralpack/pack.hpp"
 
 namespace spectralpack {
 
-Estimate estimate(const Job& job, const Control& control) {
+namespace {
+
+Estimate estimate_of(const Job& job, const Control& control) {
     Listener quiet;
     Listener& listener = control.listener ? *control.listener : quiet;
     PackOptions options = job.options;
     check_options(options);
     check_together(job);
-    const Workers workers(options.threads);
+    const Workers workers = Workers(options.threads).stopping_with(control.stop);
     const Container container = container_of(job, listener);
     warn_of_keep_outs(container, listener);
     options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);
-    require_sound(loaded, container, options, workers, listener, {});
+    require_sound(loaded, container, options, workers, listener, control.stop);
+    workers.check();
     const Plan plan = make_plan(loaded, container, options, job.own_printers, workers);
     require_free(blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers), container, options);
     Estimate estimate;
@@ -45,6 +49,18 @@ Estimate estimate(const Job& job, const Control& control) {
     }
     estimate.unusable = loaded.unusable;
     return estimate;
+}
+
+}  // namespace
+
+Estimate estimate(const Job& job, const Control& control) {
+    try {
+        return estimate_of(job, control);
+    } catch (const Stopped&) {
+        Estimate nothing;
+        nothing.stopped = control.stop.reason();
+        return nothing;
+    }
 }
 
 }  // namespace spectralpack

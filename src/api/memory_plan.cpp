@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "spectralpack/error.hpp"
 #include "voxel/outlines.hpp"
 #include "voxel/voxelize.hpp"
+#include "voxel/widen.hpp"
 
 namespace spectralpack {
 namespace {
@@ -36,6 +38,29 @@ constexpr int kCacheShare = 2;
 // The program itself, its libraries and threads.
 constexpr std::int64_t kProgramMemory = 32'000'000;
 
+// Where addresses are limited, the stack of a thread, and what is kept for the allocator's own sake.
+constexpr std::int64_t kThreadStack = 8 << 20;
+
+// Of a copy, in bytes: what lists of copies, the packing and the text of its file take; and what one takes besides that
+// stands in a tray, with its step of the plan.
+constexpr std::int64_t kListedCopy = 500, kStandingCopy = 4000;
+// Of any record.
+constexpr std::int64_t kRecord = 4'000'000;
+
+/// Bytes to plan with.
+std::int64_t memory_limit(const PackOptions& options, const Workers& workers) {
+    if (options.memory > 0) return std::min(options.memory, memory_within_limits());
+    std::int64_t available = available_memory();
+    if (limits_addresses()) available -= kThreadStack * (workers.threads() - 1);
+    return static_cast<std::int64_t>(kShareOfFree * static_cast<double>(std::max<std::int64_t>(0, available)));
+}
+
+/// What grows with the copies: with those asked for, and with those of them that may stand.
+std::int64_t copies_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options) {
+    const double standing = options.fill ? 0 : plan.placed * static_cast<double>(plan.items.size());
+    return record_memory(loaded) + static_cast<std::int64_t>(kStandingCopy * standing);
+}
+
 std::string megabytes(std::int64_t bytes) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0f MB", std::ceil(static_cast<double>(bytes) / 1e6));
@@ -49,7 +74,7 @@ struct VoxelBytes {
     double widened = 0;  ///< of A+g, fine, for each distinct positive gap
 };
 
-VoxelBytes voxel_bytes(const Vec3& size, double voxel, int detail, const std::vector<double>& gap_classes) {
+VoxelBytes voxel_bytes(const Vec3& size, double voxel, int detail, std::span<const double> gap_classes) {
     const auto bits = [&](double margin, double dx) {
         double sum = 0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -66,6 +91,13 @@ VoxelBytes voxel_bytes(const Vec3& size, double voxel, int detail, const std::ve
         if (gap > 0) bytes.widened += bits(2 * (gap + fine), fine);
     }
     return bytes;
+}
+
+/// The gaps that voxels are widened by.
+std::span<const double> widening_gaps(const Plan& plan) {
+    const auto beyond =
+        std::ranges::find_if(plan.gap_classes, [&](double gap) { return holds_one_only(plan.room, gap); });
+    return {plan.gap_classes.begin(), beyond};
 }
 
 /// Bytes of a part, about.
@@ -86,7 +118,7 @@ PartBytes part_bytes(double dx, int detail, const Plan& plan, std::size_t part) 
             if (voxels_along(size[axis], dx / detail) % detail != 0) made *= 2;
         }
         if (plan.reads_all || made > orientations) made = orientations;
-        const VoxelBytes one = voxel_bytes(size, dx, detail, plan.gap_classes);
+        const VoxelBytes one = voxel_bytes(size, dx, detail, widening_gaps(plan));
         mean.solid += one.solid / static_cast<double>(sizes.size());
         mean.of_made += made * (one.solid + one.widened) / static_cast<double>(sizes.size());
     }
@@ -96,7 +128,7 @@ PartBytes part_bytes(double dx, int detail, const Plan& plan, std::size_t part) 
 /// Bytes that do not depend on the grid: meshes, surfaces, the voxels of the parts that are held at once, or of `all`,
 /// and those of what stands in the tray.
 std::int64_t parts_memory(double dx, int detail, const Plan& plan, const LoadedJob& loaded, bool all = false) {
-    std::int64_t bytes = kProgramMemory + plan.memory_of_surfaces;
+    std::int64_t bytes = kProgramMemory + plan.memory_of_surfaces + plan.memory_of_copies;
     std::vector<std::int64_t> shapes;
     double standing = 0;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
@@ -175,7 +207,8 @@ double largest_surface(double dx, const Plan& plan) {
 }
 
 EngineNeed engine_need(double dx, const Extent& grid, const Plan& plan, const PackOptions& options) {
-    const double widest = plan.gap_classes.empty() ? 0 : plan.gap_classes.back();
+    const std::span<const double> gaps = widening_gaps(plan);
+    const double widest = gaps.empty() ? 0 : gaps.back();
     return {grid,
             widest > 0 ? static_cast<int>(std::ceil(widest / dx)) + 1 : 0,
             static_cast<int>(plan.gap_classes.size()),
@@ -212,10 +245,9 @@ Extent with_layers(Extent grid, int layers) {
 
 void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_layers, const Workers& workers,
                  Plan& plan) {
-    plan.memory_limit = options.memory > 0
-                            ? options.memory
-                            : static_cast<std::int64_t>(kShareOfFree * static_cast<double>(available_memory()));
+    plan.memory_limit = memory_limit(options, workers);
     plan.memory_of_surfaces = surfaces_memory(plan, loaded, options);
+    plan.memory_of_copies = copies_memory(plan, loaded, options);
     plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
     const auto engines = [&](int layers) {
         return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
@@ -250,6 +282,14 @@ void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_
     }
 }
 
+std::int64_t record_memory(const LoadedJob& loaded) {
+    std::int64_t copies = 0;
+    for (const PackedPart& part : loaded.parts) {
+        copies += part.count;
+    }
+    return kRecord + kListedCopy * copies;
+}
+
 void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options, const Workers& workers) {
     if (plan.memory <= plan.memory_limit) return;
     double fitting = options.voxel;
@@ -265,7 +305,8 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
                                      plan.memory_limit) {
         fitting *= 1.1;
     }
-    std::string advice = "; no voxel size fits";
+    const bool by_copies = 2 * plan.memory_of_copies > plan.memory;
+    std::string advice = by_copies ? "; fewer copies would fit" : "; no voxel size fits";
     if (fitting < coarsest) {
         // Rounded up to two digits, so that it is a size a person would type.
         const double digit = std::pow(10, std::floor(std::log10(fitting)) - 1);
@@ -273,7 +314,8 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
     }
     throw ResourceError("packing at --voxel " + short_number(options.voxel) + " needs about " + megabytes(plan.memory) +
                         " of memory, and " + megabytes(plan.memory_limit) +
-                        (options.memory > 0 ? " are allowed" : " are free") + advice);
+                        (options.memory > 0 && options.memory == plan.memory_limit ? " are allowed" : " are free") +
+                        advice);
 }
 
 }  // namespace spectralpack

@@ -1,6 +1,8 @@
 #pragma once
 /// How much memory a run takes, told before it starts, and what that leaves for caches.
 
+#include <cstdint>
+
 #include "api/plan.hpp"
 
 namespace spectralpack {
@@ -9,6 +11,9 @@ namespace spectralpack {
 /// with open height how high the grid starts and may grow, but at least `fixed_layers`.
 void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_layers, const Workers& workers,
                  Plan& plan);
+
+/// Bytes that recording and writing so many copies takes, about.
+std::int64_t record_memory(const LoadedJob& loaded);
 
 /// Throws ResourceError, with the bytes needed and the finest voxel size that would fit, when plan.memory is
 /// beyond plan.memory_limit.

@@ -1,5 +1,6 @@
 #include "spectralpack/pack.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <utility>
@@ -19,7 +20,9 @@
 #include "api/plan.hpp"
 #include "api/record.hpp"
 #include "api/tray_events.hpp"
+#include "core/memory_reserve.hpp"
 #include "core/remarks.hpp"
+#include "core/stopped.hpp"
 #include "core/stopwatch.hpp"
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
@@ -38,12 +41,35 @@ class JobRun {
           journal_options_(journal),
           listener_(listener),
           stop_(stop),
-          workers_(job.options.threads) {}
+          workers_(job.options.threads),
+          preparing_(workers_.stopping_with(enough())) {}
 
     PackResult run() {
         const Stopwatch watch;
+        try {
+            return load_and_pack(watch);
+        } catch (const Stopped&) {
+        }
+        PackResult nothing;  // stopped before the first copy
+        nothing.stopped = enough().reason();
+        nothing.packing.options = options_;
+        nothing.packing.container = container_;
+        nothing.packing.trays.emplace_back();
+        nothing.packing.metrics.seconds.total = watch.seconds();
+        return nothing;
+    }
+
+  private:
+    const StopToken& enough() const { return job_.enough_placed ? *job_.enough_placed : stop_; }
+
+    PackResult load_and_pack(const Stopwatch& watch) {
+        if (workers_.missing() > 0) {
+            listener_.on_warning("only " + std::to_string(workers_.threads()) + " of " +
+                                 std::to_string(workers_.threads() + workers_.missing()) +
+                                 " threads could be started; it goes on with these");
+        }
         load();
-        plan_ = make_plan(loaded_, container_, options_, job_.own_printers, workers_);
+        plan_ = make_plan(loaded_, container_, options_, job_.own_printers, preparing_);
         require_memory(plan_, loaded_, options_, workers_);
         Remarks too_large;
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
@@ -55,7 +81,8 @@ class JobRun {
             listener_.on_warning(text);
         }
         warn_of_orientations(plan_, options_, listener_);
-        PackingJob packing = packing_job({loaded_, plan_, container_, options_}, listener_, workers_);
+        PackingJob packing = packing_job({loaded_, plan_, container_, options_}, listener_, preparing_);
+        packing.fill.enough = job_.enough_placed;
         if (!journal_options_.file.empty()) {
             journal_ =
                 std::make_unique<RunJournal>(journal_options_, input_facts(loaded_, container_, options_), listener_);
@@ -64,19 +91,25 @@ class JobRun {
         seconds_.load = watch.seconds();
 
         PackedJob packed;
+        bool cut_short = false;
+        MemoryReserve reserve(record_memory(loaded_));
         try {
             search(packing, packed);
+        } catch (const Stopped&) {  // before a tray was begun
+            cut_short = true;
         } catch (const std::bad_alloc&) {
             result.failure = ResourceError("out of memory while placing; what was placed by then is kept");
         } catch (const Error& error) {
             result.failure = error;
         }
+        reserve.release();
         TraysResult& trays = packed.trays;
         // Where nothing is placed at all, each copy says why.
         if (trays.stuck && trays.placed() > 0) listener_.on_warning(stuck_text(loaded_, trays));
         if (trays.trays.empty()) trays.trays.emplace_back();  // failed before the first; its packing has one, empty
         if (!packed.copies.empty()) plan_.items = std::move(packed.copies);
-        result.stopped = stop_.reason();
+        cut_short = cut_short || std::ranges::any_of(trays.trays, &FilledTray::cut_short);
+        result.stopped = cut_short && !stop_.stopped() ? enough().reason() : stop_.reason();
         result.packing = recorded(trays, packed);
         stamps_.warn_of_changes(listener_);
         if (journal_) {
@@ -89,7 +122,6 @@ class JobRun {
         return result;
     }
 
-  private:
     void load() {
         check_options(options_);
         check_together(job_);
@@ -97,8 +129,10 @@ class JobRun {
         container_ = container_of(job_, listener_);
         warn_of_keep_outs(container_, listener_);
         options_.tray = container_.size;
-        loaded_ = load_parts(job_, workers_, listener_);
-        require_sound(loaded_, container_, options_, workers_, listener_, stop_);
+        preparing_.check();
+        loaded_ = load_parts(job_, preparing_, listener_);
+        require_sound(loaded_, container_, options_, workers_, listener_, enough());
+        preparing_.check();
     }
 
     Packing recorded(const TraysResult& trays, const PackedJob& packed) const {
@@ -175,7 +209,7 @@ class JobRun {
     Container container_;
     Listener& listener_;
     StopToken stop_;
-    Workers workers_;
+    Workers workers_, preparing_;
     FileStamps stamps_;
     LoadedJob loaded_;
     Plan plan_;

@@ -100,7 +100,8 @@ bool is_output_file(const std::filesystem::path& path) {
 namespace {
 
 /// `first`: the number of its first tray.
-void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads) {
+void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads,
+               const StopToken& hurry) {
     const std::string ending = ending_of(path);
     if (ending == ".json") {
         write_packing(scene.packing, path);
@@ -111,7 +112,7 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
     } else if (ending == ".csv") {
         write_transforms_csv(scene.packing, path, first);
     } else if (ending == ".png") {
-        write_picture(scene, path, {}, threads);
+        write_png(render(scene.packing, scene.meshes, {}, Workers(threads), hurry), path);
     } else {
         throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " + output_endings());
     }
@@ -121,18 +122,19 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
 
 std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads) {
     if (ending_of(path) == ".json") {
-        write_one(scene, path, 1, threads);
+        write_one(scene, path, 1, threads, {});
         return path;
     }
     Scene single = scene;
     single.packing.trays = {scene.packing.trays[tray]};
     const std::filesystem::path file = tray_file(path, static_cast<std::int64_t>(tray) + 1);
-    write_one(single, file, tray + 1, threads);
+    write_one(single, file, tray + 1, threads, {});
     return file;
 }
 
-std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads) {
-    write_one(scene, path, 1, threads);
+std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads,
+                                                const StopToken& hurry) {
+    write_one(scene, path, 1, threads, hurry);
     std::vector<std::filesystem::path> written{path};
     const std::size_t trays = scene.packing.trays.size();
     if (trays < 2 || !has_tray_files(path)) return written;
@@ -140,7 +142,7 @@ std::vector<std::filesystem::path> write_output(const Scene& scene, const std::f
     for (std::size_t tray = 0; tray < trays; ++tray) {
         single.packing.trays = {scene.packing.trays[tray]};
         written.push_back(tray_file(path, static_cast<std::int64_t>(tray) + 1));
-        write_one(single, written.back(), tray + 1, threads);
+        write_one(single, written.back(), tray + 1, threads, hurry);
     }
     return written;
 }
@@ -150,7 +152,8 @@ bool is_report_file(const std::filesystem::path& path) {
     return ending == ".html" || ending == ".csv";
 }
 
-void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads) {
+void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads,
+                  const StopToken& hurry) {
     if (!is_report_file(path)) {
         throw UsageError("cannot tell the kind of report " + path.string() + " by its ending: use .html or .csv");
     }
@@ -165,7 +168,7 @@ void write_report(const Scene& scene, const std::filesystem::path& path, const R
     contents.material_density = details.material_density;
     if (const Printer* printer = find_printer(scene.packing.options.printer.value_or("")))
         contents.printer = printer->title;
-    add_pictures(scene, contents, Workers(threads));
+    add_pictures(scene, contents, Workers(threads), hurry);
     replace_file(path, report_html(scene.packing, contents));
 }
 

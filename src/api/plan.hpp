@@ -30,6 +30,7 @@ struct Plan {
     int most_layers = 0;                          ///< open height: as high as memory lets it grow
     std::int64_t memory = 0;              ///< bytes the run takes, meshes included, without what more was allowed
     std::int64_t memory_of_surfaces = 0;  ///< its share for the copies' trees of triangles, whatever the voxel size
+    std::int64_t memory_of_copies = 0;    ///< its share for what grows with their number
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;                 ///< bytes left for caches
     std::int64_t keep = 0;                  ///< bytes of voxels that may be held from one tray to the next

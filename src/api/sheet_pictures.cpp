@@ -10,6 +10,7 @@ namespace spectralpack {
 namespace {
 
 constexpr double kPixels = 7, kSmallPixels = 10;  // a millimetre of print: 178 and 254 dots an inch
+constexpr double kHurried = 0.5;                  // of these where there is no time
 constexpr int kSamples = 2;                       // per pixel and axis
 constexpr double kHeroMargin = 0.07, kStageMargin = 0.02;
 
@@ -19,8 +20,8 @@ int pixels(double millimetres, double a_millimetre) {
 
 class PictureMaker {
   public:
-    PictureMaker(const Scene& scene, const Workers& workers)
-        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers) {
+    PictureMaker(const Scene& scene, const Workers& workers, const StopToken& hurry)
+        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers), hurry_(hurry) {
         held_.add(meshes_, workers);
     }
 
@@ -61,13 +62,17 @@ class PictureMaker {
             const auto part = static_cast<std::size_t>(i);
             if (part >= meshes_.size() || !meshes_[part]) return;
             const Stage stage = set_part_stage(meshes_[part], part_colour(static_cast<int>(i)),
-                                               pixels(kThumbWidth, kSmallPixels), pixels(kThumbHeight, kSmallPixels));
-            result[part] = encode_png(paint(stage, held_, kSamples, workers_).image);
+                                               pixels(kThumbWidth, finer() * kSmallPixels),
+                                               pixels(kThumbHeight, finer() * kSmallPixels));
+            result[part] = encode_png(paint(stage, held_, kSamples, workers_, hurry_).image);
         });
         return result;
     }
 
   private:
+    double finer() const { return hurry_.stopped() ? kHurried : 1; }
+    void begin_picture() { pixels_ = finer() * kPixels; }
+
     /// The tray in print of this size, on white and to scale.
     View view(int tray, double width, double height) const {
         View view;
@@ -76,15 +81,15 @@ class PictureMaker {
         view.options.tray = tray;
         view.options.azimuth = kHeroAzimuth;
         view.options.elevation = kHeroElevation;
-        view.options.width = pixels(width, kPixels);
-        view.options.height = pixels(height, kPixels);
+        view.options.width = pixels(width, pixels_);
+        view.options.height = pixels(height, pixels_);
         return view;
     }
 
     /// Keep-outs that are boxes get a mesh with their stage.
     Picture picture_of(const Stage& stage) {
         held_.add(stage.meshes, workers_);
-        return paint(stage, held_, kSamples, workers_);
+        return paint(stage, held_, kSamples, workers_, hurry_);
     }
 
     SheetPicture sheet_picture(const Stage& stage, const Picture& picture, bool numbered) const {
@@ -92,10 +97,10 @@ class PictureMaker {
         result.png = encode_png(picture.image);
         result.width = picture.image.width;
         result.height = picture.image.height;
-        result.millimetre = kPixels;
+        result.millimetre = pixels_;
         if (!numbered) return result;
         for (const NumberPlace& place :
-             number_places(stage, picture, {kNumberSize * kPixels, kPaleNumberSize * kPixels})) {
+             number_places(stage, picture, {kNumberSize * pixels_, kPaleNumberSize * pixels_})) {
             const StagedCopy& copy = stage.copies[static_cast<std::size_t>(place.copy)];
             result.numbers.push_back({copy.number, place.x, place.y, copy.look == Look::strong});
         }
@@ -103,6 +108,7 @@ class PictureMaker {
     }
 
     SheetPicture whole(int tray, const TrayLayout& layout) {
+        begin_picture();
         View view = this->view(tray, kHeroWidth, layout.hero_height);
         view.margin = kHeroMargin;
         const Stage stage = set_stage(packing_, meshes_, view);
@@ -119,6 +125,7 @@ class PictureMaker {
 
     /// What lies in the slab and what reaches in, from above; front below.
     SheetPicture top_view(int tray, const TrayLayout& layout, const Slab& slab, const std::vector<Box>& boxes) {
+        begin_picture();
         const Vec3& size = packing_.container.size;
         View view = this->view(tray, layout.map_width, layout.map_width * size.y / size.x);
         view.margin = 0;
@@ -137,6 +144,7 @@ class PictureMaker {
     }
 
     SheetPicture stage(int tray, const TrayLayout& layout, int step) {
+        begin_picture();
         View view = this->view(tray, kStageWidth, layout.stage_height);
         view.margin = kStageMargin;
         for (const bool left : left_after(packing_.trays[static_cast<std::size_t>(tray)], step)) {
@@ -149,13 +157,15 @@ class PictureMaker {
     const Packing& packing_;
     const PartMeshes& meshes_;
     const Workers& workers_;
+    const StopToken& hurry_;
+    double pixels_ = kPixels;  // a millimetre, of the picture being made
     RayMeshes held_;
 };
 
 }  // namespace
 
-void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers) {
-    PictureMaker maker(scene, workers);
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const StopToken& hurry) {
+    PictureMaker maker(scene, workers, hurry);
     const std::vector<std::vector<Box>> boxes = maker.boxes();
     contents.layout = sheet_layout(scene.packing, boxes);
     for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {

@@ -7,7 +7,8 @@
 
 namespace spectralpack {
 
-/// Fills in layout, pictures and thumbs. Each mesh is prepared once for all of them.
-void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers);
+/// Fills in layout, pictures and thumbs. Each mesh is prepared once for all of them. `hurry`: as paint() has it, and
+/// what is begun then has half as many pixels along each side.
+void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const StopToken& hurry);
 
 }  // namespace spectralpack

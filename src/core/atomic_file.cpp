@@ -1,12 +1,15 @@
 #include "core/atomic_file.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace spectralpack {
 
@@ -32,6 +35,26 @@ std::string temporary_stem(const fs::path& path) {
     return before + stem + behind;
 }
 
+/// Removes temporary files of `path` whose processes are gone: they were killed.
+void remove_leftovers(const fs::path& folder, const fs::path& path) {
+    const std::string stem = temporary_stem(path), ending = path.extension().string();
+    std::error_code ignored;
+    std::vector<fs::path> leftovers;
+    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (name.size() <= stem.size() + ending.size() || !name.starts_with(stem) || !name.ends_with(ending)) continue;
+        const char* const first = name.data() + stem.size();
+        const char* const last = name.data() + name.size() - ending.size();
+        pid_t process = 0;
+        const auto [after, error] = std::from_chars(first, last, process);
+        if (error != std::errc() || after != last || process <= 0) continue;
+        if (::kill(process, 0) != 0 && errno == ESRCH) leftovers.push_back(entry->path());
+    }
+    for (const fs::path& leftover : leftovers) {
+        fs::remove(leftover, ignored);
+    }
+}
+
 }  // namespace
 
 ResourceError write_failure(const fs::path& path) {
@@ -49,6 +72,7 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
     if (!fs::is_directory(folder)) {
         throw ResourceError("cannot write " + path.string() + ": there is no folder " + folder.string());
     }
+    remove_leftovers(folder, path);
     const fs::path temporary = temporary_file(path);
     std::error_code ignored;
     try {

@@ -1,6 +1,7 @@
 #pragma once
 /// Output files are written whole or not at all: bytes go to a temporary name in the same folder, which is
-/// renamed when complete. An existing file is replaced only then.
+/// renamed when complete. An existing file is replaced only then. Temporary files that killed processes left of the
+/// same file are removed first.
 
 #include <filesystem>
 #include <functional>

@@ -1,5 +1,6 @@
 #include "core/parallel.hpp"
 
+#include <sys/resource.h>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -10,10 +11,15 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
+#include <future>
 #include <mutex>
 #include <optional>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
+
+#include "core/stopped.hpp"
 #ifdef SPECTRALPACK_TSAN
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -71,14 +77,44 @@ class alignas(64) Share {
     std::int64_t begin_ = 0, end_ = 0;
 };
 
+/// Where addresses are limited (ulimit -v), the stacks of threads may take this share of them.
+constexpr rlim_t kShareOfStacks = 4;
+constexpr rlim_t kStack = 8 << 20;
+
+/// Of so many threads, those that the system starts beside each other: where it starts fewer than TBB asks for, TBB
+/// ends the program.
+int threads_that_start(int wanted) {
+    rlimit addresses{};
+    if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) {
+        wanted = static_cast<int>(std::min(static_cast<rlim_t>(wanted), addresses.rlim_cur / kShareOfStacks / kStack));
+    }
+    std::promise<void> all_there;
+    const std::shared_future<void> wait = all_there.get_future().share();
+    std::vector<std::thread> started;
+    try {
+        while (static_cast<int>(started.size()) < wanted) {
+            started.emplace_back([wait] { wait.wait(); });
+        }
+    } catch (const std::system_error&) {  // no more
+    } catch (const std::bad_alloc&) {     // the same
+    }
+    all_there.set_value();
+    for (std::thread& thread : started) {
+        thread.join();
+    }
+    return static_cast<int>(started.size());
+}
+
 }  // namespace
 
 struct Workers::Pool {
     explicit Pool(int threads)
-        : arena(threads > 0 ? threads : static_cast<int>(tbb::task_arena::automatic)),
+        : wanted(threads > 0 ? threads : tbb::info::default_concurrency()),
+          arena(1 + threads_that_start(wanted - 1)),
           spare(arena.max_concurrency(), 1, tbb::task_arena::priority::low) {
-        if (threads > tbb::info::default_concurrency()) {
-            allowed.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+        if (arena.max_concurrency() < wanted || wanted > tbb::info::default_concurrency()) {
+            allowed.emplace(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(arena.max_concurrency()));
         }
         arena.initialize();
     }
@@ -109,8 +145,9 @@ struct Workers::Pool {
         return true;
     }
 
+    int wanted;
     // More threads than the machine has are asked for here: once another library has started TBB with as many as it
-    // has, TBB would warn on standard error and give no more.
+    // has, TBB would warn on standard error and give no more. And no more than start.
     std::optional<tbb::global_control> allowed;
     tbb::task_arena arena;
     tbb::task_arena spare;        // one place of it is for who asks
@@ -124,23 +161,45 @@ Workers::Workers(int threads) : pool_(std::make_shared<Pool>(threads)) {}
 
 int Workers::threads() const { return pool_->arena.max_concurrency(); }
 
+int Workers::missing() const { return pool_->wanted - threads(); }
+
+Workers Workers::stopping_with(StopToken stop) const {
+    Workers workers = *this;
+    workers.stop_ = std::move(stop);
+    return workers;
+}
+
+Workers Workers::alone() const { return Workers(1).stopping_with(stop_); }
+
+void Workers::check() const {
+    if (stop_.stopped()) throw Stopped();
+}
+
 void Workers::for_each(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
     if (count <= 0) return;
     if (threads() == 1 || count == 1) {
         for (std::int64_t i = 0; i < count; ++i) {
+            check();
             task(i);
         }
         return;
     }
     TaskOrder order;
-    pool_->arena.execute(
-        [&] { tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) { order.run([&] { task(i); }); }); });
+    pool_->arena.execute([&] {
+        tbb::parallel_for(std::int64_t{0}, count, [&](std::int64_t i) {
+            order.run([&] {
+                check();
+                task(i);
+            });
+        });
+    });
 }
 
 void Workers::for_each_in_order(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
     std::atomic<std::int64_t> next = 0;
     for_each(std::min<std::int64_t>(threads(), count), [&](std::int64_t) {
         for (std::int64_t i = next++; i < count; i = next++) {
+            check();
             task(i);
         }
     });
@@ -168,9 +227,11 @@ void Workers::for_each_apart(std::int64_t count, const std::function<void(std::i
     };
     for_each(threads, [&](std::int64_t k) {
         while (const auto i = shares[static_cast<std::size_t>(k)].take_first()) {
+            check();
             task(*i);
         }
         while (const auto i = take_from_largest()) {
+            check();
             task(*i);
         }
     });
@@ -188,6 +249,7 @@ void Workers::for_ranges(std::int64_t count, std::int64_t grain,
                          const std::function<void(std::int64_t, std::int64_t)>& task) const {
     if (count <= 0) return;
     if (threads() == 1 || count <= grain) {
+        check();
         task(0, count);
         return;
     }
@@ -195,7 +257,12 @@ void Workers::for_ranges(std::int64_t count, std::int64_t grain,
     TaskOrder order;
     pool_->arena.execute([&] {
         tbb::parallel_for(Range(0, count, static_cast<std::size_t>(std::max<std::int64_t>(1, grain))),
-                          [&](const Range& range) { order.run([&] { task(range.begin(), range.end()); }); });
+                          [&](const Range& range) {
+                              order.run([&] {
+                                  check();
+                                  task(range.begin(), range.end());
+                              });
+                          });
     });
 }
 

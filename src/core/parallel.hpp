@@ -6,15 +6,27 @@
 #include <functional>
 #include <memory>
 
+#include "spectralpack/stop.hpp"
+
 namespace spectralpack {
 
 /// A pool of worker threads; copies share it. Loops may be nested.
 class Workers {
   public:
-    /// `threads` <= 0: as many as the machine has.
+    /// `threads` <= 0: as many as the machine has. Where the system starts fewer, there are fewer.
     explicit Workers(int threads = 0);
 
     int threads() const;
+    /// Threads that were asked for and could not be started.
+    int missing() const;
+
+    /// The same threads for work that may be given up: check() throws Stopped once `stop` is requested, and so do all
+    /// loops before they begin another task.
+    Workers stopping_with(StopToken stop) const;
+    /// This thread alone, with the same stop token.
+    Workers alone() const;
+    /// In the midst of long tasks, ten times a second at least. Costs next to nothing.
+    void check() const;
 
     /// Calls task(i) once for each i in [0, count), in any order, and returns when all are done. An exception
     /// from a task ends the loop and is rethrown here.
@@ -46,6 +58,7 @@ class Workers {
   private:
     struct Pool;
     std::shared_ptr<Pool> pool_;
+    StopToken stop_;  // never stops, but for those of stopping_with()
 };
 
 /// `least` becomes `value` where that is less, whoever else lowers it meanwhile.

@@ -93,6 +93,63 @@ Json plan_json(const Disassembly& plan) {
             {"interlocked", plan.interlocked}};
 }
 
+bool is_list_of_objects(const Json& value) { return value.is_array() && !value.empty() && value.front().is_object(); }
+
+bool holds_list_of_objects(const Json& value) {
+    return is_list_of_objects(value) ||
+           (value.is_object() && std::any_of(value.begin(), value.end(), holds_list_of_objects));
+}
+
+/// Spread so that people and diff can read it: each part and each placement is one line.
+void append_text(std::string& text, const Json& value, std::size_t indent) {
+    if (!holds_list_of_objects(value)) {
+        text += text_of(value);
+        return;
+    }
+    const char* separator = value.is_object() ? "{\n" : "[\n";
+    for (const auto& [key, element] : value.items()) {
+        text += separator;
+        text.append(indent + 1, ' ');
+        if (value.is_object()) text += text_of(key) + ": ";
+        append_text(text, element, indent + 1);
+        separator = ",\n";
+    }
+    text += '\n';
+    text.append(indent, ' ');
+    text += value.is_object() ? '}' : ']';
+}
+
+/// Such a list, whose elements append(i) appends: made one after the other, they are never held all at once.
+template <class Append>
+void append_list(std::string& text, std::size_t count, std::size_t indent, const Append& append) {
+    const char* separator = "[\n";
+    for (std::size_t i = 0; i < count; ++i) {
+        text += separator;
+        text.append(indent + 1, ' ');
+        append(i);
+        separator = ",\n";
+    }
+    text += '\n';
+    text.append(indent, ' ');
+    text += ']';
+}
+
+/// Such an object. append_long(key, indent) appends the value of a key whose list is long, and tells that it has.
+template <class AppendLong>
+void append_object(std::string& text, const Json& object, std::size_t indent, const AppendLong& append_long) {
+    const char* separator = "{\n";
+    for (const auto& [key, element] : object.items()) {
+        text += separator;
+        text.append(indent + 1, ' ');
+        text += text_of(key) + ": ";
+        if (!append_long(key, indent + 1)) append_text(text, element, indent + 1);
+        separator = ",\n";
+    }
+    text += '\n';
+    text.append(indent, ' ');
+    text += '}';
+}
+
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
@@ -115,7 +172,32 @@ class PackingWriter {
         }
     }
 
-    Json json() const {
+    std::string text() const {
+        std::string text;
+        const Json root = root_json();
+        if (packing_.trays.empty() && packing_.unplaced.empty()) {
+            append_text(text, root, 0);
+            return text + "\n";
+        }
+        append_object(text, root, 0, [&](const std::string& key, std::size_t indent) {
+            if (key == "trays" && !packing_.trays.empty()) {
+                append_list(text, packing_.trays.size(), indent,
+                            [&](std::size_t i) { append_tray(text, packing_.trays[i], indent + 1); });
+                return true;
+            }
+            if (key == "unplaced" && !packing_.unplaced.empty()) {
+                append_list(text, packing_.unplaced.size(), indent,
+                            [&](std::size_t i) { text += text_of(unplaced_json(packing_.unplaced[i])); });
+                return true;
+            }
+            return false;
+        });
+        return text + "\n";
+    }
+
+  private:
+    /// Without trays and what is left over.
+    Json root_json() const {
         Json root = {{"format", "spectralpack/packing"},
                      {"version", 1},
                      {"units", "mm"},
@@ -131,19 +213,16 @@ class PackingWriter {
         for (std::size_t i = 0; i < packing_.parts.size(); ++i) {
             root["parts"].push_back(part_json(i));
         }
-        for (const TrayPacking& tray : packing_.trays) {
-            root["trays"].push_back(tray_json(tray));
-        }
-        for (const Unplaced& unplaced : packing_.unplaced) {
-            root["unplaced"].push_back({{"part", unplaced.part},
-                                        {"copy", unplaced.copy},
-                                        {"reason", to_string(unplaced.reason)},
-                                        {"detail", unplaced.detail}});
-        }
         return root;
     }
 
-  private:
+    static Json unplaced_json(const Unplaced& unplaced) {
+        return {{"part", unplaced.part},
+                {"copy", unplaced.copy},
+                {"reason", to_string(unplaced.reason)},
+                {"detail", unplaced.detail}};
+    }
+
     static std::string path_of(const StandingMesh& mesh, const fs::path& folder) {
         std::string path = relative_mesh_path(mesh.file, folder);
         check_utf8(path);
@@ -202,23 +281,35 @@ class PackingWriter {
                 {"repairs", part.repairs}};
     }
 
+    void append_tray(std::string& text, const TrayPacking& tray, std::size_t indent) const {
+        const Json json = tray_json(tray);
+        if (tray.placements.empty()) return append_text(text, json, indent);
+        append_object(text, json, indent, [&](const std::string& key, std::size_t inner) {
+            if (key != "placements") return false;
+            append_list(text, tray.placements.size(), inner,
+                        [&](std::size_t i) { text += text_of(placement_json(tray.placements[i])); });
+            return true;
+        });
+    }
+
+    Json placement_json(const Placement& placement) const {
+        const auto part = static_cast<std::size_t>(placement.part);
+        return {{"part", placement.part},
+                {"mesh", mesh_paths_.at(part)},
+                {"copy", placement.copy},
+                {"scale", packing_.parts.at(part).scale},
+                {"orientation", placement.orientation},
+                {"fixed", placement.fixed},
+                {"transform", transform_json(placement.transform)}};
+    }
+
+    /// Without its placements.
     Json tray_json(const TrayPacking& tray) const {
-        Json placements = Json::array();
-        for (const Placement& placement : tray.placements) {
-            const auto part = static_cast<std::size_t>(placement.part);
-            placements.push_back({{"part", placement.part},
-                                  {"mesh", mesh_paths_.at(part)},
-                                  {"copy", placement.copy},
-                                  {"scale", packing_.parts.at(part).scale},
-                                  {"orientation", placement.orientation},
-                                  {"fixed", placement.fixed},
-                                  {"transform", transform_json(placement.transform)}});
-        }
         Json box = nullptr;
         if (!tray.bounding_box.empty()) {
             box = {vector_json(tray.bounding_box.min), vector_json(tray.bounding_box.max)};
         }
-        return {{"placements", std::move(placements)},
+        return {{"placements", Json::array()},
                 {"density", tray.density},
                 {"density_bounding_box", tray.density_bounding_box},
                 {"bounding_box", std::move(box)},
@@ -263,32 +354,6 @@ class PackingWriter {
     std::string container_path_;
 };
 
-bool is_list_of_objects(const Json& value) { return value.is_array() && !value.empty() && value.front().is_object(); }
-
-bool holds_list_of_objects(const Json& value) {
-    return is_list_of_objects(value) ||
-           (value.is_object() && std::any_of(value.begin(), value.end(), holds_list_of_objects));
-}
-
-/// Spread so that people and diff can read it: each part and each placement is one line.
-void append_text(std::string& text, const Json& value, std::size_t indent) {
-    if (!holds_list_of_objects(value)) {
-        text += text_of(value);
-        return;
-    }
-    const char* separator = value.is_object() ? "{\n" : "[\n";
-    for (const auto& [key, element] : value.items()) {
-        text += separator;
-        text.append(indent + 1, ' ');
-        if (value.is_object()) text += text_of(key) + ": ";
-        append_text(text, element, indent + 1);
-        separator = ",\n";
-    }
-    text += '\n';
-    text.append(indent, ' ');
-    text += value.is_object() ? '}' : ']';
-}
-
 }  // namespace
 
 void require_mesh_paths(const std::set<std::string>& files, const fs::path& folder) {
@@ -298,9 +363,7 @@ void require_mesh_paths(const std::set<std::string>& files, const fs::path& fold
 }
 
 std::string packing_to_json(const Packing& packing, const fs::path& folder) {
-    std::string text;
-    append_text(text, PackingWriter(packing, folder).json(), 0);
-    return text + "\n";
+    return PackingWriter(packing, folder).text();
 }
 
 void write_packing(const Packing& packing, const fs::path& path) {

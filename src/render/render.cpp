@@ -36,11 +36,12 @@ void check(const RenderOptions& options) {
 
 }  // namespace
 
-Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Workers& workers) {
+Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Workers& workers,
+              const StopToken& hurry) {
     const RayScene rays(stage, meshes);
     const Shading shading(stage.camera, stage.backdrop);
     const Outline outline(stage);
-    const PaintInput input{stage, rays, shading, outline, samples};
+    const PaintInput input{stage, rays, shading, outline, samples}, plain{stage, rays, shading, outline, 1, false};
 
     const int width = stage.camera.width, height = stage.camera.height;
     Picture picture{{width, height, {}}, {}};
@@ -50,20 +51,20 @@ Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Wo
     const int rows = (height + kTileSide - 1) / kTileSide;
     workers.for_each(static_cast<std::int64_t>(columns) * rows, [&](std::int64_t tile) {
         const auto at = static_cast<int>(tile);
-        paint_tile(input, at % columns * kTileSide, at / columns * kTileSide, picture);
+        paint_tile(hurry.stopped() ? plain : input, at % columns * kTileSide, at / columns * kTileSide, picture);
     });
     return picture;
 }
 
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-             const RenderOptions& options, const Workers& workers) {
+             const RenderOptions& options, const Workers& workers, const StopToken& hurry) {
     check(options);
     View view;
     view.options = options;
     const Stage stage = set_stage(packing, meshes, view);
     RayMeshes held;
     held.add(stage.meshes, workers);
-    Picture picture = paint(stage, held, options.samples, workers);
+    Picture picture = paint(stage, held, options.samples, workers, hurry);
     if (std::min(options.width, options.height) >= kLeastMarked) {
         if (options.marks) draw_marks(marks_of(stage), picture.image);
         if (options.numbers) draw_numbers(stage, picture);

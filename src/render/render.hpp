@@ -10,14 +10,17 @@
 #include "spectralpack/mesh.hpp"
 #include "spectralpack/packing.hpp"
 #include "spectralpack/render.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
-/// The picture of a stage whose meshes are there.
-Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Workers& workers);
+/// The picture of a stage whose meshes are there. What is left of it once `hurry` is requested is painted plainly: one
+/// sample per pixel, no shadows.
+Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Workers& workers,
+              const StopToken& hurry = {});
 
 /// `meshes`: by part; null for parts without placements. Throws as render(Scene) does.
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-             const RenderOptions& options, const Workers& workers);
+             const RenderOptions& options, const Workers& workers, const StopToken& hurry = {});
 
 }  // namespace spectralpack

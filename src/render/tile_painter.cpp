@@ -54,6 +54,7 @@ class TilePainter {
 
   private:
     void expose_pixel(int x, int y) {
+        if (!in_.shadows) return;
         for (Fragment& f : seen_.fragments(x, y)) {
             if (f.copy == kNothing || (f.copy == kFloor && length(f.position) > kFarFloor)) continue;
             f.exposure = in_.shading.exposure(in_.rays, left_ + x, top_ + y, f.position, f.face, f.smooth);
@@ -62,6 +63,7 @@ class TilePainter {
 
     /// Mean exposure over the window, of fragments that lie on the same surface.
     Exposure averaged(int x, int y, const Fragment& f) {
+        if (!in_.shadows) return {};
         Exposure sum{0, 0};
         double weights = 0;
         const double flatness = seen_.flatness(f.position);

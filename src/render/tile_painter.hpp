@@ -18,7 +18,8 @@ struct PaintInput {
     const RayScene& rays;
     const Shading& shading;
     const Outline& outline;
-    int samples;  ///< per pixel and axis
+    int samples;          ///< per pixel and axis
+    bool shadows = true;  ///< and occlusion of the sky, which take most of the time
 };
 
 /// A picture, and which copy each of its pixels shows: an index into Stage::copies, or less than 0.

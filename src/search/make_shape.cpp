@@ -159,6 +159,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
     tell_turned(shape, sources, rotations, detail);
     add_coarse_voxels(shape, detail, workers);
 
+    // Where a gap leaves no room for another object, no engine is asked (find_place()).
+    const auto widens = [&](double wanted) { return wanted > 0 && !holds_one_only(room, wanted); };
     // Widening costs more than all else here, so each root is widened and the others get its grids turned: of the
     // cube's 24 rotations one is a root.
     workers.for_each(static_cast<std::int64_t>(roots.size()), [&](std::int64_t k) {
@@ -166,8 +168,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         const Mat3& rotation = rotations[static_cast<std::size_t>(root.orientation)];
         const Mesh turned_mesh = transformed(mesh, {rotation, {}});
         root.widened = for_each_gap(gap, gap_classes, [&](std::size_t, double wanted) {
-            return wanted > 0 ? widen(*root.fine, turned_mesh, root.corner, fine_size, wanted, workers)
-                              : WidenedVoxels{root.fine, {}};
+            return widens(wanted) ? widen(*root.fine, turned_mesh, root.corner, fine_size, wanted, workers)
+                                  : WidenedVoxels{root.fine, {}};
         });
     });
     for (std::size_t i = 0; i < sources.size(); ++i) {
@@ -175,8 +177,8 @@ Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& ro
         const OrientedShape& root = shape.orientations[sources[i].root];
         OrientedShape& oriented = shape.orientations[i];
         oriented.widened = for_each_gap(gap, gap_classes, [&](std::size_t c, double wanted) {
-            return wanted > 0 ? turned(root.widened[c], root.fine.extent(), sources[i].turn)
-                              : WidenedVoxels{oriented.fine, {}};
+            return widens(wanted) ? turned(root.widened[c], root.fine.extent(), sources[i].turn)
+                                  : WidenedVoxels{oriented.fine, {}};
         });
     }
     return shape;

@@ -60,7 +60,8 @@ struct Shape {
 
 /// Voxelises `mesh` (mm, scaled, not turned) in every rotation at voxel_size / detail, widens it for
 /// every gap class, and merges orientations with equal voxels (and equal reach to 1e-6 mm) into the
-/// least index. `room`: as voxelize_orientations() has it.
+/// least index. `room`: as voxelize_orientations() has it; against gaps that are longer than its diagonal
+/// (holds_one_only()) the voxels are not widened.
 /// `gap_classes`: the job's distinct gaps, ascending; `gap` is one of them.
 Shape make_shape(std::uint64_t id, const Mesh& mesh, const std::vector<Mat3>& rotations, double voxel_size, int detail,
                  double gap, const std::vector<double>& gap_classes, const Workers& workers,

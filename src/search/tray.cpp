@@ -7,6 +7,7 @@
 
 #include "spectralpack/error.hpp"
 #include "voxel/voxelize.hpp"
+#include "voxel/widen.hpp"
 
 namespace spectralpack {
 namespace {
@@ -104,6 +105,16 @@ Extent Tray::candidates(const Vec3& reach) const {
         if (count[axis] <= 0) return {};
     }
     return count;
+}
+
+bool Tray::excludes(int gap_class) const {
+    const auto alone = [&](int c) {
+        return holds_one_only(setup_.size, setup_.gap_classes[static_cast<std::size_t>(c)]);
+    };
+    if (setup_.ceiling == Ceiling::open || !alone(gap_classes() - 1)) return false;
+    return std::ranges::any_of(objects_, [&](const Entry& entry) {
+        return entry.present && alone(std::max(gap_class, entry.object.gap_class));
+    });
 }
 
 BitGrid Tray::omega_place() const {

@@ -100,6 +100,10 @@ class Tray {
     int reference_layers() const { return reference_layers_; }
     int gap_classes() const { return static_cast<int>(setup_.gap_classes.size()); }
 
+    /// Whether some object stands that leaves no room for one of this gap class, or would leave it none: the gap is
+    /// longer than the diagonal of the tray.
+    bool excludes(int gap_class) const;
+
     /// How many positions per axis keep a mesh that reaches so far from its voxels' corner, mm, inside the container:
     /// positions are 0 .. count - 1; an empty extent when it does not fit. The voxels then lie in the grid.
     Extent candidates(const Vec3& reach) const;

@@ -130,9 +130,11 @@ ToldByCentres told_by_centres(const BitGrid& entered, double reach, const Worker
         int made = std::max(0, begin - cap);
         for (int z = begin; z < end; ++z) {
             for (; made <= std::min(n.z - 1, z + cap); ++made) {
+                workers.check();
                 planes.make(made);
             }
             for (int y = 0; y < n.y; ++y) {
+                workers.check();
                 std::ranges::fill(row, static_cast<Square>(cap * cap));
                 planes.measure(y, z, row);
                 BitGrid::Word* const near = told.near.row(y, z);

@@ -40,6 +40,7 @@ void for_each_triangle(const GridMesh& mesh, const Workers& workers, Visit visit
     workers.for_ranges(mesh.size(), kTrianglesPerTask, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             visit(mesh[i]);
+            if (i % kTrianglesPerTask == 0) workers.check();
         }
     });
 }

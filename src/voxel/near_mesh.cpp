@@ -105,6 +105,7 @@ void set_near_by_voxel(BitGrid& grid, const BitGrid& far, const VoxelIndex& firs
         NearTriangles triangles(surface, reach);
         for_open_words(grid, far, static_cast<int>(begin), static_cast<int>(end),
                        [&](BitGrid::Word& word, BitGrid::Word open, int x, int y, int z) {
+                           workers.check();
                            for (; open != 0; open &= open - 1) {
                                const VoxelIndex at = first + VoxelIndex{x + std::countr_zero(open), y, z};
                                if (triangles.near({at.x + 0.5, at.y + 0.5, at.z + 0.5})) word |= open & -open;
@@ -115,7 +116,8 @@ void set_near_by_voxel(BitGrid& grid, const BitGrid& far, const VoxelIndex& firs
 
 void set_near_by_triangle(BitGrid& grid, const VoxelIndex& first, const GridMesh& mesh, double reach,
                           const Workers& workers) {
-    for_each_triangle(mesh, workers, [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach); });
+    for_each_triangle(mesh, workers,
+                      [&](const GridTriangle& triangle) { set_near(grid, first, triangle, reach, workers); });
 }
 
 /// By the distances between voxels' centres all but a thin layer, and that by the voxel or by the triangle, whichever

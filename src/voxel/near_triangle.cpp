@@ -12,7 +12,8 @@ constexpr std::int64_t kFew = 64;  // voxels: quicker looked at than the triangl
 
 }  // namespace
 
-void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triangle, double reach) {
+void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triangle, double reach,
+              const Workers& workers) {
     const VoxelShape shape{0, reach};
     const Extent& n = grid.extent();
     const VoxelRange whole{first, {first.x + n.x - 1, first.y + n.y - 1, first.z + n.z - 1}};
@@ -21,6 +22,7 @@ void set_near(BitGrid& grid, const VoxelIndex& first, const GridTriangle& triang
     if (range.count() <= kFew && all_set(grid, range, first)) return;  // as of most triangles of a fine mesh
     const NearCubes near(triangle, reach);
     TriangleRows(triangle, shape, range).for_each([&](int low, int high, int y, int z) {
+        workers.check();
         BitGrid::Word* const row = grid.row(y - first.y, z - first.z);
         for_run_words(row, low - first.x, high - first.x, [&](BitGrid::Word& word, BitGrid::Word bits) {
             const int base = static_cast<int>(&word - row) * BitGrid::kWordBits + first.x;

@@ -20,7 +20,7 @@ namespace {
 void set_surface(BitGrid& grid, const GridMesh& mesh, double reach, const Workers& workers) {
     for_each_triangle(mesh, workers, [&](const GridTriangle& triangle) {
         set_surface(grid, triangle, kSurfaceShrink);
-        if (reach > 0) set_near(grid, {}, triangle, reach);
+        if (reach > 0) set_near(grid, {}, triangle, reach, workers);
     });
 }
 

@@ -38,6 +38,7 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
     workers.for_ranges(mesh.size(), kTrianglesPerTask, [&](std::int64_t begin, std::int64_t end) {
         Crossings found(extent);
         for (std::int64_t i = begin; i < end; ++i) {
+            if (i % kTrianglesPerTask == 0) workers.check();
             const GridTriangle triangle = mesh[i];
             set_surface(grid, triangle, kSurfaceShrink);
             if (closed) found.add(triangle);
@@ -45,7 +46,9 @@ BitGrid solid_voxels(const GridMesh& mesh, const Extent& extent, bool closed, co
         const std::lock_guard lock(appending);
         crossings.append(std::move(found));
     });
+    workers.check();
     if (closed) crossings.set_wound(grid);
+    workers.check();
     if (grid.none()) {
         // Thinner than the shrink, or an open mesh of faces that all lie on voxel faces.
         for (std::int64_t i = 0; i < mesh.size(); ++i) {

@@ -19,6 +19,9 @@ struct WidenedVoxels {
     bool operator==(const WidenedVoxels&) const = default;
 };
 
+/// Whether no two objects in a container of this size can keep such a gap, wherever they stand: one is all it holds.
+inline bool holds_one_only(const Vec3& size, double gap) { return gap > length(size); }
+
 inline constexpr double kGapTolerance = 1e-6;  ///< mm: so that a voxel exactly `gap` away stays out
 
 /// `solid` are the mesh's voxels, `corner` is that of its voxel (0,0,0), not above the box minimum. gap > 0, finite.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <new>
 
 #include "support/shapes.hpp"
 
@@ -170,6 +171,65 @@ TEST_F(InMemory, APackingFileNeedsMeshFiles) {
     EXPECT_GT(fs::file_size(folder_ / "build.3mf"), 1000u);
     const Image picture = render(scene, {.width = 64, .height = 48}, 1);
     EXPECT_EQ(picture.rgb.size(), 64u * 48u * 3u);
+}
+
+/// Runs out of memory once so many copies stand.
+class OutOfMemory : public Listener {
+  public:
+    explicit OutOfMemory(int copies) : copies_(copies) {}
+    void on_event(const Event& event) override {
+        if (event.kind == EventKind::copy_placed && --copies_ == 0) throw std::bad_alloc();
+    }
+
+  private:
+    int copies_;
+};
+
+TEST_F(InMemory, WhatStandsWhenMemoryRunsOutIsKept) {
+    OutOfMemory listener(4);
+    const PackResult result = pack(small_job(), {&listener});
+    ASSERT_TRUE(result.failure);
+    EXPECT_EQ(result.failure->kind(), ErrorKind::resource);
+    EXPECT_EQ(result.packing.metrics.placed, 4);
+    ASSERT_EQ(result.packing.trays.size(), 1u);
+    EXPECT_EQ(result.packing.trays.front().placements.size(), 4u);
+    EXPECT_EQ(result.packing.unplaced.size(), 13u);
+}
+
+/// Stops the run in a phase.
+class StopIn : public Listener {
+  public:
+    explicit StopIn(Phase phase) : phase_(phase) {}
+    void on_progress(const Progress& progress) override {
+        if (progress.phase == phase_) source.request(StopReason::cancelled);
+    }
+    StopSource source;
+
+  private:
+    Phase phase_;
+};
+
+TEST_F(InMemory, WhatIsStoppedBeforeItBeginsPlacesNothingAndSaysSo) {
+    StopIn listener(Phase::load);
+    const PackResult result = pack(small_job(), {&listener, listener.source.token()});
+    EXPECT_EQ(result.stopped, StopReason::cancelled);
+    EXPECT_FALSE(result.failure);
+    EXPECT_EQ(result.packing.metrics.placed, 0);
+    EXPECT_EQ(estimate(small_job(), {&listener, listener.source.token()}).stopped, StopReason::cancelled);
+    EXPECT_EQ(estimate(small_job()).stopped, StopReason::none);
+}
+
+TEST_F(InMemory, EnoughPlacedStillComesApart) {
+    StopIn listener(Phase::search);
+    Job job = small_job();
+    job.enough_placed = listener.source.token();
+    const PackResult none = pack(job, {&listener});
+    EXPECT_EQ(none.stopped, StopReason::cancelled);
+    EXPECT_EQ(none.packing.metrics.placed, 0);
+    ASSERT_TRUE(none.packing.trays.front().disassembly);
+    EXPECT_TRUE(none.packing.trays.front().disassembly->complete);
+    const PackResult all = pack(small_job());
+    EXPECT_EQ(all.stopped, StopReason::none);
 }
 
 }  // namespace

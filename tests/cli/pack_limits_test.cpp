@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cli/program.hpp"
+#include "cli/running_program.hpp"
 #include "support/sanitized.hpp"
 
 namespace spectralpack::test {
@@ -99,12 +99,6 @@ TEST(PackLimits, DryRunOfALongJobEndsSoonAndSaysHowLongItTakes) {
     const std::vector<double> seconds = seconds_in(ran.out);
     ASSERT_FALSE(seconds.empty()) << ran.out;
     EXPECT_GE(*std::max_element(seconds.begin(), seconds.end()), 3) << "more than it tried";
-}
-
-/// A job that runs for many seconds.
-std::vector<std::string> long_job(const std::filesystem::path& output) {
-    return {"pack", kSamples + ":20", "--tray", "400x300x200", "--voxel",      "1", "--rotations",
-            "45",   "--progress",     "json",   "-o",          output.string()};
 }
 
 TEST(PackLimits, CtrlCWritesTheBestSoFarAndExitsWith130) {

@@ -148,6 +148,12 @@ PackResult two_trays() {
     return result;
 }
 
+TEST(Summary, SaysHowLongAllOfItTook) {
+    RunFacts facts = wrote({"sev.json"});
+    facts.seconds = 24;
+    EXPECT_TRUE(test::contains(summary_text(two_trays(), facts), "Took       24 s")) << "not packing alone";
+}
+
 TEST(Summary, OfSeveralTrays) {
     RunFacts facts = wrote({"sev.3mf", "sev.json"});
     facts.written[0].trays = {"sev-1.3mf", "sev-2.3mf"};

@@ -63,6 +63,30 @@ TEST(ReplaceFile, TakesNamesAsLongAsTheFileSystemDoes) {
     EXPECT_EQ(temporary_file("build.3mf").extension(), ".3mf");
 }
 
+TEST(ReplaceFile, RemovesWhatKilledProcessesLeftOfTheSameFile) {
+    const test::TemporaryFolder folder;
+    const pid_t gone = fork();
+    if (gone == 0) _exit(0);
+    int status = 0;
+    ASSERT_EQ(waitpid(gone, &status, 0), gone);
+    const std::string killed = std::to_string(gone), alive = std::to_string(getppid());
+    const std::vector<std::string> kept{".b.part" + killed + ".txt",
+                                        ".a.part" + killed + ".json",
+                                        ".a.part" + alive + ".txt",
+                                        ".a.part.txt",
+                                        ".a.part12x.txt",
+                                        "a.part" + killed + ".txt"};
+    for (const std::string& name : kept) {
+        std::ofstream(folder / name) << "x";
+    }
+    std::ofstream(folder / (".a.part" + killed + ".txt")) << "half";
+    replace_file(folder / "a.txt", "new");
+    for (const std::string& name : kept) {
+        EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    }
+    EXPECT_EQ(files_in(folder.path()), std::ssize(kept) + 1);
+}
+
 TEST(ReplaceFile, AMissingFolderIsNamed) {
     const test::TemporaryFolder folder;
     try {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/ahead.hpp"
+#include "core/stopped.hpp"
 #include "support/eventually.hpp"
 
 namespace spectralpack {
@@ -171,6 +172,28 @@ TEST(Ahead, RethrowsWhatMakingThrew) {
     });
     ASSERT_TRUE(test::eventually([&] { return begun.load(); }));
     EXPECT_THROW(value.take(), std::runtime_error);
+}
+
+TEST_P(ParallelLoops, ThatMayStopDoSoBeforeTheNextTask) {
+    StopSource stop;
+    const Workers all(GetParam()), workers = all.stopping_with(stop.token());
+    EXPECT_EQ(workers.threads(), GetParam());
+    workers.check();
+    std::atomic<int> begun = 0;
+    const auto task = [&](std::int64_t) {
+        ++begun;
+        stop.request(StopReason::cancelled);
+    };
+    EXPECT_THROW(workers.for_each(100'000, task), Stopped);
+    EXPECT_LE(begun, GetParam());
+    EXPECT_THROW(workers.for_each_in_order(10, task), Stopped);
+    EXPECT_THROW(workers.for_each_apart(10, task), Stopped);
+    EXPECT_THROW(workers.for_ranges(10, 1, [&](std::int64_t, std::int64_t) { ++begun; }), Stopped);
+    EXPECT_THROW(workers.alone().for_each(1, task), Stopped);
+    EXPECT_THROW(workers.check(), Stopped);
+    EXPECT_LE(begun, GetParam());
+    all.for_each(10, task);  // which may not stop
+    EXPECT_GE(begun, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, ParallelLoops, testing::Values(1, 2, 3));

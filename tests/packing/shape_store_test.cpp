@@ -6,6 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "core/stopped.hpp"
 #include "packing/first_fit.hpp"
 #include "support/eventually.hpp"
 
@@ -36,6 +37,39 @@ TEST(ShapeStore, MakesSoManyPartsAheadAndNoMore) {
         shapes.release(i, true);
     }
     EXPECT_EQ(made, 7);
+}
+
+TEST(ShapeStore, MakesAgainWhatWasStoppedForWorkThatIsGivenUp) {
+    for (const int threads : {1, 2}) {
+        StopSource placing, planning;
+        std::atomic<int> made{0}, stopped{0};
+        ShapeStore shapes(
+            [&](int part, const Workers& workers) {
+                try {
+                    workers.check();
+                } catch (...) {
+                    ++stopped;
+                    throw;
+                }
+                return box_part(part, 2, made);
+            },
+            Workers(threads), 0, 2);
+        shapes.stop_with(placing.token());
+        shapes.start_tray(one_each(3));
+        EXPECT_EQ(shapes.at(0).id, 0u);
+        ASSERT_TRUE(threads == 1 || test::eventually([&] { return made == 2; }));
+        placing.request(StopReason::time_limit);
+        EXPECT_EQ(shapes.at(0).id, 0u) << "it is there";
+        if (threads > 1) {
+            EXPECT_EQ(shapes.at(1).id, 1u) << "it is there, too";
+            ASSERT_TRUE(test::eventually([&] { return stopped == 1; })) << "of the next, begun now";
+        } else {
+            EXPECT_THROW(shapes.at(1), Stopped);
+        }
+        shapes.stop_with(planning.token());
+        EXPECT_EQ(shapes.at(2).id, 2u);
+        planning.request(StopReason::cancelled);
+    }
 }
 
 TEST(ShapeStore, MakesFewerAheadInATrayThatWantsFewer) {

@@ -142,6 +142,43 @@ TEST_F(ManyTrays, AStopAtTheEndOfTheOnlyTrayChangesNothing) {
     EXPECT_EQ(result_.left_over.size(), 6u);
 }
 
+TEST_F(ManyTrays, EnoughEndsPlacingAlone) {
+    StopSource enough;
+    enough.request(StopReason::time_limit);
+    setup_.enough = enough.token();
+    pack(copies(1, 10), {0, 0});
+    EXPECT_EQ(result_.trays.size(), 1u);
+    EXPECT_TRUE(result_.trays[0].cut_short);
+    EXPECT_EQ(result_.trays[0].untried.size(), 10u);
+}
+
+TEST(InterlockedTray, WhatStandsWhenItIsEnoughStillComesApart) {
+    const test::MeshParts parts{{test::cube_mesh(8)}};
+    ShapeStore shapes([&](int part, const Workers&) { return parts.shape(part); }, Workers(1));
+    StopSource enough;
+    FillOptions setup;
+    setup.tray.size = setup.container.size = {32, 26, 26};
+    setup.tray.voxel_size = 1;
+    setup.interlock = Interlock::post;
+    setup.left = setup.to_put_back = [](int, int) {};
+    setup.enough = enough.token();
+    const std::unique_ptr<PlacementSearch> search = make_cpu_search({}, Workers(1));
+    TrayFiller filler(setup, {*search, shapes, Workers(1)}, [&](int part) { return parts.scaled(part); });
+    TraysResult result;
+    fill_trays(
+        {{0, 0}, {0, 1}, {0, 2}, {0, 3}}, {1, 0}, filler, nullptr,
+        [&](const FilledTray&, std::size_t done) {
+            if (done == 2) enough.request(StopReason::time_limit);
+        },
+        result);
+    ASSERT_EQ(result.trays.size(), 1u);
+    EXPECT_TRUE(result.trays[0].cut_short);
+    EXPECT_EQ(result.trays[0].placed.size(), 2u);
+    ASSERT_TRUE(result.trays[0].plan);
+    EXPECT_TRUE(result.trays[0].plan->complete);
+    EXPECT_EQ(result.trays[0].plan->steps.size(), 2u);
+}
+
 TEST(InterlockedTray, WhatAStopKeepsFromBeingPutBackFoundNoLackOfRoom) {
     // Two cubes in a chest whose lid has a hole too small for them, and no room beside it.
     const test::MeshParts parts{

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <set>
 
@@ -54,6 +55,24 @@ TEST(Render, HasTheSizeAskedFor) {
             EXPECT_EQ(image.rgb.size(), static_cast<std::size_t>(3 * width * height));
         }
     }
+}
+
+TEST(Render, WithoutTimeItDrawsPlainlyAndWhole) {
+    const SmallScene scene = test::varied_scene();
+    RenderOptions options = small_picture();
+    options.samples = 3;
+    StopSource hurry;
+    const Image fine = render(scene.packing, scene.meshes, options, Workers(2), hurry.token());
+    EXPECT_EQ(fine.rgb, picture(scene, options).rgb) << "there is time";
+    hurry.request(StopReason::time_limit);
+    const Image plain = render(scene.packing, scene.meshes, options, Workers(2), hurry.token());
+    ASSERT_EQ(plain.rgb.size(), fine.rgb.size());
+    EXPECT_NE(plain.rgb, fine.rgb);
+    double difference = 0;
+    for (std::size_t i = 0; i < fine.rgb.size(); ++i) {
+        difference += std::abs(plain.rgb[i] - fine.rgb[i]);
+    }
+    EXPECT_LT(difference / static_cast<double>(fine.rgb.size()), 25) << "of 255: the same picture without shadows";
 }
 
 TEST(Render, ShowsEveryCopyInItsPixelsAndOnlyThere) {

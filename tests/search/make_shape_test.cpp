@@ -36,6 +36,20 @@ TEST(MakeShape, MergesOrientationsOfABox) {
     EXPECT_EQ(box.orientations[0].corner, (Vec3{-1, 5, 2}));
 }
 
+TEST(MakeShape, DoesNotWidenByGapsThatLeaveNoRoomForAnother) {
+    const std::vector<double> gaps{0, 3, 14.1, 14.2, 1e20};
+    const Shape shape = make_shape(7, cube_mesh(6), orientation_set("90"), 1, 2, 3, gaps, Workers(2), {6, 8, 10});
+    for (const OrientedShape& oriented : shape.orientations) {
+        ASSERT_EQ(oriented.widened.size(), gaps.size());
+        EXPECT_EQ(oriented.widened[0], oriented.widened[1]);
+        EXPECT_EQ(oriented.widened[2].offset, (VoxelIndex{-29, -29, -29})) << "the diagonal is longer";
+        for (const std::size_t beyond : {3, 4}) {
+            EXPECT_EQ(oriented.widened[beyond].voxels, oriented.fine);
+            EXPECT_EQ(oriented.widened[beyond].offset, VoxelIndex{});
+        }
+    }
+}
+
 TEST(MakeShape, KeepsEqualVoxelsOfUnequalSizesApart) {
     // 3.5 and 4 mm both take two voxels, but have other candidates.
     const auto rotations = orientation_set("90");

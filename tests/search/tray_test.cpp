@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <limits>
 
 #include "random_scene.hpp"
@@ -221,6 +222,23 @@ TEST(Tray, KeepsClassesApart) {
     EXPECT_EQ(tray.occupied(0).count(), 12);
     EXPECT_THROW(tray.add({box({1, 1, 1}), {0, 0, 0}, 2, false}), InternalError);
     EXPECT_THROW(tray.add({box({1, 1, 1}), {0, 0, 0}, -1, false}), InternalError);
+}
+
+TEST(Tray, ExcludesWhatCannotKeepItsGapInIt) {
+    TraySetup setup = setup_of({6, 8, 10}, 1);  // diagonal 14.14
+    setup.gap_classes = {0, 14.1, 14.2};
+    Tray tray(setup);
+    const auto excluded = [&tray] { return std::array{tray.excludes(0), tray.excludes(1), tray.excludes(2)}; };
+    EXPECT_EQ(excluded(), (std::array{false, false, false})) << "nothing stands";
+    const ObjectId plain = tray.add({box({2, 2, 2}), {0, 0, 0}, 1});
+    EXPECT_EQ(excluded(), (std::array{false, false, true}));
+    tray.remove(plain);
+    tray.add({box({2, 2, 2}), {0, 0, 0}, 2});
+    EXPECT_EQ(excluded(), (std::array{true, true, true}));
+    setup.ceiling = Ceiling::open;
+    Tray open(setup);
+    open.add({box({2, 2, 2}), {0, 0, 0}, 2});
+    EXPECT_FALSE(open.excludes(2)) << "it is as high as it has to be";
 }
 
 TEST(Tray, JournalTellsEveryChange) {

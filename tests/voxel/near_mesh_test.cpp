@@ -71,7 +71,7 @@ TEST(NearMesh, IsWhatItsTrianglesAreNearTo) {
             plain.set(40, 30, 30);  // stays, wherever it is
             BitGrid grid = plain, threaded = plain;
             for (std::int64_t i = 0; i < grid_mesh.size(); ++i) {
-                set_near(plain, first, grid_mesh[i], reach);
+                set_near(plain, first, grid_mesh[i], reach, Workers(1));
             }
             set_near(grid, first, grid_mesh, reach, Workers(1));
             set_near(threaded, first, grid_mesh, reach, Workers(3));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/stopped.hpp"
 #include "geometry/triangle_distance.hpp"
 #include "plain_voxels.hpp"
 #include "random_mesh.hpp"
@@ -218,6 +219,15 @@ TEST(Widen, DoesNotDependOnTheThreads) {
     const WidenedVoxels widened = widened_by(solid, mesh, 2, 3);
     for (const int threads : {2, 3}) {
         EXPECT_EQ(*widened_by(solid, mesh, 2, 3, Workers(threads)).voxels, *widened.voxels);
+    }
+}
+
+TEST(Widen, StopsBetweenRowsOfOneTriangle) {
+    const Mesh mesh = test::box_mesh({0, 0, 0}, {10, 10, 10});
+    StopSource stop;
+    stop.request(StopReason::time_limit);
+    for (const double gap : {2.0, 20.0, 300.0}) {  // by triangles, by centres, and beyond what these can tell
+        EXPECT_THROW(widened_by(voxelize(mesh, 1, kOne), mesh, 1, gap, kOne.stopping_with(stop.token())), Stopped);
     }
 }
 

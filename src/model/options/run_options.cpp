@@ -26,8 +26,8 @@ std::vector<Option> run_options() {
         kept_in<&PackOptions::threads>({.name = "threads",
                                         .group = Group::packing,
                                         .type = Type::integer,
-                                        .least = std::numeric_limits<int>::min(),
-                                        .most = kMostInt,
+                                        .least = 0,
+                                        .most = kMostThreads,
                                         .placeholder = "N",
                                         .line = "threads; the result does not depend on them",
                                         .default_means = "all",
@@ -68,8 +68,14 @@ std::vector<Option> run_options() {
                                            .type = Type::number,
                                            .least = 0,
                                            .placeholder = "S",
-                                           .line = "then the best so far is written",
-                                           .help = "In seconds. What was not tried by then is left over.",
+                                           .line = "for all of it; the best so far is written by then",
+                                           .help = "In seconds, of the whole run, reading, plan, files and pictures "
+                                                   "included. It is kept to within a second or a tenth, whichever is "
+                                                   "more, unless a single mesh takes longer to read or a file to "
+                                                   "write. Placing ends when two thirds are over, or a little less "
+                                                   "with pictures: the rest is for the plan that takes the packing "
+                                                   "apart, and for writing. Pictures for which there is little time "
+                                                   "are drawn without shadows. What was not tried is left over.",
                                            .examples = {"600"}}),
     };
 }

@@ -8,7 +8,7 @@ namespace spectralpack {
 
 Disassembly final_plan(const FinalPlanOptions& options, const Tray& tray, const std::vector<PlacedCopy>& placed,
                        const TrayContext& context, Disassembly plan, InterlockCounts& counts) {
-    if (placed.empty()) return plan;
+    if (placed.empty() || context.stop.stopped()) return plan;
     BodyOptions standing = options;
     std::optional<PhysicalWalls> walls;
     if (options.unpack == Unpack::top && options.walls == nullptr) {

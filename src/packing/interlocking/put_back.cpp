@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "packing/interlocking/reachable_search.hpp"
 #include "packing/interlocking/removable_packing.hpp"
 #include "packing/tray/greedy.hpp"
@@ -57,7 +58,7 @@ class PuttingBack {
         for (std::size_t i = 0; i < copies.size(); ++i) {
             const bool was_taken_out = wish_.taken_out.contains(copies[i]);
             const bool again = !stop.stopped() && !hopeless.contains(copies[i].part) &&
-                               put_in(copies[i], asked(shapes.at(i), was_taken_out));
+                               try_put_in(shapes, i, copies[i], was_taken_out);
             if (!again) {
                 hopeless.insert(copies[i].part);
                 if (was_taken_out && !stop.stopped()) result_.interlocked.push_back(copies[i]);
@@ -102,6 +103,14 @@ class PuttingBack {
         const bool full = options_.waiting_had_no_room && !context_.limits.caps && !is_open();
         if (full && !was_taken_out) asked.only_near = wish_.freed;
         return asked;
+    }
+
+    bool try_put_in(ShapeStore& shapes, std::size_t i, const Copy& copy, bool was_taken_out) {
+        try {
+            return put_in(copy, asked(shapes.at(i), was_taken_out));
+        } catch (const Stopped&) {  // while its voxels were made
+            return false;
+        }
     }
 
     bool put_in(const Copy& copy, const Shape& shape) {

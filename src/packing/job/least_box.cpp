@@ -101,6 +101,7 @@ void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToke
     if (static_cast<int>(job.parts.size()) <= job.held) packer.keep_shapes();
     std::optional<BoxScore> least;
     std::int64_t searches = 0;
+    const StopToken& enough = job.fill.enough ? *job.fill.enough : stop;
     const auto keep = [&] {
         packed.trays.trays.front().searches = searches;
         if (observer) tell_of(packed.trays, 0, *observer);
@@ -115,7 +116,7 @@ void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToke
         }
         searches += trays.searches();
         const auto missing = static_cast<std::int64_t>(job.copies.size()) - trays.placed();
-        const bool cut_short = missing > 0 && stop.stopped();
+        const bool cut_short = missing > 0 && enough.stopped();
         const BoxScore score{missing, box_volume(job, trays.trays.front())};
         if (!least || (!cut_short && score < *least)) {
             least = score;

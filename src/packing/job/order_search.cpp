@@ -130,7 +130,9 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     on_grid.interlock = Interlock::off;
     // The second engine does not look at beams.
     const bool done_on_grid = !job.fill.refine && job.fill.interlock == Interlock::off && !job.verified;
-    const StopToken enough = done_on_grid ? options.stop : options.enough;
+    const StopToken placing = job.fill.enough.value_or(options.stop);
+    const StopToken enough = done_on_grid ? placing : options.enough;
+    on_grid.enough = enough;
 
     const OrderSearchOptions wanted{options.restarts, options.beam, options.seed, job.ranks, measures_of(job.parts)};
     const bool by_beam = wanted.beam > 1;
@@ -163,7 +165,7 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     FoundOrder found = find_order(job.copies, wanted, pack, enough);
     packed.orders = found.packings;
     const std::int64_t searches = found.trays.searches();
-    if (done_on_grid || options.stop.stopped()) return keep(std::move(found.trays), 0);
+    if (done_on_grid || placing.stopped()) return keep(std::move(found.trays), 0);
     packed.copies = std::move(found.copies);
     TraysResult last;
     progress.last();
@@ -173,7 +175,9 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
         keep(std::move(found.trays), last.trays.size());
         throw;
     }
-    if (!last.trays.back().untried.empty()) return keep(std::move(found.trays), last.trays.size());
+    // Cut short, it holds fewer copies than the one found, but these are known to come apart.
+    const bool comes_apart = job.fill.interlock != Interlock::off && !options.stop.stopped() && last.placed() > 0;
+    if (!last.trays.back().untried.empty() && !comes_apart) return keep(std::move(found.trays), last.trays.size());
     last.trays.front().searches += searches;
     packed.trays = std::move(last);
 }

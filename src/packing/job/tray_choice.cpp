@@ -81,7 +81,7 @@ class TrayAttempts {
     /// Packs the tray as `wanted_` says now. True where that is better, and kept.
     template <class Better>
     bool attempt(const Better& better) {
-        if (filler_.context().stop.stopped()) return false;
+        if (filler_.enough().stopped()) return false;
         FilledTray other;
         last_is_best_ = false;
         fill(other);

@@ -53,8 +53,8 @@ std::vector<double> rounds_of(const std::vector<PartShare>& shares, const std::v
 TrayFiller::TrayFiller(FillOptions options, const PackContext& context, PartSurfaces::PartOf part_of)
     : options_(std::move(options)), context_(context), unlinked_(context.search), part_of_(std::move(part_of)) {
     if (options_.container.physical && options_.interlock != Interlock::off) {
-        physical_ =
-            physical_walls(options_.container, finest_setup(options_.tray), options_.wall_gap, context_.workers);
+        physical_ = physical_walls(options_.container, finest_setup(options_.tray), options_.wall_gap,
+                                   context_.workers.stopping_with(enough()));
     }
     if (options_.refine) walls_ = wall_surfaces(options_.container, options_.wall_gap);
     for (const FixedCopy& copy : options_.fixed) {
@@ -67,7 +67,8 @@ std::vector<Body> TrayFiller::stand_fixed_copies(int number, Tray& tray, Refinem
     for (const FixedCopy& copy : options_.fixed) {
         if (copy.tray != number) continue;
         const Mesh mesh = transformed(*copy.mesh, copy.transform);
-        standing.push_back(stand_fixed(mesh, copy.gap, tray, options_.wall_gap, context_.workers));
+        standing.push_back(
+            stand_fixed(mesh, copy.gap, tray, options_.wall_gap, context_.workers.stopping_with(enough())));
         if (refinement) refinement->stand({standing.back().surface, {}, copy.gap});
         if (caps) caps->add_fixed(mesh);
     }
@@ -172,15 +173,16 @@ bool TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     CostModel model = options_.model;
     model.height_at = wanted.height_at.value_or(model.height_at);
     result.height_at = model.height_at;
-    const auto with = [&](PlacementSearch& asked) {
-        return TrayContext{{asked, context_.shapes, context_.workers, context_.stop, context_.observer, decisions},
+    const auto with = [&](PlacementSearch& asked, const StopToken& stop) {
+        context_.shapes.stop_with(stop);
+        return TrayContext{{asked, context_.shapes, context_.workers, stop, context_.observer, decisions},
                            wanted.number,
                            model,
                            {caps ? &*caps : nullptr, options_.most_layers, wanted.give_up_after},
                            settle};
     };
     if (context_.observer) context_.observer->tray_begun(wanted.number);
-    const TrayContext packing = with(search);
+    const TrayContext packing = with(search, enough());
     std::optional<PackedTray> packed;
     if (decisions) packed = decisions->recall_packed();
     if (packed) {
@@ -196,16 +198,17 @@ bool TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
         fill_up(tray, packing, off_grid, surfaces);
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
     }
-    if (decisions && !packed && !context_.stop.stopped()) decisions->keep(PackedTray{tray.extent().z, result});
+    result.cut_short = !packed && enough().stopped();
+    if (decisions && !packed && !result.cut_short) decisions->keep(PackedTray{tray.extent().z, result});
     if (options_.interlock != Interlock::off) {
         search.forget();  // planning takes memory of its own
         UntangleOptions options = untangle_options(wanted, result);
         options.surfaces = &surfaces;
         options.fixed = std::move(fixed);
-        make_removable(tray, with(context_.search), options, result);
+        make_removable(tray, with(context_.search, context_.stop), options, result);
     }
     if (refinement) result.least_gap = result.report.changed ? result.report.least_gap : refinement->least_gap();
-    if (decisions && !context_.stop.stopped()) decisions->keep(result);
+    if (decisions && !result.cut_short && !context_.stop.stopped()) decisions->keep(result);
     return true;
 }
 
@@ -228,6 +231,11 @@ UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const Fil
 
 void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const UntangleOptions& options,
                                 FilledTray& result) {
+    if (context.stop.stopped() &&
+        !result.placed.empty()) {  // nothing would be found out, of large meshes after seconds
+        result.plan.emplace();
+        return;
+    }
     Untangled untangled = untangle(tray, result.placed, context, options);
     result.interlocked = std::move(untangled.interlocked);
     result.report = untangled.report;
@@ -296,12 +304,12 @@ FirstCopies TrayFiller::lagging(const std::vector<PartShare>& shares, const std:
 void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result) {
     fill_in_shares(shares, {}, copy_done, result);
     const FirstCopies first = lagging(shares, result.placed);
-    if (first.count > 0 && !context_.stop.stopped()) {
+    if (first.count > 0 && !enough().stopped()) {
         FilledTray other;
         context_.search.forget();
         fill_in_shares(shares, first, copy_done, other);
-        const bool better = !context_.stop.stopped() && std::ranges::min(rounds_of(shares, other.placed)) >
-                                                            std::ranges::min(rounds_of(shares, result.placed));
+        const bool better = !enough().stopped() && std::ranges::min(rounds_of(shares, other.placed)) >
+                                                       std::ranges::min(rounds_of(shares, result.placed));
         const std::int64_t searches = result.searches + other.searches;
         if (better) {
             result = std::move(other);

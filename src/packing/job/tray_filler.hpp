@@ -35,6 +35,9 @@ struct FillOptions {
     Unpack unpack = Unpack::any;           ///< how plans take copies out; which are placed does not depend on it
     std::optional<double> ray_spacing;     ///< BodyOptions's
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back
+    /// Ends placing: what stands by then is still made to come apart. Requested at the latest where the context's stop
+    /// is; none: that ends all.
+    std::optional<StopToken> enough = {};
 };
 
 /// What one tray is to be filled with.
@@ -66,6 +69,8 @@ class TrayFiller {
     void fill_in_shares(const std::vector<PartShare>& shares, const CopyDone& copy_done, FilledTray& result);
 
     const PackContext& context() const { return context_; }
+    /// What ends placing.
+    const StopToken& enough() const { return options_.enough ? *options_.enough : context_.stop; }
     double voxel_size() const { return options_.tray.voxel_size; }
     double wall_gap() const { return options_.wall_gap; }
     int trays_with_fixed() const { return trays_with_fixed_; }     ///< the number of the last such tray, plus one

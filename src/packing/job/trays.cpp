@@ -34,7 +34,7 @@ std::optional<double> TraysResult::least_gap() const {
 void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFiller& filler,
                 const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result,
                 const std::function<void()>& next_tray) {
-    const StopToken& stop = filler.context().stop;
+    const StopToken& stop = filler.enough();
     const bool several = limit.trays != 1;
     std::vector<Copy> remaining = copies;
     bool stopped = false;

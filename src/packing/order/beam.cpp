@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/stopped.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -97,7 +99,9 @@ class Beam {
             if (!state.waits_for(k) || seen.contains(copy.part)) continue;
             const int of_item = options_.ranks[static_cast<std::size_t>(copy.part)];
             if (rank && of_item != *rank) break;
-            const Shape& shape = context_.shapes.at(k);
+            const Shape* made = shape_of(k);
+            if (!made) return true;
+            const Shape& shape = *made;
             const SearchResult answer = find_place(state.tray, *state.engine, context_, copy, shape);
             stopped_ = answer.stopped;
             if (stopped_) return true;
@@ -118,6 +122,16 @@ class Beam {
             steps.push_back(std::move(step));
         }
         return found > 0;
+    }
+
+    /// Null where it was stopped while its voxels were made.
+    const Shape* shape_of(std::size_t copy) {
+        try {
+            return &context_.shapes.at(copy);
+        } catch (const Stopped&) {
+            stopped_ = true;
+            return nullptr;
+        }
     }
 
     void leave_over(State& state, int part) const {

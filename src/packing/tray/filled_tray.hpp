@@ -34,6 +34,7 @@ struct FilledTray : GreedyResult {
     std::optional<Disassembly> plan;  ///< by index into `placed`; none where interlocking was not looked at
     InterlockReport report;
     HeightAt height_at = HeightAt::bottom;  ///< where it counted
+    bool cut_short = false;                 ///< placing was ended before it was done
     /// Least distance between two copies, mm, as refined; none without refinement or with fewer than two.
     std::optional<double> least_gap;
 };

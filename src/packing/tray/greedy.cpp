@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "packing/tray/open_height.hpp"
 #include "spectralpack/error.hpp"
 
@@ -33,6 +34,16 @@ class Placer {
 
     template <class ShapeOf>
     PlaceOutcome place(const Copy& copy, const ShapeOf& shape_of) {
+        try {
+            return try_place(copy, shape_of);
+        } catch (const Stopped&) {  // while its voxels were made
+            return PlaceOutcome::stopped;
+        }
+    }
+
+  private:
+    template <class ShapeOf>
+    PlaceOutcome try_place(const Copy& copy, const ShapeOf& shape_of) {
         if (context_.stop.stopped()) return PlaceOutcome::stopped;
         Caps* const caps = context_.limits.caps;
         if (caps) {
@@ -51,6 +62,7 @@ class Placer {
             if (!why.empty()) result_.why[copy.part] = why;
             return PlaceOutcome::no_place;
         }
+        if (context_.stop.stopped()) return PlaceOutcome::stopped;  // the surfaces of a large mesh take seconds
         const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
         Settled settled = context_.settle(copy, shape, *found.best);
         const ObjectId object = tray_.add(std::move(settled.object));
@@ -61,7 +73,6 @@ class Placer {
         return PlaceOutcome::placed;
     }
 
-  private:
     Tray& tray_;
     const TrayContext& context_;
     GreedyResult& result_;
@@ -90,6 +101,7 @@ SearchResult search_place(Tray& tray, PlacementSearch& search, const TrayContext
 
 SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
                         const Shape& shape) {
+    if (tray.excludes(shape.gap_class)) return {};
     if (!context.decisions) return search_place(tray, search, context, copy, shape);
     if (const std::optional<FoundPlace> known = context.decisions->recall_place(copy)) {
         if (tray.extent().z < known->layers) tray = grown(tray, known->layers);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "core/stopwatch.hpp"
 
 namespace spectralpack {
@@ -58,6 +59,11 @@ void ShapeStore::start_tray(const std::vector<Copy>& copies, int ahead) {
     }
 }
 
+void ShapeStore::stop_with(const StopToken& stop) {
+    workers_ = workers_.stopping_with(stop);
+    alone_ = alone_.stopping_with(stop);
+}
+
 const Shape& ShapeStore::at(std::size_t i) {
     const auto part = static_cast<std::size_t>(copies_[i].part);
     const std::unique_ptr<Making> making = std::move(making_[part]);
@@ -65,7 +71,11 @@ const Shape& ShapeStore::at(std::size_t i) {
     begin_next(part);
     if (!shapes_[part]) {
         const Stopwatch watch;
-        if (making) shapes_[part] = making->take().value_or(nullptr);
+        try {
+            if (making) shapes_[part] = making->take().value_or(nullptr);
+        } catch (const Stopped&) {
+            workers_.check();  // it may have been begun for work that was given up since
+        }
         if (!shapes_[part]) shapes_[part] = make_(copies_[i].part, workers_);
         seconds_ += watch.seconds();
     }

@@ -35,6 +35,9 @@ class ShapeStore {
     /// `ahead`: fewer than the store's.
     void start_tray(const std::vector<Copy>& copies, int ahead = kAhead);
 
+    /// From now on at() throws Stopped where a shape would have to be made once `stop` is requested.
+    void stop_with(const StopToken& stop);
+
     /// The shape of copies[i].part. Calls come with i ascending, about; the next distinct parts are begun. Throws what
     /// `make` throws.
     const Shape& at(std::size_t i);

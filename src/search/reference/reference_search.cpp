@@ -1,10 +1,10 @@
 #include "search/reference/reference_search.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <string>
 #include <vector>
 
+#include "core/stopped.hpp"
 #include "search/reference/correlation.hpp"
 #include "search/reference/error_bound.hpp"
 #include "search/reference/tray_spectra.hpp"
@@ -35,8 +35,9 @@ class FourierSearch final : public ReferenceSearch {
     void plan_for(const Tray& tray, const Shape& shape);
     void make_lanes(int orientations, const Extent& tray);
     std::optional<BestPlacement> best_of_orientation(Lane& lane, const Tray& tray, const OrientedShape& shape,
-                                                     int index, const CostModel& model, const Admits& admits) const;
-    void correlate_collisions(Lane& lane, const OrientedShape& shape, int detail) const;
+                                                     int index, const CostModel& model, const Admits& admits,
+                                                     const Workers& workers) const;
+    void correlate_collisions(Lane& lane, const OrientedShape& shape, int detail, const Workers& workers) const;
     void correlate_proximities(Lane& lane, const OrientedShape& shape) const;
     void find_free(Lane& lane, const Extent& candidates) const;
     std::array<Cost, 6> neighbour_costs(const Tray& tray, const OrientedShape& shape, const VoxelIndex& q,
@@ -99,22 +100,23 @@ template <class Real>
 SearchResult FourierSearch<Real>::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                                  const StopToken& stop) {
     const int orientations = static_cast<int>(shape.orientations.size());
-    plan_for(tray, shape);
-    spectra_.update(tray, *plan_);
-    make_lanes(orientations, tray.extent());
-
-    const int lanes = std::min(orientations, static_cast<int>(lanes_.size()));
+    const Workers workers = workers_.stopping_with(stop);
     std::vector<std::optional<BestPlacement>> bests(shape.orientations.size());
-    std::atomic<bool> stopped = stop.stopped();
-    workers_.for_each(lanes, [&](std::int64_t lane) {
-        for (auto i = static_cast<std::size_t>(lane); i < bests.size(); i += static_cast<std::size_t>(lanes)) {
-            if (stop.stopped()) stopped = true;
-            if (stopped) return;
-            bests[i] = best_of_orientation(lanes_[static_cast<std::size_t>(lane)], tray, shape.orientations[i],
-                                           static_cast<int>(i), model, shape.admits);
-        }
-    });
-    if (stopped) return {std::nullopt, true};
+    try {
+        workers.check();
+        plan_for(tray, shape);
+        spectra_.update(tray, *plan_, workers);
+        make_lanes(orientations, tray.extent());
+        const int lanes = std::min(orientations, static_cast<int>(lanes_.size()));
+        workers.for_each(lanes, [&](std::int64_t lane) {
+            for (auto i = static_cast<std::size_t>(lane); i < bests.size(); i += static_cast<std::size_t>(lanes)) {
+                bests[i] = best_of_orientation(lanes_[static_cast<std::size_t>(lane)], tray, shape.orientations[i],
+                                               static_cast<int>(i), model, shape.admits, workers);
+            }
+        });
+    } catch (const Stopped&) {  // between two transforms
+        return {std::nullopt, true};
+    }
 
     std::optional<BestPlacement> best;
     for (const auto& candidate : bests) {
@@ -130,13 +132,14 @@ SearchResult FourierSearch<Real>::best_placement(const Tray& tray, const Shape& 
 template <class Real>
 std::optional<BestPlacement> FourierSearch<Real>::best_of_orientation(Lane& lane, const Tray& tray,
                                                                       const OrientedShape& shape, int index,
-                                                                      const CostModel& model,
-                                                                      const Admits& admits) const {
+                                                                      const CostModel& model, const Admits& admits,
+                                                                      const Workers& workers) const {
     // Circular correlations tell of every displacement; those where the object clips out of the
     // tray are discarded (appendix A.1).
     const Extent count = tray.candidates(shape.reach);
     if (count.empty()) return std::nullopt;
-    correlate_collisions(lane, shape, tray.detail());
+    correlate_collisions(lane, shape, tray.detail(), workers);
+    workers.check();
     find_free(lane, count);
     correlate_proximities(lane, shape);
 
@@ -162,7 +165,8 @@ std::optional<BestPlacement> FourierSearch<Real>::best_of_orientation(Lane& lane
 
 /// Equation (2): leaves zeta, times the number of cells, in lane.sum and A's spectrum in lane.a.
 template <class Real>
-void FourierSearch<Real>::correlate_collisions(Lane& lane, const OrientedShape& shape, int detail) const {
+void FourierSearch<Real>::correlate_collisions(Lane& lane, const OrientedShape& shape, int detail,
+                                               const Workers& workers) const {
     double norms = 0;
     int terms = 0;
     const auto collide = [&](const BitGrid& a, const TraySpectrum<Real>& omega) {
@@ -187,6 +191,7 @@ void FourierSearch<Real>::correlate_collisions(Lane& lane, const OrientedShape& 
             bool transformed = false;
             for (std::size_t same = c; same < spectra_.classes(); ++same) {
                 if (!spectra_.objects(same, part) || shape.widened[same] != wide) continue;
+                workers.check();
                 if (!transformed) put_spectrum(lane.a, *plan_, fine.parts[part], fine.offset);
                 transformed = true;
                 collide(fine.parts[part], *spectra_.objects(same, part));
@@ -200,6 +205,7 @@ void FourierSearch<Real>::correlate_collisions(Lane& lane, const OrientedShape& 
     for (const std::size_t c : unwidened) {
         collide(*shape.solid, *spectra_.objects(c, 0));
     }
+    workers.check();
     plan_->inverse(lane.sum);
     check_rounding(plan_->grid(), norms, terms);
 }
@@ -233,7 +239,7 @@ void FourierSearch<Real>::find_free(Lane& lane, const Extent& candidates) const 
 template <class Real>
 MetricFields FourierSearch<Real>::metric_fields(const Tray& tray, const Shape& shape, int index) {
     plan_for(tray, shape);
-    spectra_.update(tray, *plan_);
+    spectra_.update(tray, *plan_, workers_);
     make_lanes(1, tray.extent());
     Lane& lane = lanes_.front();
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(index)];
@@ -253,7 +259,7 @@ MetricFields FourierSearch<Real>::metric_fields(const Tray& tray, const Shape& s
         return field;
     };
     MetricFields fields;
-    correlate_collisions(lane, oriented, tray.detail());
+    correlate_collisions(lane, oriented, tray.detail(), workers_);
     fields.collision = rounded();
     correlate_proximities(lane, oriented);
     fields.proximity = rounded();

@@ -38,7 +38,7 @@ TraySpectrum<Real> spectrum_of(const Grid<std::int32_t>& phi, const FourierPlan<
 }  // namespace
 
 template <class Real>
-void TraySpectra<Real>::update(const Tray& tray, const FourierPlan<Real>& plan) {
+void TraySpectra<Real>::update(const Tray& tray, const FourierPlan<Real>& plan, const Workers& workers) {
     if (instance_ == tray.instance() && version_ == tray.version()) return;
     *this = {};  // frees first, so that the peak is one set of spectra
     if (!tray.blocked().none()) walls_ = spectrum_of(tray.blocked(), plan);
@@ -47,11 +47,14 @@ void TraySpectra<Real>::update(const Tray& tray, const FourierPlan<Real>& plan) 
     for (int c = 0; c < tray.gap_classes(); ++c) {
         for (int part = 0; part < parts; ++part) {
             const BitGrid& occupied = tray.occupied_part(c, part);
+            workers.check();
             objects_.emplace_back();
             if (!occupied.none()) objects_.back() = spectrum_of(occupied, plan);
         }
     }
+    workers.check();
     phi_ = manhattan_distance(tray.omega_place(), tray.setup().ceiling);  // Equation (3)
+    workers.check();
     phi_spectrum_ = spectrum_of(phi_, plan);
     instance_ = tray.instance();
     version_ = tray.version();

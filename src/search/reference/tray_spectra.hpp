@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "search/reference/transform.hpp"
 #include "search/tray.hpp"
 
@@ -24,8 +25,8 @@ template <class Real>
 class TraySpectra {
   public:
     /// Makes everything anew unless it is of this very tray and version. Other plans need a fresh
-    /// object.
-    void update(const Tray& tray, const FourierPlan<Real>& plan);
+    /// object. Calls workers.check() between transforms; where that throws, the next call begins anew.
+    void update(const Tray& tray, const FourierPlan<Real>& plan, const Workers& workers);
 
     std::size_t classes() const { return objects_.size() / parts_; }
     std::size_t parts() const { return parts_; }
