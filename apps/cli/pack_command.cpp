@@ -166,6 +166,15 @@ int run_job(const Job& job, const JobSettings& settings, RunFacts facts, Progres
     return settings.require_all.value_or(false) && !result.packing.unplaced.empty() ? kLeftOver : kDone;
 }
 
+/// Of what cannot be used, as far as it is known before meshes are read.
+std::vector<InputError> problems_of(const std::vector<Part>& parts) {
+    std::vector<InputError> problems;
+    for (const Part& part : parts) {
+        if (part.problem) problems.push_back(*part.problem);
+    }
+    return problems;
+}
+
 RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& taken) {
     RunFacts facts;
     facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
@@ -193,10 +202,11 @@ int run_pack(const PackArguments& arguments) {
     Interrupts interrupts(settings.options.time_limit);
     ProgressDisplay display(settings.progress.value_or(ProgressStyle::automatic));
     report_passed_over(inputs, display);
-    display.on_unusable(inputs.unusable);
-    if (inputs.parts.empty()) {
+    const std::vector<InputError> problems = problems_of(inputs.parts);
+    if (problems.size() == inputs.parts.size()) {
+        display.on_unusable(problems);
         fmt::print(stderr, "Nothing is left to pack.\n");
-        return inputs.unusable.empty() ? kUsage : kUnusableInput;
+        return problems.empty() ? kUsage : kUnusableInput;
     }
     Job job;
     job.parts = inputs.parts;
@@ -213,7 +223,7 @@ int run_pack(const PackArguments& arguments) {
     if (!job.defaults.empty()) display.on_warning("settings: " + origin_text(job.defaults));
     spare_inputs(job, settings, arguments);
 
-    bool unusable = !inputs.unusable.empty();
+    bool unusable = false;
     const int status = settings.dry_run.value_or(false)
                            ? run_estimate(job, display, interrupts, unusable)
                            : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);

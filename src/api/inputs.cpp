@@ -96,7 +96,7 @@ class Expander {
         const std::string ending = ending_of(file);
         if (!fs::exists(status)) {
             const bool absent = !failure || failure == std::errc::no_such_file_or_directory;
-            inputs_.unusable.emplace_back(file, "", absent ? absence_of(file) : failure.message());
+            add_unusable({file, "", absent ? absence_of(file) : failure.message()}, wanted);
         } else if (fs::is_directory(status)) {
             folder(file, wanted);
         } else if (ending == ".csv") {
@@ -128,7 +128,7 @@ class Expander {
                                  .origin = file + " " + place});
             }
         } catch (const InputError& error) {
-            inputs_.unusable.push_back(error);
+            add_unusable(error, wanted);
             return;
         }
         std::move(parts.begin(), parts.end(), std::back_inserter(inputs_.parts));
@@ -153,9 +153,17 @@ class Expander {
         for (const std::string& file : found.meshes) {
             inputs_.parts.push_back({.mesh = file, .count = wanted.count, .scale = wanted.scale, .origin = root});
         }
-        append(found.unusable, inputs_.unusable);
+        for (const InputError& error : found.unusable) {
+            add_unusable(error, wanted);
+        }
         append(found.passed_over, inputs_.passed_over);
         append(found.own_builds, inputs_.own_builds);
+    }
+
+    /// It keeps its place and its count, and is left over.
+    void add_unusable(const InputError& problem, const CountAndScale& wanted) {
+        inputs_.parts.push_back(
+            {.mesh = problem.file(), .count = wanted.count, .scale = wanted.scale, .problem = problem});
     }
 
     template <class Element>

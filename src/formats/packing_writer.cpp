@@ -27,7 +27,7 @@ std::string relative_mesh_path(const std::string& mesh, const fs::path& folder) 
 
 std::string text_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// A name may lose bytes that are not UTF-8; a path that did would name another file.
+/// A name may lose bytes that are not UTF-8; a path that is read again and did would name another file.
 void check_utf8(const std::string& path) {
     try {
         static_cast<void>(Json(path).dump());
@@ -95,13 +95,20 @@ Json plan_json(const Disassembly& plan) {
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
-        for (const PackedPart& part : packing.parts) {
+        std::vector<bool> placed(packing.parts.size(), false);
+        for (const TrayPacking& tray : packing.trays) {
+            for (const Placement& placement : tray.placements) {
+                placed.at(static_cast<std::size_t>(placement.part)) = true;
+            }
+        }
+        for (std::size_t i = 0; i < packing.parts.size(); ++i) {
+            const PackedPart& part = packing.parts[i];
             if (part.mesh.empty()) {
                 throw UsageError("a packing file names mesh files, and " + part.name +
                                  " has none: its mesh came from memory");
             }
             mesh_paths_.push_back(relative_mesh_path(part.mesh, folder));
-            check_utf8(mesh_paths_.back());
+            if (placed[i]) check_utf8(mesh_paths_.back());
         }
         if (packing.container.mesh) container_path_ = path_of(*packing.container.mesh, folder);
         for (const KeepOut& keep_out : packing.container.keep_out) {

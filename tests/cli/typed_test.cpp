@@ -65,6 +65,31 @@ TEST_F(Typed, AFileThatIsNotThereIsNamedWithOneThatIsNear) {
     EXPECT_TRUE(names(ran.err, {"cubes.stl", "near it: cube.stl"}));
 }
 
+TEST_F(Typed, WhatCannotBeUsedIsLeftOverHoweverItIsNamed) {
+    std::ofstream(at("set.csv")) << "mesh,count\ncube.stl,2\nnothing.stl,5\n";
+    std::ofstream(at("bad.csv")) << "mesh,count\ncube.stl,many\n";
+    fs::create_directory(folder_ / "empty");
+    const std::pair<std::vector<std::string>, int> cases[] = {{{at("set.csv")}, 5},
+                                                              {{at("cube.stl:2"), at("nothing.stl:5")}, 5},
+                                                              {{at("cube.stl:2"), at("bad.csv")}, 1},
+                                                              {{at("cube.stl:2"), at("empty")}, 1}};
+    for (const auto& [parts, left] : cases) {
+        SCOPED_TRACE(parts.back());
+        const Ran ran =
+            pack_cubes(parts + std::vector<std::string>{"--skip-unusable", "--require-all", "--report", at("r.csv")});
+        EXPECT_EQ(ran.status, 5) << ran.out << ran.err;
+        EXPECT_TRUE(names(ran.out, {2, 2 + left, left, "file cannot be used"}));
+        const json packing = build();
+        EXPECT_EQ(packing["metrics"]["copies"], 2 + left);
+        ASSERT_EQ(packing["unplaced"].size(), static_cast<std::size_t>(left));
+        EXPECT_EQ(packing["unplaced"][0]["reason"], "bad_file");
+        EXPECT_NE(packing["unplaced"][0]["detail"], "");
+        EXPECT_TRUE(names(read_text(folder_ / "r.csv"), {"bad_file"}));
+        expect_sound();
+        EXPECT_EQ(pack_cubes(parts).status, 3);
+    }
+}
+
 TEST_F(Typed, AScaleNeedsNoCount) {
     ASSERT_EQ(pack_cubes({at("cube.stl@1.5"), at("slab.stl@5e-1")}).status, 0);
     EXPECT_EQ(build()["parts"][0]["scale"], 1.5);
