@@ -21,6 +21,12 @@ std::string some_of(const SheetInput& sheet, const TrayPacking& tray, const std:
     return text;
 }
 
+/// As the terminal says it; nothing where all leaves over the top.
+std::string through_walls_words(const Disassembly& plan) {
+    if (plan.through_walls.empty()) return "";
+    return fmt::format("; {} of them sideways through the walls", plan.through_walls.size());
+}
+
 struct Verdict {
     const char* kind;  ///< style
     const char* icon;  ///< path
@@ -39,8 +45,8 @@ Verdict verdict_of(const SheetInput& sheet, std::size_t index) {
     const Disassembly& plan = *tray.disassembly;
     if (plan.complete) {
         return {"good", kTick,
-                fmt::format("<b>Checked on the exact meshes.</b> {}<span>Comes apart in {}.</span>", least,
-                            counted(plan.steps.size(), "step"))};
+                fmt::format("<b>Checked on the exact meshes.</b> {}<span>Comes apart in {}{}.</span>", least,
+                            counted(plan.steps.size(), "step"), through_walls_words(plan))};
     }
     if (plan.interlocked.empty())
         return {"warn", kCall, "<b>Not checked to the end whether it comes apart.</b> " + least};
