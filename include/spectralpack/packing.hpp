@@ -2,6 +2,7 @@
 /// A packing: what the packing file holds (docs/format.md). Values without behaviour. Millimetres, seconds, bytes;
 /// the container's lower corner is the origin.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -57,6 +58,7 @@ struct PackedPart {
     std::optional<std::string> object;  ///< 3MF: id of the object in the file
     std::optional<Transform> item_transform;  ///< 3MF: the build item's, in the file's unit
     int count = 1;
+    std::vector<int> numbers = {};  ///< by copy, where they are kept from a build that was topped up (CopyNumbers)
     int share = 0;  ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
     double scale = 1;
     double unit = 1;                ///< millimetres per unit of the mesh file
@@ -194,22 +196,34 @@ inline PlansOverview plans_of(const Packing& packing) {
 }
 
 /// Copies are numbered 1, 2, 3 ... through the whole build in the order of the part list, the copies of a part one
-/// after the other. Those left over keep theirs. Files, pictures, plans and sheets say this number.
+/// after the other. Those left over keep theirs. In a build that was topped up, copies that stood there before keep the
+/// numbers they had, and new ones go on after the highest. Files, pictures, plans and sheets say this number.
 class CopyNumbers {
   public:
     explicit CopyNumbers(const std::vector<PackedPart>& parts) {
         int next = 1;
         for (const PackedPart& part : parts) {
-            first_.push_back(next);
-            next += part.count;
+            parts_.push_back({next, part.numbers});
+            if (part.numbers.empty()) next += part.count;
+            for (const int number : part.numbers) {
+                next = std::max(next, number + 1);
+            }
         }
     }
 
-    int of(int part, int copy) const { return first_.at(static_cast<std::size_t>(part)) + copy; }
+    int of(int part, int copy) const {
+        const Numbers& numbers = parts_.at(static_cast<std::size_t>(part));
+        const auto i = static_cast<std::size_t>(copy);
+        return i < numbers.kept.size() ? numbers.kept[i] : numbers.first + copy;
+    }
     int of(const Placement& placement) const { return of(placement.part, placement.copy); }
 
   private:
-    std::vector<int> first_;  ///< by part
+    struct Numbers {
+        int first = 1;
+        std::vector<int> kept;
+    };
+    std::vector<Numbers> parts_;
 };
 
 /// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.

@@ -194,6 +194,10 @@ class PackingReader {
         if (const auto v = node.find("object")) part.object = v->text();
         if (const auto v = node.find("item_transform")) part.item_transform = transform_of(*v);
         if (const auto v = node.find("count")) part.count = v->integer<int>(0);
+        if (const auto v = node.find("numbers")) {
+            v->expect_size(static_cast<std::size_t>(part.count));
+            v->for_each([&](const Node& number) { part.numbers.push_back(number.integer<int>(1)); });
+        }
         if (const auto v = node.find("share")) part.share = v->integer<int>(1);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("unit")) part.unit = v->positive();

@@ -190,6 +190,7 @@ class PackingWriter {
                 {"object", or_null(part.object)},
                 {"item_transform", part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
                 {"count", part.count},
+                {"numbers", part.numbers.empty() ? Json(nullptr) : Json(part.numbers)},
                 {"share", part.share > 0 ? Json(part.share) : Json(nullptr)},
                 {"scale", part.scale},
                 {"unit", part.unit},

@@ -1,6 +1,7 @@
 /// Fixed copies, and builds that are topped up.
 
 #include <algorithm>
+#include <map>
 
 #include "cli/whole_job.hpp"
 
@@ -39,6 +40,35 @@ TEST_F(StandingCopies, TopsUpABuildWithoutTouchingIt) {
     EXPECT_EQ(build()["trays"].size(), 2u);
     EXPECT_EQ(build()["trays"][0]["placements"].size(), 18u);
     expect_sound();
+}
+
+TEST_F(StandingCopies, KeepTheirNumbers) {
+    stl("plate.stl", box_mesh({0, 0, 0}, {40, 40, 4}));
+    ASSERT_EQ(pack({at("cube.stl") + ":3", at("slab.stl") + ":3", at("plate.stl"), "--tray", "40x40x34"}).status, 0);
+    const auto stands = [&] {  // by number
+        std::map<int, std::string> found;
+        const json packing = build();
+        const CopyNumbers numbers(read_packing(folder_ / "build.json").parts);
+        for (const json& tray : packing["trays"]) {
+            for (const json& placement : tray["placements"]) {
+                const int number = numbers.of(placement["part"], placement["copy"]);
+                EXPECT_TRUE(found.emplace(number, placement["transform"].dump()).second) << number << " is there twice";
+            }
+        }
+        return found;
+    };
+    std::map<int, std::string> before = stands();
+    ASSERT_LT(before.size(), 7u) << "one is left over, so that there is a number that nobody has";
+    for (int again = 0; again < 2; ++again) {
+        fs::rename(folder_ / "build.json", folder_ / "old.json");
+        ASSERT_EQ(pack({at("cube.stl") + ":2", "--onto", at("old.json"), "--trays", "all"}).status, 0);
+        const std::map<int, std::string> after = stands();
+        EXPECT_EQ(after.size(), before.size() + 2);
+        for (const auto& [number, transform] : before) {
+            EXPECT_EQ(after.at(number), transform);
+        }
+        before = after;
+    }
 }
 
 TEST_F(StandingCopies, TheGapsAreThoseOfTheBuild) {

@@ -27,6 +27,7 @@ Packing reported() {
     packing.unplaced = {{0, 2, UnplacedReason::no_place, ""},
                         {0, 3, UnplacedReason::too_large, "is <b>wide</b>"},
                         {0, 4, UnplacedReason::no_place, ""}};
+    packing.parts[1].numbers.clear();
     packing.metrics.copies = 6;
     return packing;
 }
@@ -90,7 +91,7 @@ std::string text_of(const std::string& page) {
 /// A tray of so many parts with so many copies each, and a plan that takes one after the other.
 Packing long_list(int parts, int copies) {
     Packing packing = small_packing();
-    packing.parts.resize(static_cast<std::size_t>(parts), packing.parts[0]);
+    packing.parts.assign(static_cast<std::size_t>(parts), packing.parts[0]);
     packing.trays.resize(1);
     TrayPacking& tray = packing.trays[0];
     tray.placements.clear();
