@@ -32,7 +32,7 @@ struct Finding {
     std::vector<int> placements;  ///< indices into the tray's placements, ascending: the copies it is about
     double amount = 0;            ///< mm of penetration (at least), of missing gap, sticking out or missing way;
                                   ///< difference of a figure; deviation from a rotation; 0 for counts
-    std::string message;          ///< for people: names the copies as "name #copy"
+    std::string message;          ///< for people: names the copies as "61 tube"
 };
 
 /// What the replay of a tray's disassembly plan gave. What fails is a finding, too.

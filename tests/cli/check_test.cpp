@@ -28,7 +28,7 @@ class Check : public PackedCubes {
         EXPECT_EQ(finding["kind"], kind);
         EXPECT_EQ(finding["placements"], json(copies));
         for (const int copy : copies) {
-            EXPECT_TRUE(names(finding["message"], {"cube", copy}));
+            EXPECT_TRUE(names(finding["message"], {std::to_string(copy + 1) + " cube"}));
         }
         EXPECT_TRUE(contains(ran.out, finding["message"])) << ran.out;
     }
@@ -164,7 +164,7 @@ TEST_F(Check, CountsTraysFromOne) {
     }
     packing_.trays[1].placements[0].transform.translation.x = -5;
     const Ran ran = check();
-    EXPECT_TRUE(names(ran.out, {"tray 1:", "tray 2:", "tray 2: cube #3"})) << ran.out;
+    EXPECT_TRUE(names(ran.out, {"tray 1:", "tray 2:", "tray 2: 4 cube"})) << ran.out;
     EXPECT_FALSE(names(ran.out, {"tray 0"})) << ran.out;
 }
 

@@ -131,13 +131,13 @@ TEST_F(StandingCopies, FixedCopiesAreObstacles) {
     std::ofstream(at("job.json")) << job;
     const Ran overlap = spectralpack({"pack", at("job.json")});
     EXPECT_EQ(overlap.status, 3);
-    EXPECT_TRUE(names(overlap.err, {"cube", 0, 1})) << "both that overlap";
+    EXPECT_TRUE(names(overlap.err, {"1 cube", "2 cube"})) << "both that overlap";
 
     job["fixed"][1]["transform"][0][3] = 35;
     std::ofstream(at("job.json")) << job;
     const Ran outside = spectralpack({"pack", at("job.json")});
     EXPECT_EQ(outside.status, 3);
-    EXPECT_TRUE(names(outside.err, {"cube", 1, 5, "x"})) << "which, how far, and where";
+    EXPECT_TRUE(names(outside.err, {"2 cube", 5, "x"})) << "which, how far, and where";
 
     job["fixed"][1]["transform"][0] = {-1, 0, 0, 40};
     std::ofstream(at("job.json")) << job;
