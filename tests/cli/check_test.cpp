@@ -96,7 +96,15 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
 TEST_F(Check, RequirePlanFailsAsLongAsThereIsNone) {
     EXPECT_TRUE(contains(check().out, "NOT CHECKED"));
     EXPECT_EQ(check_report(file(), 0)["interlocking"], "not checked");
-    EXPECT_EQ(spectralpack({"check", "--require-plan", file()}).status, 1);
+    const Ran required = spectralpack({"check", "--require-plan", file()});
+    EXPECT_EQ(required.status, 1);
+    EXPECT_TRUE(names(required.out, {"FAULT", "no plan", "1 fault"}));
+    const Ran as_json = spectralpack({"check", "--require-plan", "--json", file()});
+    EXPECT_EQ(as_json.status, 1);
+    const json report = json::parse(as_json.out);
+    EXPECT_EQ(report["ok"], false);
+    ASSERT_EQ(report["findings"].size(), 1u);
+    EXPECT_EQ(report["findings"][0]["kind"], "plan");
 }
 
 TEST_F(Check, ReplaysThePlan) {
@@ -132,7 +140,7 @@ TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
     EXPECT_NE(report["interlocking"], "none");
     const Ran required = spectralpack({"check", "--require-plan", file()});
     EXPECT_EQ(required.status, 1);
-    EXPECT_TRUE(names(required.err, {"plan"}));
+    EXPECT_TRUE(names(required.out, {"FAULT", "the plan leaves 1 cube, 2 cube", "1 fault"}));
 }
 
 TEST_F(Check, APlanForCopiesThatAreNotThereExitsWithThree) {
