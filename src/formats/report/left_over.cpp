@@ -32,9 +32,10 @@ std::vector<LeftOverRow> rows_of(const std::vector<PartOutcome>& outcomes) {
 /// A sentence: what it is, and where there is room, what would help.
 std::string why(const std::vector<PartOutcome>& outcomes, const LeftOverRow& row, bool remedy) {
     const auto& some = outcomes[static_cast<std::size_t>(row.part)].left_over.at(row.reason);
-    std::string text = in_words(row.reason);
+    const bool never_fits = row.reason == UnplacedReason::no_place && !some.detail.empty();
+    std::string text = never_fits ? some.detail : in_words(row.reason);
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-    if (!some.detail.empty()) text += ": " + some.detail;
+    if (!some.detail.empty() && !never_fits) text += ": " + some.detail;
     if (text.back() != '.') text += '.';
     if (remedy && row.reason == UnplacedReason::no_place && some.detail.empty()) text += " Needs another tray.";
     return text;
