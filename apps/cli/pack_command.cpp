@@ -183,6 +183,7 @@ RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& 
     if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
     facts.details = settings.details.value_or(false);
     facts.require_all = settings.require_all.value_or(false);
+    facts.skip_unusable = settings.skip_unusable.value_or(false);
     return facts;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exit_status.hpp"
 #include "left_over.hpp"
 #include "summary_lines.hpp"
 #include "summary_texts.hpp"
@@ -105,8 +106,11 @@ std::string summary_text(const PackResult& result, const RunFacts& facts) {
     if (facts.require_all && left_over > 0 && newly_placed(result.packing) > 0) {
         const bool more_trays = !what_takes_more(result.packing).empty();
         lines.blank();
-        lines.sentence(fmt::format("{} left over, and --require-all asks for all: exit 5.{}",
+        const bool by_file = !result.unusable.empty() && !facts.skip_unusable;
+        lines.sentence(fmt::format("{} left over, and --require-all asks for all: exit {}.{}",
                                    left_over == 1 ? "1 copy is" : fmt::format("{} copies are", left_over),
+                                   by_file ? fmt::format("{}, as a file cannot be used", int{kUnusableInput})
+                                           : fmt::format("{}", int{kLeftOver}),
                                    more_trays ? " More trays take them: --trays all." : ""));
     }
     return lines.text();

@@ -29,6 +29,7 @@ struct RunFacts {
     std::vector<Printer> own_printers;  ///< known besides those of the table
     bool details = false;
     bool require_all = false;
+    bool skip_unusable = false;  ///< a file that cannot be used decides the exit status, unless it is
 };
 
 /// The copies that this run placed: those that stood there before aside.

@@ -87,6 +87,9 @@ TEST_F(Typed, WhatCannotBeUsedIsLeftOverHoweverItIsNamed) {
         EXPECT_TRUE(names(read_text(folder_ / "r.csv"), {"bad_file"}));
         expect_sound();
         EXPECT_EQ(pack_cubes(parts).status, 3);
+        const Ran both = pack_cubes(parts + std::vector<std::string>{"--require-all"});
+        EXPECT_EQ(both.status, 3);
+        EXPECT_TRUE(names(both.out, {"--require-all", "exit 3"}));
     }
 }
 
