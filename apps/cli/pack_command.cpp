@@ -118,14 +118,20 @@ void write_outputs(const Scene& scene, const JobSettings& settings, ProgressDisp
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
-int run_estimate(const Job& job, ProgressDisplay& display, const Interrupts& interrupts, bool& unusable) {
+int run_estimate(const Job& job, const JobSettings& settings, ProgressDisplay& display, const Interrupts& interrupts,
+                 bool& unusable) {
     const Estimate planned = estimate(job, {&display});
     display.finish();
     display.on_unusable(planned.unusable);
     display.end();
     unusable = unusable || !planned.unusable.empty();
     const std::optional<ProbedTime> time = probe_time(job, kProbeSeconds, interrupts.token());
-    fmt::print("{}", estimate_text(planned, job.options, time));
+    if (settings.json.value_or(false)) {
+        const bool known = time && time->packed > 0;
+        fmt::print("{}\n", estimate_json(planned, known ? std::optional(time->seconds) : std::nullopt));
+    } else {
+        fmt::print("{}", estimate_text(planned, job.options, time));
+    }
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
@@ -226,7 +232,7 @@ int run_pack(const PackArguments& arguments) {
 
     bool unusable = false;
     const int status = settings.dry_run.value_or(false)
-                           ? run_estimate(job, display, interrupts, unusable)
+                           ? run_estimate(job, settings, display, interrupts, unusable)
                            : run_job(job, settings, facts_of(job, settings, taken), display, interrupts, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {

@@ -119,14 +119,22 @@ std::string summary_text(const PackResult& result, const RunFacts& facts) {
 std::string estimate_text(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time) {
     const bool open = options.open_height || options.minimise == Minimise::box;
     SummaryLines lines;
-    lines.sentence(fmt::format("{} copies of {} parts would be packed; nothing was written (--dry-run).",
-                               estimate.copies, estimate.parts));
+    lines.sentence(fmt::format("{} cop{} of {} part{} would be packed; nothing was written (--dry-run).",
+                               estimate.copies, estimate.copies == 1 ? "y" : "ies", estimate.parts,
+                               estimate.parts == 1 ? "" : "s"));
     lines.blank();
     lines.labelled("Tray", open ? fmt::format("{} x {} mm, without a ceiling", length_text(options.tray.x),
                                               length_text(options.tray.y))
                                 : size_text(estimate.container));
     lines.labelled("Parts", fmt::format("{} of the tray; the boxes round them {}", percent_text(estimate.volume_ratio),
                                         percent_text(estimate.box_ratio)));
+    if (estimate.left_over > 0) {
+        lines.labelled("Left over",
+                       fmt::format("{} cop{}: {}", estimate.left_over, estimate.left_over == 1 ? "y" : "ies",
+                                   estimate.unusable.empty()    ? "too large"
+                                   : estimate.too_large.empty() ? "their files cannot be used"
+                                                                : "too large, or in files that cannot be used"));
+    }
     std::vector<std::string> too_large;
     for (const std::string& part : estimate.too_large) {
         too_large.push_back(printable(part));
