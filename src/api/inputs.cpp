@@ -27,31 +27,65 @@ struct CountAndScale {
     double scale = 1;
 };
 
+[[noreturn]] void fail_at_scale(const std::string& argument, const std::string& text) {
+    throw UsageError("'" + argument + "': the scale '" + text + "' must be a number above 0" +
+                     (text.find(',') != std::string::npos ? ", and its decimal sign is a point" : ""));
+}
+
+int count_in(const std::string& argument, const std::string& text) {
+    int count = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, count);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || count < 1 || count > kMaxCount) {
+        throw UsageError("'" + argument + "': the count '" + text + "' must be a whole number from 1 to " +
+                         std::to_string(kMaxCount));
+    }
+    return count;
+}
+
+double scale_in(const std::string& argument, const std::string& text) {
+    double scale = 0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, scale);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || !(scale > 0) || !std::isfinite(scale)) {
+        fail_at_scale(argument, text);
+    }
+    return scale;
+}
+
 /// FILE:COUNT, FILE@SCALE or FILE:COUNT@SCALE, when `argument` reads so.
 std::optional<CountAndScale> split_argument(const std::string& argument) {
     static const std::regex with_count(R"(^([\s\S]+):([+-]?[0-9.]+)(?:@([^@:/]*))?$)");
     static const std::regex with_scale(R"(^([\s\S]+)@([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)$)");
-    const auto read = [&](const std::string& text, auto& value, const char* what) {
-        const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0) ||
-            !std::isfinite(static_cast<double>(value))) {
-            throw UsageError("'" + argument + "': the " + what + " '" + text + "' must be a positive number");
-        }
-    };
     std::smatch match;
     if (std::regex_match(argument, match, with_count)) {
         CountAndScale result{match[1]};
-        read(match[2], result.count, "count");
-        if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
-        if (match[3].matched) read(match[3], result.scale, "scale");
+        result.count = count_in(argument, match[2]);
+        if (match[3].matched) result.scale = scale_in(argument, match[3]);
         return result;
     }
     if (std::regex_match(argument, match, with_scale)) {
         CountAndScale result{match[1]};
-        read(match[2], result.scale, "scale");
+        result.scale = scale_in(argument, match[2]);
         return result;
     }
     return std::nullopt;
+}
+
+/// Where the argument begins with a file that is there, and goes on with what is no count or scale.
+void require_count_and_scale(const std::string& argument) {
+    for (std::size_t at = argument.find_last_of(":@"); at != std::string::npos && at > 0;
+         at = argument.find_last_of(":@", at - 1)) {
+        const std::string file = argument.substr(0, at), rest = argument.substr(at + 1);
+        std::error_code failure;
+        if (rest.find('/') != std::string::npos) return;
+        if (!fs::exists(file, failure)) continue;
+        if (argument[at] == '@' && rest.find_first_of(":@") == std::string::npos) fail_at_scale(argument, rest);
+        throw UsageError("'" + argument +
+                         "' is no file, and its ending no count and scale: write FILE:COUNT@SCALE, like " + file +
+                         ":2@1.5 (a whole number from 1 to " + std::to_string(kMaxCount) +
+                         ", and a number above 0 with a decimal point)");
+    }
 }
 
 /// "no such file or folder", and one with a name like it that is there.
@@ -83,6 +117,7 @@ class Expander {
         std::error_code failure;
         const bool exists = fs::exists(text, failure);
         const auto split = exists ? std::nullopt : split_argument(text);
+        if (!exists && !(split && fs::exists(split->file, failure))) require_count_and_scale(text);
         any(split.value_or(CountAndScale{text, 1, 1}));
     }
 

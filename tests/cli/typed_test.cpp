@@ -104,6 +104,26 @@ TEST_F(Typed, AScaleNeedsNoCount) {
     EXPECT_EQ(build()["parts"][0]["scale"], 1);
 }
 
+TEST_F(Typed, ACountOrScaleThatIsNoneSaysWhatOneIs) {
+    for (const char* count : {"99999999999", "2.5", "+3", "0"}) {
+        const Ran ran = pack_cubes({at("cube.stl:") + count});
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(names(ran.err, {std::string("'") + count + "'", "whole number from 1 to 10000000"}));
+    }
+    for (const char* scale : {"@1,5", ":2@1,5"}) {
+        const Ran ran = pack_cubes({at("cube.stl") + scale});
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(names(ran.err, {"'1,5'", "point"}));
+    }
+    for (const char* neither : {"@1.5:2", ":abc", ":3x", ":1e3", ": 3", ":2:3", ":"}) {
+        const Ran ran = pack_cubes({at("cube.stl") + neither});
+        EXPECT_EQ(ran.status, 2) << neither;
+        EXPECT_TRUE(names(ran.err, {"FILE:COUNT@SCALE", at("cube.stl:2@1.5")}));
+    }
+    EXPECT_EQ(pack_cubes({at("cube.stl@150%")}).status, 2);
+    EXPECT_EQ(pack_cubes({at("nothing.stl:abc")}).status, 3) << "that is a file which is not there";
+}
+
 TEST_F(Typed, EndingsMayHaveAnyCaseAndReportsBeSeveral) {
     std::ofstream(at("SET.CSV")) << "MESH;Quantity\ncube.stl;2\n";
     const Ran ran = pack_cubes(
