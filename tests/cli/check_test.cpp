@@ -88,6 +88,12 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
     const Ran ran = spectralpack({"check", file()});
     EXPECT_EQ(ran.status, 3);
     EXPECT_TRUE(names(ran.err, {"b.json", "placements[1].transform"}));
+    std::filesystem::create_directory(folder_ / "moved");
+    write();
+    std::filesystem::copy_file(file(), folder_ / "moved" / "b.json");
+    const Ran moved = spectralpack({"check", (folder_ / "moved" / "b.json").string()});
+    EXPECT_EQ(moved.status, 3);
+    EXPECT_TRUE(names(moved.err, {"cube.stl", "b.json", "relative"}));
     const Ran missing = spectralpack({"check", (folder_ / "missing.json").string()});
     EXPECT_EQ(missing.status, 3);
     EXPECT_TRUE(names(missing.err, {"missing.json"}));
