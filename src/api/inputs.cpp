@@ -12,6 +12,7 @@
 #include "formats/job_file.hpp"
 #include "formats/set_file.hpp"
 #include "formats/settings_file.hpp"
+#include "formats/text_encoding.hpp"
 #include "spectralpack/typed_text.hpp"
 
 namespace spectralpack {
@@ -147,11 +148,15 @@ class Expander {
         const fs::path base = mesh_dir_.empty() ? fs::path(file).parent_path() : mesh_dir_;
         std::vector<Part> parts;
         try {
-            for (const SetRow& row : read_set(file)) {
+            const std::vector<SetRow> rows = read_set(file);
+            const bool utf8 =
+                std::ranges::all_of(rows, [](const SetRow& row) { return is_utf8(row.mesh) && is_utf8(row.name); });
+            if (!utf8) inputs_.remarks.push_back(file + " is not UTF-8 and was read as Windows-1252");
+            for (const SetRow& row : rows) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                parts.push_back({.name = row.name,
-                                 .mesh = (base / row.mesh).string(),
+                parts.push_back({.name = utf8 ? row.name : from_windows_1252(row.name),
+                                 .mesh = mesh_of(base, row.mesh, utf8),
                                  .count = count,
                                  .scale = row.scale * wanted.scale,
                                  .gap = row.gap,
@@ -167,6 +172,13 @@ class Expander {
             return;
         }
         std::move(parts.begin(), parts.end(), std::back_inserter(inputs_.parts));
+    }
+
+    /// A file whose name has these very bytes is that file.
+    static std::string mesh_of(const fs::path& base, const std::string& mesh, bool utf8) {
+        std::error_code failure;
+        if (utf8 || fs::exists(base / mesh, failure)) return (base / mesh).string();
+        return (base / from_windows_1252(mesh)).string();
     }
 
     void job(const std::string& file, const CountAndScale& wanted) {

@@ -172,6 +172,48 @@ TEST_F(Typed, ASetSaysOfAPartWhatAJobCan) {
     expect_sound();
 }
 
+TEST_F(Typed, ASetInWindows1252KeepsItsUmlauts) {
+    stl("H\u00fclse \u2013 \u20ac.stl", cube_mesh(8));
+    std::ofstream(at("set.csv")) << "mesh;name\nH\xfclse \x96 \x80.stl;Gr\xf6\xdf"
+                                    "e\n";
+    const Ran ran = pack_cubes({at("set.csv")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.err, {"set.csv", "Windows-1252"}));
+    EXPECT_EQ(build()["parts"][0]["name"], "Gr\u00f6\u00dfe");
+    EXPECT_EQ(build()["parts"][0]["mesh"], "H\u00fclse \u2013 \u20ac.stl");
+    std::ofstream(at("set.csv")) << "mesh;name\nH\u00fclse \u2013 \u20ac.stl;Gr\u00f6\u00dfe\n";
+    const Ran utf8 = pack_cubes({at("set.csv")});
+    EXPECT_EQ(utf8.status, 0) << utf8.err;
+    EXPECT_FALSE(contains(utf8.err, "1252"));
+    EXPECT_EQ(build()["parts"][0]["name"], "Gr\u00f6\u00dfe");
+}
+
+TEST_F(Typed, AnOptionThatIsGivenTwiceIsNamed) {
+    const Ran ran = pack({at("cube.stl"), "--voxel", "2", "--voxel", "4"});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(names(ran.err, {"--voxel is given 2 times"}));
+    EXPECT_FALSE(contains(ran.err, "required"));
+}
+
+TEST_F(Typed, ASetWithoutRowsIsNamed) {
+    std::ofstream(at("header.csv")) << "mesh,count\n";
+    const Ran ran = pack_cubes({at("header.csv")});
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_TRUE(names(ran.err, {"header.csv", "below its header"}));
+}
+
+TEST_F(Typed, WhatIsHiddenInAFolderIsPassedOver) {
+    for (const char* folder : {"parts", "parts/.git", "parts/deep"}) {
+        fs::create_directory(folder_ / folder);
+        stl(std::string(folder) + "/cube.stl", cube_mesh(8));
+    }
+    std::ofstream(at("parts/._cube.stl")) << "of macOS";
+    const Ran ran = pack_cubes({at("parts")});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(build()["parts"].size(), 2u);
+    EXPECT_EQ(pack_cubes({at("parts/.git")}).status, 0) << "what is named is meant";
+}
+
 TEST_F(Typed, PartsOfTheSameFileNameStayApart) {
     for (const char* folder : {"left", "right"}) {
         fs::create_directory(folder_ / folder);
