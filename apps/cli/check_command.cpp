@@ -28,8 +28,9 @@ std::string apart_text(const Packing& packing, std::size_t tray, const std::opti
                            steps_text(plan->steps));
     }
     if (plan->complete) {
-        return fmt::format("comes apart in {}{}", steps_text(plan->steps),
-                           through_walls_text(static_cast<std::size_t>(plan->through_walls)));
+        return fmt::format("{} in {}{}{}", plan->staying.empty() ? "comes apart" : "new copies come apart",
+                           steps_text(plan->steps), through_walls_text(static_cast<std::size_t>(plan->through_walls)),
+                           staying_text(plan->staying.size()));
     }
     return fmt::format("NOT CHECKED whether it comes apart to the end: {} without a step: {}",
                        plan->without_step.size(), copy_names(packing, packing.trays[tray], plan->without_step));

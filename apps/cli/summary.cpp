@@ -26,7 +26,9 @@ std::string comes_apart(const TrayPacking& tray) {
     if (!tray.disassembly) return "NOT CHECKED";
     const std::size_t steps = tray.disassembly->steps.size();
     const std::string count = fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
-    return tray.disassembly->complete ? "in " + count : "ONLY PARTLY CHECKED";
+    if (!tray.disassembly->complete) return "ONLY PARTLY CHECKED";
+    const std::size_t stay = staying(tray).size();
+    return "in " + count + (stay > 0 ? fmt::format(", {} from before stay", stay) : "");
 }
 
 void add_trays(const Packing& packing, std::size_t most, SummaryLines& lines) {

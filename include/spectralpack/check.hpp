@@ -42,6 +42,7 @@ struct PlanReport {
     std::int64_t sweeps = 0;         ///< moves of one copy past another that were followed on the meshes
     std::vector<int> failed_steps;   ///< ascending
     std::vector<int> without_step;   ///< placements that are not fixed and that no step takes out, ascending
+    std::vector<int> staying;        ///< placements that stood there before (Placement::before) and have no step
     Unpack unpack = Unpack::any;     ///< the plan's
     std::int64_t through_walls = 0;  ///< steps that it says leave through the walls
     std::string message;             ///< for people: "plan: 12 steps replayed, ok"

@@ -79,8 +79,10 @@ struct Placement {
     int part = 0;         ///< index into Packing::parts
     int copy = 0;         ///< 0 .. count - 1 of that part
     int orientation = 0;  ///< index in the orientation set
-    bool fixed = false;
+    bool fixed = false;   ///< was not placed by this run, and did not move in it
     Transform transform;  ///< from the mesh file's own coordinates to the container's; holds unit and scale
+    /// Of a fixed one: it stood in a build that was topped up, so it comes out like those placed. Others stay for good.
+    bool before = false;
 };
 
 /// Cross-section area per horizontal layer, mm^2, from the floor up.
@@ -99,6 +101,20 @@ struct TrayPacking {
     Layers layers;
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
+
+/// Copies that stood there before the build was topped up, and that the plan leaves where they are.
+inline std::vector<int> staying(const TrayPacking& tray) {
+    std::vector<int> staying;
+    if (!tray.disassembly) return staying;
+    std::vector<bool> leaves(tray.placements.size(), false);
+    for (const RemovalStep& step : tray.disassembly->steps) {
+        if (step.placements.size() == 1) leaves.at(static_cast<std::size_t>(step.placements.front())) = true;
+    }
+    for (std::size_t i = 0; i < tray.placements.size(); ++i) {
+        if (tray.placements[i].before && !leaves[i]) staying.push_back(static_cast<int>(i));
+    }
+    return staying;
+}
 
 /// Why a copy is left over.
 enum class UnplacedReason {
@@ -182,6 +198,7 @@ struct PlansOverview {
     bool complete = true;  ///< that takes out all copies
     std::size_t steps = 0;
     std::size_t through_walls = 0;  ///< of the steps (Disassembly::through_walls)
+    std::size_t staying = 0;        ///< copies that stood there before and that no step takes out
 };
 
 inline PlansOverview plans_of(const Packing& packing) {
@@ -191,6 +208,7 @@ inline PlansOverview plans_of(const Packing& packing) {
         plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
         plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
         plans.through_walls += tray.disassembly ? tray.disassembly->through_walls.size() : 0;
+        plans.staying += staying(tray).size();
     }
     return plans;
 }

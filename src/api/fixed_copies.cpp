@@ -53,6 +53,7 @@ void add_onto(const Scene& onto, LoadedJob& loaded) {
             Placement fixed = placement;
             fixed.part = static_cast<int>(i);
             fixed.copy = part.count++;
+            fixed.before = !placement.fixed || placement.before;  // what a job has fixed stays for good
             fixed.fixed = true;
             loaded.fixed.push_back({static_cast<int>(tray), fixed});
         }

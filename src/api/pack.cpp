@@ -14,6 +14,7 @@
 #include "api/memory_plan.hpp"
 #include "api/packing_job.hpp"
 #include "api/plan.hpp"
+#include "api/plan_packing.hpp"
 #include "api/record.hpp"
 #include "api/tray_events.hpp"
 #include "core/remarks.hpp"
@@ -67,6 +68,13 @@ class JobRun {
         result.packing = packing_of({loaded_, container_, options_, plan_, job_.defaults, trays, packed.base, seconds_,
                                      verified_, packed.orders},
                                     workers_);
+        const Stopwatch planning;
+        try {
+            plan_what_stood_before(result.packing, loaded_.meshes, options_.threads, {&listener_, stop_});
+        } catch (const std::bad_alloc&) {
+            result.failure = ResourceError("out of memory while planning how copies that stood there before come out");
+        }
+        result.packing.metrics.seconds.disassemble += planning.seconds();
         result.packing.metrics.seconds.total = watch.seconds();
         result.meshes = std::move(loaded_.meshes);
         result.unusable = std::move(loaded_.unusable);

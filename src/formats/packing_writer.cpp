@@ -215,6 +215,7 @@ class PackingWriter {
                                   {"orientation", placement.orientation},
                                   {"fixed", placement.fixed},
                                   {"transform", transform_json(placement.transform)}});
+            if (placement.before) placements.back()["before"] = true;
         }
         Json box = nullptr;
         if (!tray.bounding_box.empty()) {

@@ -291,8 +291,13 @@ class RemovalOrder {
 
     std::string about_walls() const {
         if (sheet_.packing.container.physical) return " The walls stay; all leaves over the top.";
-        if (tray_.disassembly->through_walls.empty()) return "";
-        return fmt::format(" {} : sideways through the walls.", kThroughWalls);
+        std::string text;
+        if (!tray_.disassembly->through_walls.empty()) {
+            text = fmt::format(" {} : sideways through the walls.", kThroughWalls);
+        }
+        const std::size_t stay = staying(tray_).size();
+        if (stay > 0) text += fmt::format(" {} from before {}.", stay, stay == 1 ? "stays" : "stay");
+        return text;
     }
 
     std::string stages() const {
