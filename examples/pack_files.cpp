@@ -25,7 +25,6 @@ void tell(const std::vector<sp::InputError>& unusable) {
 
 int pack_files(const std::filesystem::path& output, const std::vector<std::string>& arguments) {
     const sp::ExpandedInputs inputs = sp::expand_inputs(arguments, "");
-    tell(inputs.unusable);
 
     sp::Job job;
     job.parts = inputs.parts;
@@ -39,7 +38,7 @@ int pack_files(const std::filesystem::path& output, const std::vector<std::strin
     for (const std::filesystem::path& file : sp::write_output({result.packing, result.meshes}, output, kAllThreads)) {
         std::printf("wrote %s\n", file.c_str());
     }
-    return inputs.unusable.empty() && result.unusable.empty() ? 0 : 3;
+    return result.unusable.empty() ? 0 : 3;
 }
 
 }  // namespace

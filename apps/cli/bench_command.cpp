@@ -87,8 +87,8 @@ Command add_bench_command(CLI::App& app) {
         "Each row packs twice: into a tray that overflows (its density tells which copies got in as well), and a fixed\n"
         "set, its height or trays to be as few as can be. Each run is a process of its own and is kept in DIR/runs as\n"
         "it ends: the same call goes on where it was cut off, and what has the same command, program and inputs is not\n"
-        "run again. Writes DIR/table-NAME.md, .csv and .svg, and DIR/benchmarks.md with all of them; packings and logs\n"
-        "stay in DIR/runs. The sets are generated with seed 0, or come from a folder with pieces.csv, mixtures.csv,\n"
+        "run again. Writes DIR/table-NAME.md and .csv (and .svg where runs take long enough to see how time grows), and\n"
+        "DIR/benchmarks.md with all of them; packings and logs stay in DIR/runs. The sets are generated with seed 0, or come from a folder with pieces.csv, mixtures.csv,\n"
         "locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv), polyhedra.csv.\n"
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");
     auto arguments = std::make_shared<BenchArguments>();

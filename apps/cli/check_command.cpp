@@ -30,8 +30,9 @@ std::string apart_text(const Packing& packing, std::size_t tray, const std::opti
                            steps_text(plan->steps));
     }
     if (plan->complete) {
-        return fmt::format("comes apart in {}{}", steps_text(plan->steps),
-                           through_walls_text(static_cast<std::size_t>(plan->through_walls)));
+        return fmt::format("{} in {}{}{}", plan->staying.empty() ? "comes apart" : "new copies come apart",
+                           steps_text(plan->steps), through_walls_text(static_cast<std::size_t>(plan->through_walls)),
+                           staying_text(plan->staying.size()));
     }
     return fmt::format("NOT CHECKED whether it comes apart to the end: {} without a step: {}",
                        plan->without_step.size(), copy_names(packing, packing.trays[tray], plan->without_step));
@@ -45,6 +46,22 @@ void print_trays(const Packing& packing, const CheckReport& report) {
                                       : "";
         fmt::print("Tray {}: {} cop{}, {} filled{}.\n", tray + 1, copies, copies == 1 ? "y" : "ies",
                    percent_text(report.density[tray]), apart);
+    }
+}
+
+/// Under --require-plan it is a fault that a tray has no plan, or one that leaves copies.
+void require_plans(const Packing& packing, CheckReport& report) {
+    for (std::size_t tray = 0; tray < report.plans.size(); ++tray) {
+        const std::optional<PlanReport>& plan = report.plans[tray];
+        if (packing.trays[tray].placements.empty()) continue;
+        if (plan && (plan->complete || !plan->ok())) continue;  // a step that fails is a finding by itself
+        const std::string where = packing.trays.size() > 1 ? fmt::format("tray {}: ", tray + 1) : "";
+        const std::vector<int> left = plan ? plan->without_step : std::vector<int>();
+        const std::string what = !plan          ? "there is no plan by which the copies come out"
+                                 : left.empty() ? "the plan does not say that it is complete"
+                                                : "the plan leaves " + copy_names(packing, packing.trays[tray], left);
+        report.findings.push_back({FindingKind::plan, static_cast<int>(tray), left, 0,
+                                   fmt::format("{}{}, and --require-plan asks for one that is complete", where, what)});
     }
 }
 
@@ -71,21 +88,20 @@ int run_check(const CheckArguments& arguments) {
     const Interrupts interrupts(std::nullopt);
     ProgressDisplay display(ProgressStyle::automatic);
     const Scene scene = load_scene(arguments.packing);
-    const CheckReport report = check(scene, arguments.threads, {&display, interrupts.token()});
+    CheckReport report = check(scene, arguments.threads, {&display, interrupts.token()});
     display.end();
     std::size_t copies = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
         copies += tray.placements.size();
     }
-    const bool plan_missing = arguments.require_plan && !report.plans_complete();
+    if (arguments.require_plan && !report.stopped) require_plans(scene.packing, report);
     if (arguments.json) {
         fmt::print("{}\n", check_report_json(scene, report));
     } else {
         print_report(scene, report, copies);
     }
     if (report.stopped) return kInterrupted;
-    if (plan_missing) tell("spectralpack: there is no plan by which every copy comes out (--require-plan)\n");
-    if (!report.ok() || plan_missing) return kCheckFailed;
+    if (!report.ok()) return kCheckFailed;
     return copies == 0 ? kNothingPlaced : kDone;
 }
 

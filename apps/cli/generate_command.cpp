@@ -34,8 +34,9 @@ int run_generate(GenerateArguments arguments) {
     ProgressDisplay display(ProgressStyle::automatic);
     const tools::GeneratedFiles files = tools::generate(arguments.options, arguments.folder, {&display});
     display.finish();
-    fmt::print("Written: {}: {} copies of {} meshes, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(),
-               files.copies, files.meshes, files.volume / 1000, files.box_volume / 1000);
+    fmt::print("Written: {}: {} cop{} of {} mesh{}, {:.0f} cm3, boxes {:.0f} cm3", files.set_file.string(),
+               files.copies, files.copies == 1 ? "y" : "ies", files.meshes, files.meshes == 1 ? "" : "es",
+               files.volume / 1000, files.box_volume / 1000);
     if (arguments.options.set == tools::GeneratedSet::letters) {
         fmt::print("\nUse one like: spectralpack pack parts/ --container {}\n",
                    (std::filesystem::path(arguments.folder) / "letter-S.stl").string());

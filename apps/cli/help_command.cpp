@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.hpp"
@@ -26,7 +27,31 @@ void print_option(const Option& option) {
     fmt::print("in files  {}\n", in_job ? fmt::format("\"{}\" in the options of a job file", option.name) : "no");
 }
 
-int run_help(const CLI::App& app, std::string topic) {
+/// By its name, with or without dashes and "no-", or by its letter; null where there is none.
+const Option* option_called(std::string name) {
+    const bool letter = name.size() == 2 && name.front() == '-' && name.back() != '-';
+    if (letter) {
+        const auto known = std::ranges::find(option_table(), name.back(), &Option::letter);
+        return known == option_table().end() ? nullptr : &*known;
+    }
+    name.erase(0, std::min(name.find_first_not_of('-'), name.size()));
+    return find_option(name.starts_with("no-") && !find_option(name) ? name.substr(3) : name);
+}
+
+/// " Did you mean ...?", of commands and options; empty where nothing is near.
+std::string suggestion(const CLI::App& app, const std::string& topic) {
+    std::vector<std::string> known;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        known.push_back(command->get_name());
+    }
+    for (const Option& option : option_table()) {
+        known.emplace_back(option.name);
+    }
+    const auto near = nearest_word(topic.substr(std::min(topic.find_first_not_of('-'), topic.size())), known);
+    return near ? fmt::format("; did you mean '{}'?", *near) : "";
+}
+
+int run_help(const CLI::App& app, const std::string& topic) {
     if (topic.empty()) {
         // app.help() would be that of the command that was given: this one's.
         fmt::print("{}", app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));
@@ -37,13 +62,14 @@ int run_help(const CLI::App& app, std::string topic) {
         fmt::print("{}", commands.front()->help(app.get_name()));
         return kDone;
     }
-    topic.erase(0, topic.find_first_not_of('-'));
-    const Option* option = find_option(topic.starts_with("no-") && !find_option(topic) ? topic.substr(3) : topic);
+    const Option* option = option_called(topic);
     if (!option) {
-        throw UsageError(fmt::format(
-            "there is no command and no option of pack called '{}'; spectralpack --help and spectralpack pack --help-all "
-            "show those there are",
-            printable(topic)));
+        const std::string near = suggestion(app, topic);
+        throw UsageError(fmt::format("there is no command and no option of pack called '{}'{}{}", printable(topic),
+                                     near,
+                                     near.empty() ? "; spectralpack --help and spectralpack pack --help-all show those "
+                                                    "there are"
+                                                  : ""));
     }
     print_option(*option);
     return kDone;

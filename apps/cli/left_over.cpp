@@ -20,6 +20,7 @@ struct ReasonCount {
     UnplacedReason reason = UnplacedReason::no_place;
     std::size_t copies = 0;
     std::vector<PartCount> parts;
+    std::string never_fits = {};  ///< of no_place: why there is none in an empty tray either
 };
 
 /// The largest numbers first; among equals, in the order in which they were given up.
@@ -28,8 +29,9 @@ std::vector<ReasonCount> by_reason(const Packing& packing) {
     std::map<std::pair<UnplacedReason, int>, std::size_t> counts;
     for (const Unplaced& copy : packing.unplaced) {
         auto known = std::ranges::find(reasons, copy.reason, &ReasonCount::reason);
-        if (known == reasons.end()) known = reasons.insert(known, {copy.reason, 0, {}});
+        if (known == reasons.end()) known = reasons.insert(known, {copy.reason, 0, {}, {}});
         ++known->copies;
+        if (copy.reason == UnplacedReason::no_place) known->never_fits = copy.detail;
         if (++counts[{copy.reason, copy.part}] == 1) known->parts.push_back({copy.part, 0});
     }
     for (ReasonCount& reason : reasons) {
@@ -72,7 +74,8 @@ std::string reason_text(const ReasonCount& reason, const Packing& packing, StopR
                                                              : "";
         return fmt::format("{}{}: {}", in_words(reason.reason), why, reason.copies);
     }
-    return with_names(fmt::format("{}: {}", in_words(reason.reason), reason.copies), reason, packing, lines);
+    const std::string what = reason.never_fits.empty() ? in_words(reason.reason) : reason.never_fits;
+    return with_names(fmt::format("{}: {}", what, reason.copies), reason, packing, lines);
 }
 
 bool any(const Packing& packing, UnplacedReason reason) {
@@ -82,8 +85,11 @@ bool any(const Packing& packing, UnplacedReason reason) {
 }  // namespace
 
 std::string what_takes_more(const Packing& packing) {
+    const auto finds_more = [](const Unplaced& copy) {
+        return copy.reason == UnplacedReason::no_place && copy.detail.empty();
+    };
     const bool more_trays = packing.options.trays != 0 && !packing.options.fill && !packing.container.open_height;
-    return any(packing, UnplacedReason::no_place) && more_trays ? "--trays all opens more trays" : "";
+    return more_trays && std::ranges::any_of(packing.unplaced, finds_more) ? "--trays all opens more trays" : "";
 }
 
 std::vector<std::string> left_over_texts(const Packing& packing, StopReason stopped, std::size_t lines) {

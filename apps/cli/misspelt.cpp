@@ -43,6 +43,17 @@ std::string no_option(const CLI::App& command, std::string typed) {
     return fmt::format("{} A file whose name starts with a dash is named like ./{}.", said, printable(typed));
 }
 
+/// That may be given once and is there more often; null where there is none.
+const CLI::Option* given_again(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const bool once = option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+        if (once && option->nonpositional() && static_cast<int>(option->count()) > option->get_items_expected_max()) {
+            return option;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
@@ -52,6 +63,9 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
     for (const std::string& argument : not_taken) {
         if (chosen.empty() && !is_option(argument)) return no_command(app, argument);
         if (is_option(argument)) return no_option(command, argument);
+    }
+    if (const CLI::Option* option = given_again(command)) {
+        return fmt::format("{} is given {} times; once is enough.", option->get_name(), option->count());
     }
     std::string list;
     for (const std::string& argument : not_taken) {

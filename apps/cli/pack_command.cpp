@@ -111,7 +111,8 @@ JobSettings settle(const PackArguments& arguments, const JobSettings& file) {
 /// A dry run packs for this long to see how fast it goes.
 constexpr double kProbeSeconds = 3;
 
-int run_estimate(const Job& job, ProgressDisplay& display, Interrupts& interrupts, bool& unusable) {
+int run_estimate(const Job& job, const JobSettings& settings, ProgressDisplay& display, Interrupts& interrupts,
+                 bool& unusable) {
     const Clock::time_point start = Clock::now();
     const Estimate planned = estimate(job, {&display, interrupts.token()});
     const std::chrono::duration<double> loading = Clock::now() - start;
@@ -125,7 +126,12 @@ int run_estimate(const Job& job, ProgressDisplay& display, Interrupts& interrupt
     unusable = unusable || !planned.unusable.empty();
     const std::optional<ProbedTime> time =
         probe_time(job, kProbeSeconds, interrupts.trial(kProbePatience * kProbeSeconds + 2 * loading.count()));
-    fmt::print("{}", estimate_text(planned, job.options, time));
+    if (settings.json.value_or(false)) {
+        const bool known = time && time->packed > 0;
+        fmt::print("{}\n", estimate_json(planned, known ? std::optional(time->seconds) : std::nullopt));
+    } else {
+        fmt::print("{}", estimate_text(planned, job.options, time));
+    }
     return interrupts.token().reason() == StopReason::cancelled ? kInterrupted : kDone;
 }
 
@@ -215,6 +221,15 @@ int run_job(const Job& job, const JobSettings& settings, const JournalOptions& j
     return settings.require_all.value_or(false) && !result.packing.unplaced.empty() ? kLeftOver : kDone;
 }
 
+/// Of what cannot be used, as far as it is known before meshes are read.
+std::vector<InputError> problems_of(const std::vector<Part>& parts) {
+    std::vector<InputError> problems;
+    for (const Part& part : parts) {
+        if (part.problem) problems.push_back(*part.problem);
+    }
+    return problems;
+}
+
 RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& taken) {
     RunFacts facts;
     facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
@@ -223,6 +238,7 @@ RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& 
     if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
     facts.details = settings.details.value_or(false);
     facts.require_all = settings.require_all.value_or(false);
+    facts.skip_unusable = settings.skip_unusable.value_or(false);
     return facts;
 }
 
@@ -244,10 +260,11 @@ int run_pack(const PackArguments& arguments) {
     Interrupts interrupts(settings.options.time_limit, time_shares(settings), start);
     PackDisplay display(settings.progress.value_or(ProgressStyle::automatic), settings);
     report_passed_over(inputs, display);
-    display.on_unusable(inputs.unusable);
-    if (inputs.parts.empty()) {
+    const std::vector<InputError> problems = problems_of(inputs.parts);
+    if (problems.size() == inputs.parts.size()) {
+        display.on_unusable(problems);
         tell("Nothing is left to pack.\n");
-        return inputs.unusable.empty() ? kUsage : kUnusableInput;
+        return problems.empty() ? kUsage : kUnusableInput;
     }
     Job job;
     job.parts = inputs.parts;
@@ -266,10 +283,10 @@ int run_pack(const PackArguments& arguments) {
     spare_inputs(job, settings, arguments);
     check_names(job, settings);
 
-    bool unusable = !inputs.unusable.empty();
+    bool unusable = false;
     const int status =
         settings.dry_run.value_or(false)
-            ? run_estimate(job, display, interrupts, unusable)
+            ? run_estimate(job, settings, display, interrupts, unusable)
             : run_job(job, settings, journal, facts_of(job, settings, taken), display, interrupts, start, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {

@@ -20,6 +20,9 @@ std::string listed(const std::vector<std::string>& files) {
 }  // namespace
 
 void report_passed_over(const ExpandedInputs& inputs, Listener& display) {
+    for (const std::string& remark : inputs.remarks) {
+        display.on_warning(remark);
+    }
     if (!inputs.passed_over.empty()) {
         const bool one = inputs.passed_over.size() == 1;
         display.on_warning(fmt::format("{} that {} no mesh this program reads {} passed over: {}",

@@ -36,7 +36,11 @@ void print_plan(const Packing& packing, std::size_t tray, const Disassembly& pla
         return;
     }
     if (plan.complete) {
-        fmt::print("Tray {}: comes apart in {}.\n", tray + 1, steps_text(plan));
+        TrayPacking planned = packing.trays[tray];
+        planned.disassembly = plan;
+        const std::size_t stay = staying(planned).size();
+        fmt::print("Tray {}: {} in {}{}.\n", tray + 1, stay == 0 ? "comes apart" : "new copies come apart",
+                   steps_text(plan), staying_text(stay));
         return;
     }
     if (plan.interlocked.empty()) {

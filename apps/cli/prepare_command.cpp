@@ -30,7 +30,10 @@ int run_prepare(PrepareArguments arguments) {
         tools::prepare(arguments.folder, arguments.output, arguments.options, {&display, interrupts.token()});
     display.finish();
 
-    fmt::print("{} of {} files are prepared", summary.done, summary.files);
+    const auto kept = summary.meshes.find(tools::Prepared::kept);
+    const std::int64_t meshes = kept == summary.meshes.end() ? 0 : kept->second;
+    fmt::print("{} of {} files were looked at, {} mesh{} kept", summary.done, summary.files, meshes,
+               meshes == 1 ? " is" : "es are");
     if (summary.earlier > 0) fmt::print(" ({} by earlier runs)", summary.earlier);
     fmt::print("\n");
     for (const auto& [outcome, count] : summary.meshes) {

@@ -88,7 +88,7 @@ void ProgressDisplay::on_event(const Event& event) {
         copy = fmt::format(R"(, "part": {}, "copy": {}, "orientation": {}, "transform": [{}[0, 0, 0, 1]])", event.part,
                            event.copy, event.orientation, rows);
     }
-    fmt::print(stderr, "{{\"event\": \"{}\", \"tray\": {}{}}}\n", to_string(event.kind), event.tray + 1, copy);
+    tell("{{\"event\": \"{}\", \"tray\": {}{}}}\n", to_string(event.kind), event.tray + 1, copy);
 }
 
 void ProgressDisplay::draw(const Progress& progress, double left) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exit_status.hpp"
 #include "left_over.hpp"
 #include "summary_lines.hpp"
 #include "summary_texts.hpp"
@@ -25,7 +26,9 @@ std::string comes_apart(const TrayPacking& tray) {
     if (!tray.disassembly) return "NOT CHECKED";
     const std::size_t steps = tray.disassembly->steps.size();
     const std::string count = fmt::format("{} step{}", steps, steps == 1 ? "" : "s");
-    return tray.disassembly->complete ? "in " + count : "ONLY PARTLY CHECKED";
+    if (!tray.disassembly->complete) return "ONLY PARTLY CHECKED";
+    const std::size_t stay = staying(tray).size();
+    return "in " + count + (stay > 0 ? fmt::format(", {} from before stay", stay) : "");
 }
 
 void add_trays(const Packing& packing, std::size_t most, SummaryLines& lines) {
@@ -105,8 +108,11 @@ std::string summary_text(const PackResult& result, const RunFacts& facts) {
     if (facts.require_all && left_over > 0 && newly_placed(result.packing) > 0) {
         const bool more_trays = !what_takes_more(result.packing).empty();
         lines.blank();
-        lines.sentence(fmt::format("{} left over, and --require-all asks for all: exit 5.{}",
+        const bool by_file = !result.unusable.empty() && !facts.skip_unusable;
+        lines.sentence(fmt::format("{} left over, and --require-all asks for all: exit {}.{}",
                                    left_over == 1 ? "1 copy is" : fmt::format("{} copies are", left_over),
+                                   by_file ? fmt::format("{}, as a file cannot be used", int{kUnusableInput})
+                                           : fmt::format("{}", int{kLeftOver}),
                                    more_trays ? " More trays take them: --trays all." : ""));
     }
     return lines.text();
@@ -115,14 +121,22 @@ std::string summary_text(const PackResult& result, const RunFacts& facts) {
 std::string estimate_text(const Estimate& estimate, const PackOptions& options, const std::optional<ProbedTime>& time) {
     const bool open = options.open_height || options.minimise == Minimise::box;
     SummaryLines lines;
-    lines.sentence(fmt::format("{} copies of {} parts would be packed; nothing was written (--dry-run).",
-                               estimate.copies, estimate.parts));
+    lines.sentence(fmt::format("{} cop{} of {} part{} would be packed; nothing was written (--dry-run).",
+                               estimate.copies, estimate.copies == 1 ? "y" : "ies", estimate.parts,
+                               estimate.parts == 1 ? "" : "s"));
     lines.blank();
     lines.labelled("Tray", open ? fmt::format("{} x {} mm, without a ceiling", length_text(options.tray.x),
                                               length_text(options.tray.y))
                                 : size_text(estimate.container));
     lines.labelled("Parts", fmt::format("{} of the tray; the boxes round them {}", percent_text(estimate.volume_ratio),
                                         percent_text(estimate.box_ratio)));
+    if (estimate.left_over > 0) {
+        lines.labelled("Left over",
+                       fmt::format("{} cop{}: {}", estimate.left_over, estimate.left_over == 1 ? "y" : "ies",
+                                   estimate.unusable.empty()    ? "too large"
+                                   : estimate.too_large.empty() ? "their files cannot be used"
+                                                                : "too large, or in files that cannot be used"));
+    }
     std::vector<std::string> too_large;
     for (const std::string& part : estimate.too_large) {
         too_large.push_back(printable(part));

@@ -30,6 +30,7 @@ struct RunFacts {
     std::optional<double> seconds;      ///< that all of it took, files included; none: as long as packing
     bool details = false;
     bool require_all = false;
+    bool skip_unusable = false;  ///< a file that cannot be used decides the exit status, unless it is
 };
 
 /// The copies that this run placed: those that stood there before aside.

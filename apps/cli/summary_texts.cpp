@@ -52,6 +52,13 @@ void add_kind(const char* kind, const std::string& files, std::string& text) {
     text += (text.empty() ? "" : "; ") + (text.empty() && *kind == '\0' ? files : fmt::format("{}: {}", kind, files));
 }
 
+/// That a job has fixed.
+bool has_copies_for_good(const Packing& packing) {
+    const auto for_good = [](const Placement& copy) { return copy.fixed && !copy.before; };
+    return std::ranges::any_of(packing.trays,
+                               [&](const TrayPacking& tray) { return std::ranges::any_of(tray.placements, for_good); });
+}
+
 void add_file(const std::string& file, std::string& files) { files += (files.empty() ? "" : ", ") + printable(file); }
 
 std::string as_in(const TakenOver& taken) {
@@ -203,8 +210,9 @@ std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& f
     }
     if (plans.planned && plans.complete) {
         const std::int64_t fresh = newly_placed(packing);
-        if (fresh < metrics.placed) {
-            add(fmt::format("{} {} apart", copies_text(fresh, " new"), fresh == 1 ? "comes" : "come"));
+        if (plans.staying > 0 || has_copies_for_good(packing)) {
+            add(fmt::format("{} {} apart{}{}", copies_text(fresh, " new"), fresh == 1 ? "comes" : "come",
+                            through_walls_text(plans.through_walls), staying_text(plans.staying)));
         } else if (packing.trays.size() == 1) {
             add(fmt::format("comes apart in {} step{}{}", plans.steps, plans.steps == 1 ? "" : "s",
                             through_walls_text(plans.through_walls)));

@@ -102,6 +102,13 @@ std::string through_walls_text(std::size_t steps) {
     return steps == 0 ? "" : fmt::format("; {} of them sideways through the walls", steps);
 }
 
+std::string staying_text(std::size_t copies) {
+    if (copies == 0) return "";
+    return copies == 1
+               ? "; 1 copy that stood there before stays: it is not part of the order"
+               : fmt::format("; {} copies that stood there before stay: they are not part of the order", copies);
+}
+
 std::string percent_text(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
 std::string length_text(double mm) { return fmt::format("{:g}", std::round(mm * 1000) / 1000); }

@@ -41,6 +41,8 @@ std::string bytes_text(std::int64_t bytes);  ///< "812 MB", "3.1 GB"
 std::string percent_text(double share);      ///< "43.9 %"
 /// "; 3 of them sideways through the walls", of a plan's steps; nothing for none.
 std::string through_walls_text(std::size_t steps);
+/// "; 80 copies that stood there before stay: they are not part of the order"; nothing for none.
+std::string staying_text(std::size_t copies);
 std::string length_text(double mm);  ///< at most three decimals, none that are zero
 std::string gap_number(double mm);   ///< "2.0", "0.25": one decimal, more where it has more
 

@@ -32,7 +32,7 @@ struct Finding {
     std::vector<int> placements;  ///< indices into the tray's placements, ascending: the copies it is about
     double amount = 0;            ///< mm of penetration (at least), of missing gap, sticking out or missing way;
                                   ///< difference of a figure; deviation from a rotation; 0 for counts
-    std::string message;          ///< for people: names the copies as "name #copy"
+    std::string message;          ///< for people: names the copies as "61 tube"
 };
 
 /// What the replay of a tray's disassembly plan gave. What fails is a finding, too.
@@ -42,6 +42,7 @@ struct PlanReport {
     std::int64_t sweeps = 0;         ///< moves of one copy past another that were followed on the meshes
     std::vector<int> failed_steps;   ///< ascending
     std::vector<int> without_step;   ///< placements that are not fixed and that no step takes out, ascending
+    std::vector<int> staying;        ///< placements that stood there before (Placement::before) and have no step
     Unpack unpack = Unpack::any;     ///< the plan's
     std::int64_t through_walls = 0;  ///< steps that it says leave through the walls
     std::string message;             ///< for people: "plan: 12 steps replayed, ok"

@@ -47,8 +47,9 @@ struct InterlockCounts {
 
 struct Disassembly {
     /// Every copy that is not fixed has one step of its own, also after it left in a group, and also where it is the
-    /// last of its subassembly. Fixed ones never move and have none; of the container's walls only physical
-    /// ones hold anything.
+    /// last of its subassembly. Fixed ones that stood in a build that was topped up (Placement::before) have one as
+    /// well where all of them come out, and else none; other fixed ones never move. Of the container's walls only
+    /// physical ones hold anything.
     bool complete = false;
     std::vector<RemovalStep> steps;  ///< in order: each sees only what earlier ones left of its subassembly
     /// What the plan does not take apart: sets of placements that hold each other, where known. With these empty and

@@ -17,10 +17,10 @@
 namespace spectralpack {
 
 struct ExpandedInputs {
-    std::vector<Part> parts;
-    std::vector<InputError> unusable;      ///< named inputs that are missing or unreadable
+    std::vector<Part> parts;               ///< also those that cannot be used, with their problem
     std::optional<JobSettings> job;        ///< what a job file among them says besides its parts
     std::vector<std::string> passed_over;  ///< files in folders that are no meshes; hidden ones are not told
+    std::vector<std::string> remarks;      ///< how files were read that say it in an uncommon way
     std::vector<std::string> own_builds;   ///< 3MF files in folders that this program wrote: builds, no parts
 };
 

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "spectralpack/error.hpp"
 #include "spectralpack/geometry.hpp"
 #include "spectralpack/mesh.hpp"
 #include "spectralpack/options.hpp"
@@ -67,6 +68,7 @@ struct Part {
     std::string order = {};           ///< whose it is, for people
     double value = 1;                 ///< what a copy is worth; kept for the record, nothing is decided by it yet
     std::string origin = {};          ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
+    std::optional<InputError> problem = {};  ///< why it cannot be used, where that is known before it is read
 };
 
 /// A mesh that is not packed, and where it stands.

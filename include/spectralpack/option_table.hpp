@@ -69,6 +69,7 @@ struct Option {
     std::string_view line = {};                    ///< help in one line
     std::string_view help = {};                    ///< more of it, in sentences; may be empty
     std::string_view off_line = {};                ///< what --no-NAME does
+    std::string_view takes = {};                   ///< what values are, where the type does not say it
     std::string_view default_means = {};           ///< what the default comes to, where it does not say so itself
     std::vector<std::string_view> examples = {};   ///< as on the command line
     int hash_place = 0;  ///< from 1 on, among the options that the input hash covers; 0: placements do not depend on it

@@ -32,13 +32,14 @@ struct Estimate {
     Vec3 container;  ///< size, mm
     Extent grid;     ///< voxels of the tray
     int orientations = 0;
-    int parts = 0;
-    std::int64_t copies = 0;
+    int parts = 0;                       ///< that have copies to pack
+    std::int64_t copies = 0;             ///< to pack: none that stand fixed, are too large or of a file without a mesh
+    std::int64_t left_over = 0;          ///< copies of files that cannot be used and of parts that are too large
     std::int64_t searches = 0;           ///< at most: one per copy
     std::int64_t memory = 0;             ///< bytes at peak, about
     std::int64_t memory_limit = 0;       ///< --memory, or what the machine has free
-    double box_ratio = 0;                ///< boxes of all copies / container
-    double volume_ratio = 0;             ///< volumes of all copies / container
+    double box_ratio = 0;                ///< boxes of those copies / container
+    double volume_ratio = 0;             ///< volumes of those copies / container
     double height_penalty = 0;           ///< p as it would be used
     std::vector<std::string> too_large;  ///< parts that fit in no orientation
     std::vector<InputError> unusable;
@@ -55,5 +56,8 @@ PackResult pack(const Job& job, const Control& control = {}, const JournalOption
 
 /// Loads the inputs and plans, without packing. Throws as pack() does, but not for memory.
 Estimate estimate(const Job& job, const Control& control = {});
+
+/// The estimate as JSON text (docs/format.md), with the seconds that the run would take where they are known.
+std::string estimate_json(const Estimate& estimate, std::optional<double> seconds);
 
 }  // namespace spectralpack

@@ -2,6 +2,7 @@
 /// A packing: what the packing file holds (docs/format.md). Values without behaviour. Millimetres, seconds, bytes;
 /// the container's lower corner is the origin.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -57,6 +58,7 @@ struct PackedPart {
     std::optional<std::string> object;  ///< 3MF: id of the object in the file
     std::optional<Transform> item_transform;  ///< 3MF: the build item's, in the file's unit
     int count = 1;
+    std::vector<int> numbers = {};  ///< by copy, where they are kept from a build that was topped up (CopyNumbers)
     int share = 0;  ///< of a packing filled in shares: the count asked for, while `count` is what came of it; else 0
     double scale = 1;
     double unit = 1;                ///< millimetres per unit of the mesh file
@@ -77,8 +79,10 @@ struct Placement {
     int part = 0;         ///< index into Packing::parts
     int copy = 0;         ///< 0 .. count - 1 of that part
     int orientation = 0;  ///< index in the orientation set
-    bool fixed = false;
+    bool fixed = false;   ///< was not placed by this run, and did not move in it
     Transform transform;  ///< from the mesh file's own coordinates to the container's; holds unit and scale
+    /// Of a fixed one: it stood in a build that was topped up, so it comes out like those placed. Others stay for good.
+    bool before = false;
 };
 
 /// Cross-section area per horizontal layer, mm^2, from the floor up.
@@ -97,6 +101,20 @@ struct TrayPacking {
     Layers layers;
     std::optional<Disassembly> disassembly;  ///< none: interlocking was not looked at
 };
+
+/// Copies that stood there before the build was topped up, and that the plan leaves where they are.
+inline std::vector<int> staying(const TrayPacking& tray) {
+    std::vector<int> staying;
+    if (!tray.disassembly) return staying;
+    std::vector<bool> leaves(tray.placements.size(), false);
+    for (const RemovalStep& step : tray.disassembly->steps) {
+        if (step.placements.size() == 1) leaves.at(static_cast<std::size_t>(step.placements.front())) = true;
+    }
+    for (std::size_t i = 0; i < tray.placements.size(); ++i) {
+        if (tray.placements[i].before && !leaves[i]) staying.push_back(static_cast<int>(i));
+    }
+    return staying;
+}
 
 /// Why a copy is left over.
 enum class UnplacedReason {
@@ -180,6 +198,7 @@ struct PlansOverview {
     bool complete = true;  ///< that takes out all copies
     std::size_t steps = 0;
     std::size_t through_walls = 0;  ///< of the steps (Disassembly::through_walls)
+    std::size_t staying = 0;        ///< copies that stood there before and that no step takes out
 };
 
 inline PlansOverview plans_of(const Packing& packing) {
@@ -189,27 +208,40 @@ inline PlansOverview plans_of(const Packing& packing) {
         plans.complete = plans.complete && tray.disassembly && tray.disassembly->complete;
         plans.steps += tray.disassembly ? tray.disassembly->steps.size() : 0;
         plans.through_walls += tray.disassembly ? tray.disassembly->through_walls.size() : 0;
+        plans.staying += staying(tray).size();
     }
     return plans;
 }
 
 /// Copies are numbered 1, 2, 3 ... through the whole build in the order of the part list, the copies of a part one
-/// after the other. Those left over keep theirs. Files, pictures, plans and sheets say this number.
+/// after the other. Those left over keep theirs. In a build that was topped up, copies that stood there before keep the
+/// numbers they had, and new ones go on after the highest. Files, pictures, plans and sheets say this number.
 class CopyNumbers {
   public:
     explicit CopyNumbers(const std::vector<PackedPart>& parts) {
         int next = 1;
         for (const PackedPart& part : parts) {
-            first_.push_back(next);
-            next += part.count;
+            parts_.push_back({next, part.numbers});
+            if (part.numbers.empty()) next += part.count;
+            for (const int number : part.numbers) {
+                next = std::max(next, number + 1);
+            }
         }
     }
 
-    int of(int part, int copy) const { return first_.at(static_cast<std::size_t>(part)) + copy; }
+    int of(int part, int copy) const {
+        const Numbers& numbers = parts_.at(static_cast<std::size_t>(part));
+        const auto i = static_cast<std::size_t>(copy);
+        return i < numbers.kept.size() ? numbers.kept[i] : numbers.first + copy;
+    }
     int of(const Placement& placement) const { return of(placement.part, placement.copy); }
 
   private:
-    std::vector<int> first_;  ///< by part
+    struct Numbers {
+        int first = 1;
+        std::vector<int> kept;
+    };
+    std::vector<Numbers> parts_;
 };
 
 /// Meshes of a packing's parts by part index, in the mesh file's own coordinates. Null for unusable parts.

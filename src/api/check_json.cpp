@@ -49,7 +49,8 @@ std::string check_report_json(const Scene& scene, const CheckReport& report) {
                ", \"unpack\": \"" + std::string(to_string(plan->unpack)) +
                "\", \"through_walls\": " + std::to_string(plan->through_walls) +
                ", \"failed_steps\": " + int_list(plan->failed_steps) +
-               ", \"without_step\": " + int_list(plan->without_step) + "}";
+               ", \"without_step\": " + int_list(plan->without_step) + ", \"staying\": " + int_list(plan->staying) +
+               "}";
     };
     std::size_t copies = 0;
     for (const TrayPacking& tray : scene.packing.trays) {

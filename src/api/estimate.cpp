@@ -6,6 +6,7 @@
 #include "api/load_container.hpp"
 #include "api/plan.hpp"
 #include "core/stopped.hpp"
+#include "formats/json_text.hpp"
 #include "packing/containers/walls.hpp"
 #include "spectralpack/pack.hpp"
 
@@ -32,9 +33,11 @@ Estimate estimate_of(const Job& job, const Control& control) {
     estimate.grid = plan.grid;
     estimate.container = tray_size(options);
     estimate.orientations = static_cast<int>(plan.most_orientations);
-    estimate.parts = static_cast<int>(loaded.parts.size());
-    for (const PackedPart& part : loaded.parts) {
-        estimate.copies += part.count;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        const bool packed = loaded.meshes[i] && plan.too_large[i].empty();
+        const int copies = copies_to_pack(loaded, i);
+        (packed ? estimate.copies : estimate.left_over) += copies;
+        estimate.parts += packed && copies > 0 ? 1 : 0;
     }
     estimate.searches = static_cast<std::int64_t>(plan.items.size());
     estimate.memory = plan.memory;
@@ -61,6 +64,31 @@ Estimate estimate(const Job& job, const Control& control) {
         nothing.stopped = control.stop.reason();
         return nothing;
     }
+}
+
+std::string estimate_json(const Estimate& estimate, std::optional<double> seconds) {
+    const auto numbers = [](double x, double y, double z) {
+        return "[" + json_number(x) + ", " + json_number(y) + ", " + json_number(z) + "]";
+    };
+    std::string too_large, unusable;
+    for (const std::string& part : estimate.too_large) {
+        too_large += (too_large.empty() ? "" : ", ") + json_string(part);
+    }
+    for (const InputError& error : estimate.unusable) {
+        unusable += std::string(unusable.empty() ? "" : ", ") + "{\"file\": " + json_string(error.file()) +
+                    ", \"place\": " + json_string(error.place()) + ", \"cause\": " + json_string(error.cause()) + "}";
+    }
+    return "{\"copies\": " + std::to_string(estimate.copies) + ", \"parts\": " + std::to_string(estimate.parts) +
+           ", \"left_over\": " + std::to_string(estimate.left_over) +
+           ", \"container\": " + numbers(estimate.container.x, estimate.container.y, estimate.container.z) +
+           ", \"grid\": " + numbers(estimate.grid.x, estimate.grid.y, estimate.grid.z) +
+           ", \"orientations\": " + std::to_string(estimate.orientations) +
+           ", \"volume_ratio\": " + json_number(estimate.volume_ratio) +
+           ", \"box_ratio\": " + json_number(estimate.box_ratio) +
+           ", \"seconds\": " + (seconds ? json_number(*seconds) : "null") +
+           ", \"memory\": " + std::to_string(estimate.memory) +
+           ", \"memory_limit\": " + std::to_string(estimate.memory_limit) + ", \"too_large\": [" + too_large +
+           "], \"unusable\": [" + unusable + "]}";
 }
 
 }  // namespace spectralpack

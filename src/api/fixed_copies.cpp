@@ -26,22 +26,34 @@ void add_part(LoadedJob& loaded, PackedPart part, std::shared_ptr<const Mesh> me
     loaded.problem.emplace_back();
 }
 
-/// A build to top up: its copies keep part, tray, orientation and transform, and are counted from 0.
+/// A build to top up: its copies keep part, number, tray, orientation and transform, and are counted from 0.
 void add_onto(const Scene& onto, LoadedJob& loaded) {
     const Packing& packing = onto.packing;
-    std::vector<int> index(packing.parts.size(), -1);
+    const CopyNumbers numbers(packing.parts);
+    std::vector<bool> placed(packing.parts.size(), false);
+    for (const TrayPacking& tray : packing.trays) {
+        for (const Placement& placement : tray.placements) {
+            placed[static_cast<std::size_t>(placement.part)] = true;
+        }
+    }
+    std::vector<std::size_t> index(packing.parts.size());
+    for (std::size_t i = 0; i < packing.parts.size(); ++i) {
+        if (!placed[i]) continue;
+        index[i] = loaded.parts.size();
+        PackedPart part = packing.parts[i];
+        part.count = 0;
+        part.numbers.clear();
+        add_part(loaded, std::move(part), onto.meshes[i]);
+    }
     for (std::size_t tray = 0; tray < packing.trays.size(); ++tray) {
         for (const Placement& placement : packing.trays[tray].placements) {
-            const auto i = static_cast<std::size_t>(placement.part);
-            if (index[i] < 0) {
-                index[i] = static_cast<int>(loaded.parts.size());
-                PackedPart part = packing.parts[i];
-                part.count = 0;
-                add_part(loaded, std::move(part), onto.meshes[i]);
-            }
+            const std::size_t i = index[static_cast<std::size_t>(placement.part)];
+            PackedPart& part = loaded.parts[i];
+            part.numbers.push_back(numbers.of(placement));
             Placement fixed = placement;
-            fixed.part = index[i];
-            fixed.copy = loaded.parts[static_cast<std::size_t>(index[i])].count++;
+            fixed.part = static_cast<int>(i);
+            fixed.copy = part.count++;
+            fixed.before = !placement.fixed || placement.before;  // what a job has fixed stays for good
             fixed.fixed = true;
             loaded.fixed.push_back({static_cast<int>(tray), fixed});
         }

@@ -11,6 +11,13 @@ namespace spectralpack {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// How the names begin of files that macOS puts beside those of its own: they hold no mesh, whatever their ending.
+constexpr const char* kOfMacOs = "._";
+
+}  // namespace
+
 FolderInputs inputs_in(const std::string& folder) {
     FolderInputs inputs;
     std::error_code failure;
@@ -19,8 +26,11 @@ FolderInputs inputs_in(const std::string& folder) {
         const fs::path& path = entry->path();
         std::error_code broken;
         const bool is_folder = fs::is_directory(fs::status(path, broken));
-        if (!is_mesh_file(path)) {
-            if (!is_folder && !path.filename().string().starts_with('.')) inputs.passed_over.push_back(path.string());
+        const std::string name = path.filename().string();
+        if (is_folder && name.starts_with('.')) {
+            entry.disable_recursion_pending();
+        } else if (!is_mesh_file(path) || name.starts_with(kOfMacOs)) {
+            if (!is_folder && !name.starts_with('.')) inputs.passed_over.push_back(path.string());
         } else if (broken) {  // a symbolic link that leads nowhere or in circles
             inputs.unusable.emplace_back(path.string(), "", broken.message());
         } else if (is_folder) {

@@ -15,7 +15,7 @@ struct FolderInputs {
     std::vector<std::string> own_builds;   ///< 3MF files that this program wrote
 };
 
-/// Of the folder and of those in it; sorted bytewise.
+/// Of the folder and of those in it, hidden ones aside; sorted bytewise.
 FolderInputs inputs_in(const std::string& folder);
 
 }  // namespace spectralpack

@@ -11,6 +11,7 @@
 #include "formats/job_file.hpp"
 #include "formats/set_file.hpp"
 #include "formats/settings_file.hpp"
+#include "formats/text_encoding.hpp"
 #include "spectralpack/typed_text.hpp"
 
 namespace spectralpack {
@@ -38,15 +39,36 @@ std::optional<std::string> behind(const std::string& text, char mark, const char
     return text.substr(at + 1);
 }
 
+/// All of `text` as a number.
+template <class Number>
+std::optional<Number> number_in(const std::string& text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    return parsed.ec == std::errc{} && parsed.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+[[noreturn]] void fail_at_scale(const std::string& argument, const std::string& text) {
+    throw UsageError("'" + argument + "': the scale '" + text + "' must be a number " + scales_text() +
+                     (text.find(',') != std::string::npos ? ", and its decimal sign is a point" : ""));
+}
+
+int count_in(const std::string& argument, const std::string& text) {
+    const std::optional<int> count = number_in<int>(text);
+    if (count && *count >= 1 && *count <= kMaxCount) return *count;
+    throw UsageError("'" + argument + "': the count '" + text + "' must be a whole number from 1 to " +
+                     std::to_string(kMaxCount));
+}
+
+double scale_in(const std::string& argument, const std::string& text) {
+    const std::optional<double> scale = number_in<double>(text);
+    if (!scale || !is_scale(*scale)) fail_at_scale(argument, text);
+    return *scale;
+}
+
 /// FILE:COUNT, FILE@SCALE or FILE:COUNT@SCALE, when `argument` reads so.
 std::optional<CountAndScale> split_argument(const std::string& argument) {
     constexpr const char *kOfCounts = "+-.0123456789", *kOfScales = "+-.0123456789eE";
-    const auto read = [&](const std::string& text, auto& value, const char* what) {
-        const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value > 0)) {
-            throw UsageError("'" + argument + "': the " + what + " '" + text + "' must be a positive number");
-        }
-    };
     CountAndScale result{argument};
     const auto cut = [&](const std::string& number) { result.file.resize(result.file.size() - number.size() - 1); };
     const auto scale = behind(result.file, '@', kOfScales);
@@ -54,13 +76,25 @@ std::optional<CountAndScale> split_argument(const std::string& argument) {
     const auto count = behind(result.file, ':', kOfCounts);
     if (count) cut(*count);
     if (!count && !scale) return std::nullopt;
-    if (count) read(*count, result.count, "count");
-    if (result.count > kMaxCount) throw UsageError("'" + argument + "': over ten million copies");
-    if (scale) read(*scale, result.scale, "scale");
-    if (!is_scale(result.scale)) {
-        throw UsageError("'" + argument + "': the scale '" + *scale + "' must be " + scales_text());
-    }
+    if (count) result.count = count_in(argument, *count);
+    if (scale) result.scale = scale_in(argument, *scale);
     return result;
+}
+
+/// Where the argument begins with a file that is there, and goes on with what is no count or scale.
+void require_count_and_scale(const std::string& argument) {
+    for (std::size_t at = argument.find_last_of(":@"); at != std::string::npos && at > 0;
+         at = argument.find_last_of(":@", at - 1)) {
+        const std::string file = argument.substr(0, at), rest = argument.substr(at + 1);
+        std::error_code failure;
+        if (rest.find('/') != std::string::npos) return;
+        if (!fs::exists(file, failure)) continue;
+        if (argument[at] == '@' && rest.find_first_of(":@") == std::string::npos) fail_at_scale(argument, rest);
+        throw UsageError("'" + argument +
+                         "' is no file, and its ending no count and scale: write FILE:COUNT@SCALE, like " + file +
+                         ":2@1.5 (a whole number from 1 to " + std::to_string(kMaxCount) +
+                         ", and a number above 0 with a decimal point)");
+    }
 }
 
 /// "no such file or folder", and one with a name like it that is there.
@@ -105,12 +139,14 @@ class Expander {
         std::error_code failure;
         const bool exists = fs::exists(text, failure);
         const auto split = exists ? std::nullopt : split_argument(text);
+        if (!exists && !(split && fs::exists(split->file, failure))) require_count_and_scale(text);
         any(split.value_or(CountAndScale{text, 1, 1}));
     }
 
     ExpandedInputs take() {
-        const bool nothing = inputs_.parts.empty() && inputs_.unusable.empty();
-        if (nothing && inputs_.job) inputs_.unusable.emplace_back(inputs_.job->file, "parts", "names nothing to pack");
+        if (inputs_.parts.empty() && inputs_.job) {
+            add_unusable({inputs_.job->file, "parts", "names nothing to pack"}, {inputs_.job->file});
+        }
         return std::move(inputs_);
     }
 
@@ -122,7 +158,7 @@ class Expander {
         const std::string ending = ending_of(file);
         if (!fs::exists(status)) {
             const bool absent = !failure || failure == std::errc::no_such_file_or_directory;
-            inputs_.unusable.emplace_back(file, "", absent ? absence_of(file) : failure.message());
+            add_unusable({file, "", absent ? absence_of(file) : failure.message()}, wanted);
         } else if (fs::is_directory(status)) {
             folder(file, wanted);
         } else if (ending == ".csv") {
@@ -138,11 +174,15 @@ class Expander {
         const fs::path base = mesh_dir_.empty() ? fs::path(file).parent_path() : mesh_dir_;
         std::vector<Part> parts;
         try {
-            for (const SetRow& row : read_set(file)) {
+            const std::vector<SetRow> rows = read_set(file);
+            const bool utf8 =
+                std::ranges::all_of(rows, [](const SetRow& row) { return is_utf8(row.mesh) && is_utf8(row.name); });
+            if (!utf8) inputs_.remarks.push_back(file + " is not UTF-8 and was read as Windows-1252");
+            for (const SetRow& row : rows) {
                 const std::string place = "line " + std::to_string(row.line);
                 const int count = product(row.count, wanted.count, file, place);
-                Part part{.name = row.name,
-                          .mesh = (base / row.mesh).string(),
+                Part part{.name = utf8 ? row.name : from_windows_1252(row.name),
+                          .mesh = mesh_of(base, row.mesh, utf8),
                           .count = count,
                           .scale = scaled(row.scale, wanted.scale, file, place),
                           .gap = row.gap,
@@ -162,10 +202,17 @@ class Expander {
             }
             if (parts.empty()) throw InputError(file, "", "names no part: it has a header and nothing else");
         } catch (const InputError& error) {
-            inputs_.unusable.push_back(error);
+            add_unusable(error, wanted);
             return;
         }
         std::move(parts.begin(), parts.end(), std::back_inserter(inputs_.parts));
+    }
+
+    /// A file whose name has these very bytes is that file.
+    static std::string mesh_of(const fs::path& base, const std::string& mesh, bool utf8) {
+        std::error_code failure;
+        if (utf8 || fs::exists(base / mesh, failure)) return (base / mesh).string();
+        return (base / from_windows_1252(mesh)).string();
     }
 
     void job(const std::string& file, const CountAndScale& wanted) {
@@ -187,9 +234,17 @@ class Expander {
         for (const std::string& file : found.meshes) {
             inputs_.parts.push_back({.mesh = file, .count = wanted.count, .scale = wanted.scale, .origin = root});
         }
-        append(found.unusable, inputs_.unusable);
+        for (const InputError& error : found.unusable) {
+            add_unusable(error, wanted);
+        }
         append(found.passed_over, inputs_.passed_over);
         append(found.own_builds, inputs_.own_builds);
+    }
+
+    /// It keeps its place and its count, and is left over.
+    void add_unusable(const InputError& problem, const CountAndScale& wanted) {
+        inputs_.parts.push_back(
+            {.mesh = problem.file(), .count = wanted.count, .scale = wanted.scale, .problem = problem});
     }
 
     template <class Element>

@@ -28,7 +28,15 @@ std::string label_of(const Part& part) {
     return part.name.empty() ? "a mesh in memory" : part.name;
 }
 
+/// Where the mesh does not say.
+std::string name_of(const Part& part) {
+    if (!part.name.empty()) return part.name;
+    const std::string stem = std::filesystem::path(part.mesh.file()).stem().string();
+    return stem.empty() ? label_of(part) : stem;
+}
+
 InputContent content_of(const Part& part, double unit) {
+    if (part.problem) throw InputError(*part.problem);
     InputContent content;
     const std::shared_ptr<const Mesh> mesh = part.mesh.mesh();
     if (mesh) {
@@ -154,7 +162,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         part.due = source.due;
         part.value = source.value;
         if (content.error) {
-            part.name = source.name.empty() ? std::filesystem::path(part.mesh).stem().string() : source.name;
+            part.name = name_of(source);
             const std::string& place = content.error->place();
             add(source, part, nullptr, 0,
                 place.empty() ? content.error->cause() : place + ": " + content.error->cause());

@@ -18,6 +18,7 @@
 #include "api/memory_plan.hpp"
 #include "api/packing_job.hpp"
 #include "api/plan.hpp"
+#include "api/plan_packing.hpp"
 #include "api/record.hpp"
 #include "api/tray_events.hpp"
 #include "core/memory_reserve.hpp"
@@ -112,6 +113,13 @@ class JobRun {
         result.stopped = cut_short && !stop_.stopped() ? enough().reason() : stop_.reason();
         result.packing = recorded(trays, packed);
         stamps_.warn_of_changes(listener_);
+        const Stopwatch planning;
+        try {
+            plan_what_stood_before(result.packing, loaded_.meshes, options_.threads, {&listener_, stop_});
+        } catch (const std::bad_alloc&) {
+            result.failure = ResourceError("out of memory while planning how copies that stood there before come out");
+        }
+        result.packing.metrics.seconds.disassemble += planning.seconds();
         if (journal_) {
             result.journal = journal_->use();
             check_what_was_recalled(result);

@@ -1,6 +1,8 @@
 #include "spectralpack/files.hpp"
 
+#include <filesystem>
 #include <map>
+#include <system_error>
 
 #include "api/load_container.hpp"
 #include "api/sheet_pictures.hpp"
@@ -51,6 +53,12 @@ Scene load_scene(const std::filesystem::path& packing_file) {
         if (!placed[i]) continue;
         const PackedPart& part = scene.packing.parts[i];
         const auto [file, fresh] = files.try_emplace(part.mesh);
+        std::error_code failure;
+        if (fresh && !std::filesystem::exists(part.mesh, failure)) {
+            throw InputError(part.mesh, "",
+                             "is not there: " + packing_file.string() +
+                                 " names its meshes relative to itself, so they move together");
+        }
         if (fresh) file->second.loaded = read_meshes(part.mesh);
         LoadedMesh* object = find_object(file->second.loaded, part);
         if (!object) {

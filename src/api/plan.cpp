@@ -171,11 +171,11 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const PackedPart& part = loaded.parts[i];
         if (!loaded.meshes[i]) continue;
-        const int copies = copies_to_pack(loaded, i);
+        const int copies = plan.too_large[i].empty() ? copies_to_pack(loaded, i) : 0;
         plan.box_ratio += copies * loaded.box_volume[i] / container_volume;
         plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
-        if (plan.too_large[i].empty() && copies > 0) {
+        if (copies > 0) {
             sizes.push_back({part.id, copies, loaded.box_volume[i], part.priority, part.due, part.volume});
             plan.copies = plan.copies || copies > 1 || options.fill;
             material += copies * part.volume;

@@ -1,5 +1,6 @@
-#include "spectralpack/plan.hpp"
+#include "api/plan_packing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "model/physical_surfaces.hpp"
 #include "packing/containers/physical_walls.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/plan.hpp"
 #include "voxel/voxelize.hpp"
 
 namespace spectralpack {
@@ -32,7 +34,7 @@ TraySetup grid_around(const Box& copies, double voxel, double wall_gap, Vec3& co
 /// One tray's copies as they stand.
 class StandingTray {
   public:
-    /// `walls`: those of the container stand, too.
+    /// `walls`: those of the container stand, too. Fixed copies that stood there before may move.
     StandingTray(const TrayPacking& tray, const PartMeshes& meshes, const Container& container, bool walls,
                  double voxel, double ray_spacing, double wall_gap, const Workers& workers)
         : tray_(tray), meshes_(meshes), voxel_(voxel), workers_(workers), parts_(tray.placements.size()) {
@@ -48,7 +50,7 @@ class StandingTray {
             StandingVoxels voxels = voxelize_at(turned(i), parts_[i].box().min - setup_.corner, voxel_,
                                                 closed_.at(tray_.placements[i].part), workers_);
             parts_[i].object = {std::make_shared<const BitGrid>(std::move(voxels.solid)), voxels.position, 0,
-                                tray_.placements[i].fixed};
+                                tray_.placements[i].fixed && !tray_.placements[i].before};
         });
         if (walls) parts_.push_back(standing_walls(container, setup_.grid, setup_.corner, workers));
         setup_.ray_spacing = ray_spacing;
@@ -117,6 +119,14 @@ struct PlanSetup {
     Disassembler::Left left;
 };
 
+/// The same tray, in which nothing moves that stood there before.
+std::vector<Body> without_moving_what_stood_before(const TrayPacking& tray, std::vector<Body> bodies) {
+    for (std::size_t i = 0; i < tray.placements.size(); ++i) {
+        bodies[i].object.fixed = tray.placements[i].fixed;
+    }
+    return bodies;
+}
+
 /// `interlocked` names the sets that hold each other, of copies alone.
 Disassembly plan_disassembly(const PlanSetup& setup) {
     std::vector<Body> standing = setup.bodies;
@@ -136,53 +146,106 @@ Disassembly plan_disassembly(const PlanSetup& setup) {
     return unpacked(setup.options, setup.bodies, unpacking, std::move(plan), counts);
 }
 
+bool has_copies_from_before(const TrayPacking& tray) {
+    return std::ranges::any_of(tray.placements, [](const Placement& placement) { return placement.before; });
+}
+
+/// Plans trays of one packing.
+class PackingPlanner {
+  public:
+    /// Throws UsageError for settings that make no sense.
+    PackingPlanner(const Packing& packing, const PartMeshes& meshes, const PlanOptions& settings)
+        : packing_(packing), meshes_(meshes), workers_(settings.threads) {
+        const PackOptions& options = packing.options;
+        voxel_ = settings.voxel.value_or(options.voxel / options.detail);
+        if (!(voxel_ > 0) || !std::isfinite(voxel_)) throw UsageError("the voxel size must be a positive number");
+        ray_spacing_ = settings.ray_spacing.value_or(
+            settings.voxel || !options.ray_spacing ? DisassemblyOptions::spacing_for(voxel_) : *options.ray_spacing);
+        check_ray_spacing(ray_spacing_, voxel_);
+        unpack_ = unpack_rule(settings.unpack ? settings.unpack : options.unpack, packing.container);
+        if (unpack_ == Unpack::top && !opens_at_top(packing.container)) {
+            throw UsageError(
+                "the container has no flat face at its top, through which --unpack top could take anything out");
+        }
+    }
+
+    /// How often planning tells of a copy that is out.
+    std::int64_t questions(const TrayPacking& tray) const {
+        const auto moving = std::ranges::count_if(
+            tray.placements, [](const Placement& placement) { return !placement.fixed || placement.before; });
+        return unpack_ == Unpack::top ? 2 * moving : moving;  // planned, then put in order
+    }
+
+    /// `all`: also what stood there before.
+    Disassembly plan(const TrayPacking& tray, bool all, const Disassembler::Left& left, const StopToken& stop) const {
+        const Container& container = packing_.container;
+        const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers_);
+        StandingTray standing(tray, meshes_, container, container.physical || unpack_ == Unpack::top, voxel_,
+                              ray_spacing_, packing_.options.wall_gap, workers_);
+        standing.setup().search = engine.get();
+        standing.setup().stop = stop;
+        const std::vector<RemovalStep>* told = tray.disassembly ? &tray.disassembly->steps : nullptr;
+        return plan_disassembly({standing.setup(),
+                                 all ? standing.parts() : without_moving_what_stood_before(tray, standing.parts()),
+                                 tray.placements.size(), container.physical, unpack_, told, left});
+    }
+
+  private:
+    const Packing& packing_;
+    const PartMeshes& meshes_;
+    Workers workers_;
+    double voxel_ = 0, ray_spacing_ = 0;
+    Unpack unpack_ = Unpack::any;
+};
+
 }  // namespace
 
 std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& settings, const Control& control) {
     Listener quiet;
     Listener& listener = control.listener ? *control.listener : quiet;
-    const StopToken& stop = control.stop;
-    const double voxel = settings.voxel.value_or(scene.packing.options.voxel / scene.packing.options.detail);
-    if (!(voxel > 0) || !std::isfinite(voxel)) throw UsageError("the voxel size must be a positive number");
-    const double ray_spacing = settings.ray_spacing.value_or(settings.voxel || !scene.packing.options.ray_spacing
-                                                                 ? DisassemblyOptions::spacing_for(voxel)
-                                                                 : *scene.packing.options.ray_spacing);
-    check_ray_spacing(ray_spacing, voxel);
-    const Container& container = scene.packing.container;
-    const Unpack unpack = unpack_rule(settings.unpack ? settings.unpack : scene.packing.options.unpack, container);
-    if (unpack == Unpack::top && !opens_at_top(container)) {
-        throw UsageError(
-            "the container has no flat face at its top, through which --unpack top could take anything out");
-    }
-    const Workers workers(settings.threads);
+    const PackingPlanner planner(scene.packing, scene.meshes, settings);
     std::int64_t total = 0;
     for (const TrayPacking& tray : scene.packing.trays) {
-        for (const Placement& placement : tray.placements) {
-            total += placement.fixed ? 0 : unpack == Unpack::top ? 2 : 1;  // planned, then put in order
-        }
+        total += planner.questions(tray);
     }
     std::vector<Disassembly> plans;
     std::int64_t done = 0;
+    const auto left = [&](int, int) {
+        done = std::min(done + 1, total);
+        listener.on_progress(
+            {Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
+    };
     for (const TrayPacking& tray : scene.packing.trays) {
         if (tray.placements.empty()) {
-            plans.push_back({!stop.stopped(), {}, {}});
+            plans.push_back({!control.stop.stopped(), {}, {}});
             continue;
         }
-        const auto engine = make_engine(resolve_engine(EngineKind::automatic), 0, workers);
-        StandingTray standing(tray, scene.meshes, container, container.physical || unpack == Unpack::top, voxel,
-                              ray_spacing, scene.packing.options.wall_gap, workers);
-        standing.setup().search = engine.get();
-        standing.setup().stop = stop;
-        const auto left = [&](int, int) {
-            ++done;
-            const double work = static_cast<double>(done) / static_cast<double>(total);
-            listener.on_progress({Phase::disassemble, done, total, 0, work});
-        };
-        const std::vector<RemovalStep>* told = tray.disassembly ? &tray.disassembly->steps : nullptr;
-        plans.push_back(plan_disassembly(
-            {standing.setup(), standing.parts(), tray.placements.size(), container.physical, unpack, told, left}));
+        Disassembly plan = planner.plan(tray, true, left, control.stop);
+        // What stood there before stays where not all come out, and is in the way of the others.
+        if (!plan.complete && has_copies_from_before(tray)) plan = planner.plan(tray, false, left, control.stop);
+        plans.push_back(std::move(plan));
     }
     return plans;
+}
+
+void plan_what_stood_before(Packing& packing, const PartMeshes& meshes, int threads, const Control& control) {
+    PlanOptions settings;
+    settings.threads = threads;
+    Listener quiet;
+    Listener& listener = control.listener ? *control.listener : quiet;
+    for (TrayPacking& tray : packing.trays) {
+        if (!tray.disassembly || !tray.disassembly->complete || !has_copies_from_before(tray)) continue;
+        const PackingPlanner planner(packing, meshes, settings);
+        const std::int64_t total = planner.questions(tray);
+        std::int64_t done = 0;
+        const auto left = [&](int, int) {
+            done = std::min(done + 1, total);
+            listener.on_progress(
+                {Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
+        };
+        Disassembly plan = planner.plan(tray, true, left, control.stop);
+        if (plan.complete) tray.disassembly = std::move(plan);
+    }
 }
 
 std::string plans_json(const Scene& scene, const std::vector<Disassembly>& plans) {

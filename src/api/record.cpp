@@ -59,8 +59,8 @@ std::string why_in_empty_tray(const PackRun& run) {
     const Container& container = run.container;
     const bool empty = run.trays.placed() == 0 && run.loaded.fixed.empty();
     if (!empty || (!container.mesh && container.keep_out.empty())) return "";
-    return std::string("it finds no place in the empty tray either: ") +
-           (container.mesh ? "the container's shape leaves none" : "the keep-outs leave none");
+    return container.mesh ? "does not fit into the container's walls, not even while it is empty"
+                          : "does not fit beside the keep-outs, not even into the empty tray";
 }
 
 /// Copies that are not placed, and why; `settled` are those that are.

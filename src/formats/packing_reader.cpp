@@ -92,7 +92,7 @@ class PlanReader {
         for (const int index : step.placements) {
             const auto i = static_cast<std::size_t>(index);
             const std::string name = "placement " + std::to_string(index);
-            if (placements_[i].fixed) named.fail(name + " is fixed and never moves");
+            if (placements_[i].fixed && !placements_[i].before) named.fail(name + " is fixed and never moves");
             if (left_in_[i]) {
                 named.fail(name + " has left in steps[" + std::to_string(*left_in_[i]) + "] already");
             }
@@ -205,6 +205,10 @@ class PackingReader {
         if (const auto v = node.find("object")) part.object = v->text();
         if (const auto v = node.find("item_transform")) part.item_transform = transform_of(*v);
         if (const auto v = node.find("count")) part.count = v->integer<int>(0);
+        if (const auto v = node.find("numbers")) {
+            v->expect_size(static_cast<std::size_t>(part.count));
+            v->for_each([&](const Node& number) { part.numbers.push_back(number.integer<int>(1)); });
+        }
         if (const auto v = node.find("share")) part.share = v->integer<int>(1);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("unit")) part.unit = v->positive();
@@ -271,6 +275,7 @@ class PackingReader {
             if (const auto v = placed.find("orientation")) placement.orientation = v->integer<int>(0);
             if (const auto v = placed.find("fixed")) placement.fixed = v->boolean();
             placement.transform = transform_of(placed.at("transform"));
+            if (const auto v = placed.find("before")) placement.before = placement.fixed && v->boolean();
             tray.placements.push_back(placement);
         });
         if (const auto v = node.find("density")) tray.density = v->number();

@@ -28,7 +28,7 @@ std::string relative_mesh_path(const std::string& mesh, const fs::path& folder) 
 
 std::string text_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// A name may lose bytes that are not UTF-8; a path that did would name another file.
+/// A name may lose bytes that are not UTF-8; a path that is read again and did would name another file.
 void check_utf8(const std::string& path) {
     try {
         static_cast<void>(Json(path).dump());
@@ -153,17 +153,22 @@ void append_object(std::string& text, const Json& object, std::size_t indent, co
 class PackingWriter {
   public:
     PackingWriter(const Packing& packing, const fs::path& folder) : packing_(packing) {
+        std::vector<bool> placed(packing.parts.size(), false);
+        for (const TrayPacking& tray : packing.trays) {
+            for (const Placement& placement : tray.placements) {
+                placed.at(static_cast<std::size_t>(placement.part)) = true;
+            }
+        }
         std::unordered_map<std::string, std::string> known;  // to ask the system once for each file
-        for (const PackedPart& part : packing.parts) {
+        for (std::size_t i = 0; i < packing.parts.size(); ++i) {
+            const PackedPart& part = packing.parts[i];
             if (part.mesh.empty()) {
                 throw UsageError("a packing file names mesh files, and " + part.name +
                                  " has none: its mesh came from memory");
             }
             const auto [path, fresh] = known.try_emplace(part.mesh);
-            if (fresh) {
-                path->second = relative_mesh_path(part.mesh, folder);
-                check_utf8(path->second);
-            }
+            if (fresh) path->second = relative_mesh_path(part.mesh, folder);
+            if (placed[i]) check_utf8(path->second);
             mesh_paths_.push_back(path->second);
         }
         if (packing.container.mesh) container_path_ = path_of(*packing.container.mesh, folder);
@@ -268,6 +273,7 @@ class PackingWriter {
                 {"object", or_null(part.object)},
                 {"item_transform", part.item_transform ? transform_json(*part.item_transform) : Json(nullptr)},
                 {"count", part.count},
+                {"numbers", part.numbers.empty() ? Json(nullptr) : Json(part.numbers)},
                 {"share", part.share > 0 ? Json(part.share) : Json(nullptr)},
                 {"scale", part.scale},
                 {"unit", part.unit},
@@ -294,13 +300,15 @@ class PackingWriter {
 
     Json placement_json(const Placement& placement) const {
         const auto part = static_cast<std::size_t>(placement.part);
-        return {{"part", placement.part},
-                {"mesh", mesh_paths_.at(part)},
-                {"copy", placement.copy},
-                {"scale", packing_.parts.at(part).scale},
-                {"orientation", placement.orientation},
-                {"fixed", placement.fixed},
-                {"transform", transform_json(placement.transform)}};
+        Json json{{"part", placement.part},
+                  {"mesh", mesh_paths_.at(part)},
+                  {"copy", placement.copy},
+                  {"scale", packing_.parts.at(part).scale},
+                  {"orientation", placement.orientation},
+                  {"fixed", placement.fixed},
+                  {"transform", transform_json(placement.transform)}};
+        if (placement.before) json["before"] = true;
+        return json;
     }
 
     /// Without its placements.

@@ -69,6 +69,7 @@ class SetParser {
     std::vector<SetRow> parse() {
         if (rows_.empty()) throw InputError(file_, "", "the set is empty: a header like 'mesh,count' is needed");
         parse_header(rows_.front());
+        if (rows_.size() == 1) throw InputError(file_, "", "the set names no part: there is nothing below its header");
         std::vector<SetRow> set;
         for (std::size_t i = 1; i < rows_.size(); ++i) {
             row_ = &rows_[i];

@@ -3,13 +3,16 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "core/atomic_file.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/tray_row.hpp"
 #include "formats/xml_text.hpp"
 #include "formats/zip_archive.hpp"
+#include "model/part_names.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
@@ -63,15 +66,28 @@ class ModelWriter {
         fmt::format_to(std::back_inserter(out_), fmt::runtime(format), values...);
     }
 
+    /// Items of several scales share a mesh: its name has none.
+    static std::string name_of_mesh(const PackedPart& part) {
+        const std::string suffix = scale_suffix(part.scale);
+        return part.name.ends_with(suffix) ? part.name.substr(0, part.name.size() - suffix.size()) : part.name;
+    }
+
     void write_object(std::size_t part_index) {
         const Mesh* mesh = meshes_.at(part_index).get();
-        const auto [at, is_new] = ids_.try_emplace(mesh, static_cast<int>(ids_.size()) + 1);
-        if (!is_new) return;
-        const std::string name = xml_attribute(packing_.parts.at(part_index).name);
+        if (ids_.contains(mesh)) return;
+        // A part that was there before a build was topped up has the mesh once more.
+        const auto equal = std::ranges::find_if(written_, [&](const Mesh* other) {
+            return other->vertices == mesh->vertices && other->triangles == mesh->triangles;
+        });
+        const auto id = static_cast<int>(equal - written_.begin()) + 1;
+        ids_.emplace(mesh, id);
+        if (equal != written_.end()) return;
+        written_.push_back(mesh);
+        const std::string name = xml_attribute(name_of_mesh(packing_.parts.at(part_index)));
         append(
             "  <object id=\"{}\" type=\"model\" name=\"{}\" partnumber=\"{}\">\n   <mesh>\n    "
             "<vertices>\n",
-            at->second, name, name);
+            id, name, name);
         for (const Vec3& v : mesh->vertices) {
             write_vertex(v);
         }
@@ -115,7 +131,8 @@ class ModelWriter {
     const Packing& packing_;
     const PartMeshes& meshes_;
     CopyNumbers numbers_;
-    std::map<const Mesh*, int> ids_;  ///< looked up only, never walked: its order is by address
+    std::map<const Mesh*, int> ids_;    ///< looked up only, never walked: its order is by address
+    std::vector<const Mesh*> written_;  ///< by id - 1
     std::string out_;
 };
 

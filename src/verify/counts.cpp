@@ -24,14 +24,14 @@ std::string beyond_count(const Packing& packing, const Placement& placement) {
            std::to_string(packing.parts[part].count);
 }
 
-/// "#4, #7 and 12 more"
-std::string listed(const std::vector<int>& copies) {
+/// "4, 7 and 12 more"
+std::string listed(const std::vector<int>& numbers) {
     constexpr std::size_t kShown = 8;
     std::string text;
-    for (std::size_t i = 0; i < std::min(copies.size(), kShown); ++i) {
-        text += (i > 0 ? ", #" : "#") + std::to_string(copies[i]);
+    for (std::size_t i = 0; i < std::min(numbers.size(), kShown); ++i) {
+        text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
     }
-    if (copies.size() > kShown) text += " and " + std::to_string(copies.size() - kShown) + " more";
+    if (numbers.size() > kShown) text += " and " + std::to_string(numbers.size() - kShown) + " more";
     return text;
 }
 
@@ -72,23 +72,23 @@ std::vector<Finding> count_findings(const Packing& packing) {
     std::map<std::pair<int, int>, bool> left_over;
     for (const Unplaced& unplaced : packing.unplaced) {
         const Placement copy{unplaced.part, unplaced.copy, 0, false, {}};
-        const std::string name = copy_name(packing, copy);
         if (!exists(packing, unplaced.part, unplaced.copy)) {
             report(beyond_count(packing, copy) + " (it is listed as left over)");
         } else if (!left_over.try_emplace({unplaced.part, unplaced.copy}, true).second) {
-            report(name + " is listed as left over twice");
+            report(copy_name(packing, copy) + " is listed as left over twice");
         } else if (placed.contains({unplaced.part, unplaced.copy})) {
-            report(name + " is placed, and listed as left over");
+            report(copy_name(packing, copy) + " is placed, and listed as left over");
         }
     }
+    const CopyNumbers numbers(packing.parts);
     for (std::size_t p = 0; p < packing.parts.size(); ++p) {
         std::vector<int> missing;
         for (int copy = 0; copy < packing.parts[p].count; ++copy) {
             const std::pair key(static_cast<int>(p), copy);
-            if (!placed.contains(key) && !left_over.contains(key)) missing.push_back(copy);
+            if (!placed.contains(key) && !left_over.contains(key)) missing.push_back(numbers.of(key.first, copy));
         }
         if (missing.empty()) continue;
-        report(packing.parts[p].name + " " + listed(missing) + (missing.size() == 1 ? " is" : " are") +
+        report(packing.parts[p].name + " No. " + listed(missing) + (missing.size() == 1 ? " is" : " are") +
                " neither placed nor listed as left over");
     }
     return findings;

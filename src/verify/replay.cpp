@@ -115,7 +115,7 @@ class PlanReplay {
         for (const int placement : step.placements) {
             const auto i = static_cast<std::size_t>(placement);
             if (placement < 0 || i >= placements_.size()) return impossible(index, "moves a copy that is not there");
-            if (placements_[i].fixed) return impossible(index, "moves " + name(i) + ", which is fixed");
+            if (stays(i)) return impossible(index, "moves " + name(i) + ", which is fixed");
             if (own_step_[i]) {
                 return impossible(index, "takes out " + name(i) + ", which step " + std::to_string(*own_step_[i] + 1) +
                                              " has taken out already");
@@ -147,6 +147,9 @@ class PlanReplay {
         }
         return stage;
     }
+
+    /// What stood there before a build was topped up may leave like the others.
+    bool stays(std::size_t i) const { return placements_[i].fixed && !placements_[i].before; }
 
     bool between_walls(std::size_t step) const {
         if (walls_.empty() || packing_.container.physical) return !walls_.empty();
@@ -216,7 +219,9 @@ class PlanReplay {
     void judge_coverage() {
         PlanReport& report = replay_.report;
         for (std::size_t i = 0; i < placements_.size(); ++i) {
-            if (!placements_[i].fixed && !own_step_[i]) report.without_step.push_back(static_cast<int>(i));
+            if (own_step_[i]) continue;
+            if (!placements_[i].fixed) report.without_step.push_back(static_cast<int>(i));
+            if (placements_[i].before) report.staying.push_back(static_cast<int>(i));
         }
         report.complete = plan_.complete && report.without_step.empty();
         if (plan_.complete && !report.complete) {
@@ -234,6 +239,9 @@ class PlanReplay {
                          (report.ok() ? "ok" : std::to_string(report.failed_steps.size()) + " failed");
         if (report.through_walls > 0) {
             report.message += "; " + std::to_string(report.through_walls) + " of them sideways through the walls";
+        }
+        if (!report.staying.empty()) {
+            report.message += "; " + std::to_string(report.staying.size()) + " that stood there before stay";
         }
         if (report.complete) return;
         report.message += "; INCOMPLETE";

@@ -11,10 +11,12 @@ std::string short_number(double value) {
 }
 
 std::string copy_name(const Packing& packing, const Placement& placement) {
-    const auto part = static_cast<std::size_t>(placement.part);
-    const bool known = placement.part >= 0 && part < packing.parts.size();
-    return (known ? packing.parts[part].name : "part " + std::to_string(placement.part)) + " #" +
-           std::to_string(placement.copy);
+    const auto i = static_cast<std::size_t>(placement.part);
+    const std::string copy = "copy " + std::to_string(placement.copy) + " of ";
+    if (placement.part < 0 || i >= packing.parts.size()) return copy + "part " + std::to_string(placement.part);
+    const PackedPart& part = packing.parts[i];
+    if (placement.copy < 0 || placement.copy >= part.count) return copy + part.name;
+    return std::to_string(CopyNumbers(packing.parts).of(placement)) + " " + part.name;
 }
 
 std::string tray_name(int tray) { return "tray " + std::to_string(tray + 1); }

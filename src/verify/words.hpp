@@ -10,7 +10,8 @@ namespace spectralpack {
 /// Six significant digits, whatever the locale.
 std::string short_number(double value);
 
-/// "bracket #3": the part's name and the copy's number, as in the packing file.
+/// "61 bracket": the copy's number, as on pictures and sheet, and its part's name. "copy 7 of bracket" where the
+/// packing file names one beyond the part's count.
 std::string copy_name(const Packing& packing, const Placement& placement);
 
 /// "tray 2" for the index 1: people count from 1.

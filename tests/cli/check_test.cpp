@@ -28,7 +28,7 @@ class Check : public PackedCubes {
         EXPECT_EQ(finding["kind"], kind);
         EXPECT_EQ(finding["placements"], json(copies));
         for (const int copy : copies) {
-            EXPECT_TRUE(names(finding["message"], {"cube", copy}));
+            EXPECT_TRUE(names(finding["message"], {std::to_string(copy + 1) + " cube"}));
         }
         EXPECT_TRUE(contains(ran.out, finding["message"])) << ran.out;
     }
@@ -88,6 +88,12 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
     const Ran ran = spectralpack({"check", file()});
     EXPECT_EQ(ran.status, 3);
     EXPECT_TRUE(names(ran.err, {"b.json", "placements[1].transform"}));
+    std::filesystem::create_directory(folder_ / "moved");
+    write();
+    std::filesystem::copy_file(file(), folder_ / "moved" / "b.json");
+    const Ran moved = spectralpack({"check", (folder_ / "moved" / "b.json").string()});
+    EXPECT_EQ(moved.status, 3);
+    EXPECT_TRUE(names(moved.err, {"cube.stl", "b.json", "relative"}));
     const Ran missing = spectralpack({"check", (folder_ / "missing.json").string()});
     EXPECT_EQ(missing.status, 3);
     EXPECT_TRUE(names(missing.err, {"missing.json"}));
@@ -96,7 +102,15 @@ TEST_F(Check, AnUnreadablePackingExitsWithThreeAndNamesThePlace) {
 TEST_F(Check, RequirePlanFailsAsLongAsThereIsNone) {
     EXPECT_TRUE(contains(check().out, "NOT CHECKED"));
     EXPECT_EQ(check_report(file(), 0)["interlocking"], "not checked");
-    EXPECT_EQ(spectralpack({"check", "--require-plan", file()}).status, 1);
+    const Ran required = spectralpack({"check", "--require-plan", file()});
+    EXPECT_EQ(required.status, 1);
+    EXPECT_TRUE(names(required.out, {"FAULT", "no plan", "1 fault"}));
+    const Ran as_json = spectralpack({"check", "--require-plan", "--json", file()});
+    EXPECT_EQ(as_json.status, 1);
+    const json report = json::parse(as_json.out);
+    EXPECT_EQ(report["ok"], false);
+    ASSERT_EQ(report["findings"].size(), 1u);
+    EXPECT_EQ(report["findings"][0]["kind"], "plan");
 }
 
 TEST_F(Check, ReplaysThePlan) {
@@ -132,7 +146,7 @@ TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
     EXPECT_NE(report["interlocking"], "none");
     const Ran required = spectralpack({"check", "--require-plan", file()});
     EXPECT_EQ(required.status, 1);
-    EXPECT_TRUE(names(required.err, {"plan"}));
+    EXPECT_TRUE(names(required.out, {"FAULT", "the plan leaves 1 cube, 2 cube", "1 fault"}));
 }
 
 TEST_F(Check, APlanForCopiesThatAreNotThereExitsWithThree) {
@@ -164,7 +178,7 @@ TEST_F(Check, CountsTraysFromOne) {
     }
     packing_.trays[1].placements[0].transform.translation.x = -5;
     const Ran ran = check();
-    EXPECT_TRUE(names(ran.out, {"tray 1:", "tray 2:", "tray 2: cube #3"})) << ran.out;
+    EXPECT_TRUE(names(ran.out, {"tray 1:", "tray 2:", "tray 2: 4 cube"})) << ran.out;
     EXPECT_FALSE(names(ran.out, {"tray 0"})) << ran.out;
 }
 

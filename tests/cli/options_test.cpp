@@ -110,6 +110,12 @@ TEST(Help, ExplainsAnOption) {
 TEST(Help, ExplainsACommandAndWhatThereIs) {
     EXPECT_EQ(spectralpack({"help", "check"}).out, spectralpack({"check", "--help"}).out);
     EXPECT_EQ(spectralpack({"help"}).out, spectralpack({"--help"}).out);
+    EXPECT_EQ(spectralpack({"help", "-o"}).out, spectralpack({"help", "output"}).out);
+    EXPECT_EQ(spectralpack({"help", "-y"}).status, 2);
+    const Ran near = spectralpack({"help", "gp"});
+    EXPECT_EQ(near.status, 2);
+    EXPECT_TRUE(names(near.err, {"'gp'", "did you mean 'gap'?"}));
+    EXPECT_TRUE(names(spectralpack({"help", "keep-out"}).out, {"takes     a box", "mesh file"}));
     const Ran nothing = spectralpack({"help", "gravity"});
     EXPECT_EQ(nothing.status, 2);
     EXPECT_TRUE(names(nothing.err, {"gravity"}));

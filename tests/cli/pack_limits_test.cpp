@@ -4,7 +4,9 @@
 #include <map>
 
 #include "cli/running_program.hpp"
+#include "formats/packing_file.hpp"
 #include "support/sanitized.hpp"
+#include "support/shapes.hpp"
 
 namespace spectralpack::test {
 namespace {
@@ -49,6 +51,36 @@ TEST(PackLimits, DryRunTellsAndWritesNothing) {
     EXPECT_FALSE(bytes_in(ran.out).empty()) << ran.out;
     EXPECT_FALSE(seconds_in(ran.out).empty()) << ran.out;
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(PackLimits, DryRunCountsWhatWouldBePacked) {
+    const TemporaryFolder folder;
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    write_stl(cube_mesh(10), at("cube.stl"));
+    write_stl(cube_mesh(500), at("large.stl"));
+    const std::vector<std::string> tray{"--tray", "50x50x50", "--threads", "1"};
+    const std::vector<std::string> parts{"pack", at("cube.stl") + ":3", at("large.stl") + ":5",
+                                         at("nothing.stl") + ":7"};
+    const Ran told = spectralpack(parts + tray + std::vector<std::string>{"--dry-run"});
+    EXPECT_EQ(told.status, 3) << told.err;
+    EXPECT_TRUE(told.out.starts_with("3 copies of 1 part would be packed")) << told.out;
+    EXPECT_TRUE(names(told.out, {"left over", 12}));
+    const Ran as_json = spectralpack(parts + tray + std::vector<std::string>{"--dry-run", "--json", "--skip-unusable"});
+    EXPECT_EQ(as_json.status, 0);
+    const nlohmann::json estimate = nlohmann::json::parse(as_json.out);
+    EXPECT_EQ(estimate["copies"], 3);
+    EXPECT_EQ(estimate["parts"], 1);
+    EXPECT_EQ(estimate["left_over"], 12);
+    EXPECT_EQ(estimate["container"], nlohmann::json({50, 50, 50}));
+    EXPECT_EQ(estimate["unusable"].size(), 1u);
+    EXPECT_GT(estimate["memory"], 0);
+    // Copies that stand there already are not packed.
+    ASSERT_EQ(spectralpack({"pack", at("cube.stl") + ":4", "--threads", "1", "--tray", "50x50x50", "-o", at("b.json")})
+                  .status,
+              0);
+    const Ran more =
+        spectralpack({"pack", at("cube.stl") + ":2", "--onto", at("b.json"), "--threads", "1", "--dry-run"});
+    EXPECT_TRUE(more.out.starts_with("2 copies of 1 part would")) << more.out;
 }
 
 TEST(PackLimits, PlansTheMemoryThatWaysOutTake) {

@@ -195,7 +195,7 @@ TEST_F(Pack, FilesThatCannotBeUsedAreOneList) {
     std::ofstream(at("other/broken.stl")) << "nor this";
     const Ran ran = pack("b.json", {at("broken.stl"), at("other/broken.stl"), at("missing.stl")});
     EXPECT_EQ(ran.status, 3);
-    EXPECT_TRUE(names(ran.err, {2, "files", at("broken.stl"), at("other/broken.stl")})) << "apart by their folders";
+    EXPECT_TRUE(names(ran.err, {3, "files", at("broken.stl"), at("other/broken.stl")})) << "apart by their folders";
     EXPECT_FALSE(names(ran.err, {at("missing.stl")})) << "one of its name has no folder";
     EXPECT_TRUE(names(ran.err, {"missing.stl"}));
 }

@@ -1,6 +1,8 @@
 /// Fixed copies, and builds that are topped up.
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "cli/whole_job.hpp"
 
@@ -39,6 +41,88 @@ TEST_F(StandingCopies, TopsUpABuildWithoutTouchingIt) {
     EXPECT_EQ(build()["trays"].size(), 2u);
     EXPECT_EQ(build()["trays"][0]["placements"].size(), 18u);
     expect_sound();
+}
+
+TEST_F(StandingCopies, ComeOutLikeTheOthers) {
+    ASSERT_EQ(pack({at("slab.stl") + ":2", "--tray", "40x40x40"}).status, 0);
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    const Ran ran = pack({at("cube.stl") + ":16", "--onto", at("old.json"), "--report", at("r.html")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.out, {"comes apart in 18 steps"}));
+    EXPECT_TRUE(names(read_text(folder_ / "r.html"), {"Comes apart in 18", "Dotted outlines: stood there before"}));
+    const json tray = build()["trays"][0];
+    EXPECT_TRUE(tray["placements"][0]["before"]);
+    std::set<int> out;
+    for (const json& step : tray["disassembly"]["steps"]) {
+        if (step["placements"].size() == 1) out.insert(step["placements"][0].get<int>());
+    }
+    EXPECT_EQ(out.size(), 18u);
+    EXPECT_EQ(tray["disassembly"]["through_walls"], json::array())
+        << "from the top down, past nothing that still stands";
+    expect_sound();
+    EXPECT_TRUE(names(spectralpack({"check", at("build.json"), "--require-plan"}).out, {"comes apart in 18 steps"}));
+    EXPECT_TRUE(names(spectralpack({"plan", at("build.json")}).out, {"comes apart in 18 steps"}));
+    // Once more: those of both builds.
+    fs::rename(folder_ / "build.json", folder_ / "old.json");
+    ASSERT_EQ(pack({at("cube.stl") + ":16", "--onto", at("old.json")}).status, 0);
+    EXPECT_EQ(build()["trays"][0]["disassembly"]["steps"].size(), 34u);
+    expect_sound();
+}
+
+TEST_F(StandingCopies, ThatCannotComeOutAreSaidToStay) {
+    stl("ring.stl", torus_mesh(10, 2));
+    Packing linked;
+    linked.container.size = linked.options.tray = {60, 80, 60};
+    linked.options.gap = 0;
+    PackedPart ring;
+    ring.name = "ring";
+    ring.mesh = at("ring.stl");
+    ring.count = 2;
+    linked.parts = {ring};
+    linked.trays.resize(1);
+    linked.trays[0].placements = {{0, 0, 0, false, {Mat3{}, {20, 40, 30}}},
+                                  {0, 1, 0, false, {{Vec3{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {30, 40, 30}}}};
+    write_packing(linked, folder_ / "old.json");
+    const Ran ran = pack({at("cube.stl") + ":4", "--onto", at("old.json"), "--report", at("r.html")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const std::vector<Fact> facts{"4 new copies come apart", "copies that stood there before stay"};
+    EXPECT_TRUE(names(ran.out, facts));
+    EXPECT_TRUE(names(read_text(folder_ / "r.html"), {"2 copies that stood there before stay", "new copies alone"}));
+    EXPECT_EQ(build()["trays"][0]["disassembly"]["steps"].size(), 4u);
+    const Ran checked = spectralpack({"check", at("build.json")});
+    EXPECT_TRUE(names(checked.out, {"new copies come apart in 4 steps", "2 copies that stood there before stay"}));
+    const Ran planned = spectralpack({"plan", at("build.json")});
+    EXPECT_EQ(planned.status, 0);
+    EXPECT_TRUE(names(planned.out, {"new copies come apart in 4 steps", "2 copies that stood there before stay"}));
+}
+
+TEST_F(StandingCopies, KeepTheirNumbers) {
+    stl("plate.stl", box_mesh({0, 0, 0}, {40, 40, 4}));
+    ASSERT_EQ(pack({at("cube.stl") + ":3", at("slab.stl") + ":3", at("plate.stl"), "--tray", "40x40x34"}).status, 0);
+    const auto stands = [&] {  // by number
+        std::map<int, std::string> found;
+        const json packing = build();
+        const CopyNumbers numbers(read_packing(folder_ / "build.json").parts);
+        for (const json& tray : packing["trays"]) {
+            for (const json& placement : tray["placements"]) {
+                const int number = numbers.of(placement["part"], placement["copy"]);
+                EXPECT_TRUE(found.emplace(number, placement["transform"].dump()).second) << number << " is there twice";
+            }
+        }
+        return found;
+    };
+    std::map<int, std::string> before = stands();
+    ASSERT_LT(before.size(), 7u) << "one is left over, so that there is a number that nobody has";
+    for (int again = 0; again < 2; ++again) {
+        fs::rename(folder_ / "build.json", folder_ / "old.json");
+        ASSERT_EQ(pack({at("cube.stl") + ":2", "--onto", at("old.json"), "--trays", "all"}).status, 0);
+        const std::map<int, std::string> after = stands();
+        EXPECT_EQ(after.size(), before.size() + 2);
+        for (const auto& [number, transform] : before) {
+            EXPECT_EQ(after.at(number), transform);
+        }
+        before = after;
+    }
 }
 
 TEST_F(StandingCopies, TheGapsAreThoseOfTheBuild) {
@@ -101,13 +185,13 @@ TEST_F(StandingCopies, FixedCopiesAreObstacles) {
     std::ofstream(at("job.json")) << job;
     const Ran overlap = spectralpack({"pack", at("job.json")});
     EXPECT_EQ(overlap.status, 3);
-    EXPECT_TRUE(names(overlap.err, {"cube", 0, 1})) << "both that overlap";
+    EXPECT_TRUE(names(overlap.err, {"1 cube", "2 cube"})) << "both that overlap";
 
     job["fixed"][1]["transform"][0][3] = 35;
     std::ofstream(at("job.json")) << job;
     const Ran outside = spectralpack({"pack", at("job.json")});
     EXPECT_EQ(outside.status, 3);
-    EXPECT_TRUE(names(outside.err, {"cube", 1, 5, "x"})) << "which, how far, and where";
+    EXPECT_TRUE(names(outside.err, {"2 cube", 5, "x"})) << "which, how far, and where";
 
     job["fixed"][1]["transform"][0] = {-1, 0, 0, 40};
     std::ofstream(at("job.json")) << job;

@@ -234,7 +234,16 @@ TEST(Summary, OfABuildThatWasToppedUp) {
     EXPECT_TRUE(test::contains(text, "  Tray       480 x 245 x 200 mm, as in base.json\n")) << text;
     EXPECT_TRUE(test::contains(text, "  Height     200.0 mm of 200, as before\n")) << text;
     EXPECT_TRUE(test::contains(text, " mm to the walls, as in base.json\n")) << text;
-    EXPECT_TRUE(test::contains(text, "; 8 new copies come apart\n")) << text;
+    EXPECT_TRUE(test::contains(text, "; 8 new copies come apart\n")) << "a job has fixed the others: " << text;
+    TrayPacking& tray = result.packing.trays[0];
+    for (std::size_t i = 0; i < 12; ++i) {
+        tray.placements[i].before = i < 4;
+        tray.disassembly->steps[i].placements = {static_cast<int>(i)};
+    }
+    EXPECT_TRUE(test::contains(summary_text(result, facts), "comes apart in 12 steps\n"));
+    tray.disassembly->steps.erase(tray.disassembly->steps.begin(), tray.disassembly->steps.begin() + 4);
+    const std::string staying = summary_text(result, facts);
+    EXPECT_TRUE(test::contains(staying, "; 8 new copies come apart; 4")) << staying;
 }
 
 TEST(Summary, OfATrayThatWasFilledInShares) {

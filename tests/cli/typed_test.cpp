@@ -65,6 +65,34 @@ TEST_F(Typed, AFileThatIsNotThereIsNamedWithOneThatIsNear) {
     EXPECT_TRUE(names(ran.err, {"cubes.stl", "near it: cube.stl"}));
 }
 
+TEST_F(Typed, WhatCannotBeUsedIsLeftOverHoweverItIsNamed) {
+    std::ofstream(at("set.csv")) << "mesh,count\ncube.stl,2\nnothing.stl,5\n";
+    std::ofstream(at("bad.csv")) << "mesh,count\ncube.stl,many\n";
+    fs::create_directory(folder_ / "empty");
+    const std::pair<std::vector<std::string>, int> cases[] = {{{at("set.csv")}, 5},
+                                                              {{at("cube.stl:2"), at("nothing.stl:5")}, 5},
+                                                              {{at("cube.stl:2"), at("bad.csv")}, 1},
+                                                              {{at("cube.stl:2"), at("empty")}, 1}};
+    for (const auto& [parts, left] : cases) {
+        SCOPED_TRACE(parts.back());
+        const Ran ran =
+            pack_cubes(parts + std::vector<std::string>{"--skip-unusable", "--require-all", "--report", at("r.csv")});
+        EXPECT_EQ(ran.status, 5) << ran.out << ran.err;
+        EXPECT_TRUE(names(ran.out, {2, 2 + left, left, "file cannot be used"}));
+        const json packing = build();
+        EXPECT_EQ(packing["metrics"]["copies"], 2 + left);
+        ASSERT_EQ(packing["unplaced"].size(), static_cast<std::size_t>(left));
+        EXPECT_EQ(packing["unplaced"][0]["reason"], "bad_file");
+        EXPECT_NE(packing["unplaced"][0]["detail"], "");
+        EXPECT_TRUE(names(read_text(folder_ / "r.csv"), {"bad_file"}));
+        expect_sound();
+        EXPECT_EQ(pack_cubes(parts).status, 3);
+        const Ran both = pack_cubes(parts + std::vector<std::string>{"--require-all"});
+        EXPECT_EQ(both.status, 3);
+        EXPECT_TRUE(names(both.out, {"--require-all", "exit 3"}));
+    }
+}
+
 TEST_F(Typed, AScaleNeedsNoCount) {
     ASSERT_EQ(pack_cubes({at("cube.stl@1.5"), at("slab.stl@5e-1")}).status, 0);
     EXPECT_EQ(build()["parts"][0]["scale"], 1.5);
@@ -74,6 +102,26 @@ TEST_F(Typed, AScaleNeedsNoCount) {
     stl("part@2.stl", cube_mesh(8));
     ASSERT_EQ(pack_cubes({at("part@2.stl")}).status, 0) << "a file of that name is that file";
     EXPECT_EQ(build()["parts"][0]["scale"], 1);
+}
+
+TEST_F(Typed, ACountOrScaleThatIsNoneSaysWhatOneIs) {
+    for (const char* count : {"99999999999", "2.5", "+3", "0"}) {
+        const Ran ran = pack_cubes({at("cube.stl:") + count});
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(names(ran.err, {std::string("'") + count + "'", "whole number from 1 to 10000000"}));
+    }
+    for (const char* scale : {"@1,5", ":2@1,5"}) {
+        const Ran ran = pack_cubes({at("cube.stl") + scale});
+        EXPECT_EQ(ran.status, 2);
+        EXPECT_TRUE(names(ran.err, {"'1,5'", "point"}));
+    }
+    for (const char* neither : {"@1.5:2", ":abc", ":3x", ":1e3", ": 3", ":2:3", ":"}) {
+        const Ran ran = pack_cubes({at("cube.stl") + neither});
+        EXPECT_EQ(ran.status, 2) << neither;
+        EXPECT_TRUE(names(ran.err, {"FILE:COUNT@SCALE", at("cube.stl:2@1.5")}));
+    }
+    EXPECT_EQ(pack_cubes({at("cube.stl@150%")}).status, 2);
+    EXPECT_EQ(pack_cubes({at("nothing.stl:abc")}).status, 3) << "that is a file which is not there";
 }
 
 TEST_F(Typed, EndingsMayHaveAnyCaseAndReportsBeSeveral) {
@@ -122,6 +170,48 @@ TEST_F(Typed, ASetSaysOfAPartWhatAJobCan) {
     EXPECT_EQ(slab["value"], 1);
     EXPECT_EQ(slab["due"], nullptr);
     expect_sound();
+}
+
+TEST_F(Typed, ASetInWindows1252KeepsItsUmlauts) {
+    stl("H\u00fclse \u2013 \u20ac.stl", cube_mesh(8));
+    std::ofstream(at("set.csv")) << "mesh;name\nH\xfclse \x96 \x80.stl;Gr\xf6\xdf"
+                                    "e\n";
+    const Ran ran = pack_cubes({at("set.csv")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.err, {"set.csv", "Windows-1252"}));
+    EXPECT_EQ(build()["parts"][0]["name"], "Gr\u00f6\u00dfe");
+    EXPECT_EQ(build()["parts"][0]["mesh"], "H\u00fclse \u2013 \u20ac.stl");
+    std::ofstream(at("set.csv")) << "mesh;name\nH\u00fclse \u2013 \u20ac.stl;Gr\u00f6\u00dfe\n";
+    const Ran utf8 = pack_cubes({at("set.csv")});
+    EXPECT_EQ(utf8.status, 0) << utf8.err;
+    EXPECT_FALSE(contains(utf8.err, "1252"));
+    EXPECT_EQ(build()["parts"][0]["name"], "Gr\u00f6\u00dfe");
+}
+
+TEST_F(Typed, AnOptionThatIsGivenTwiceIsNamed) {
+    const Ran ran = pack({at("cube.stl"), "--voxel", "2", "--voxel", "4"});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(names(ran.err, {"--voxel is given 2 times"}));
+    EXPECT_FALSE(contains(ran.err, "required"));
+}
+
+TEST_F(Typed, ASetWithoutRowsIsNamed) {
+    std::ofstream(at("header.csv")) << "mesh,count\n";
+    const Ran ran = pack_cubes({at("header.csv")});
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_TRUE(names(ran.err, {"header.csv", "below its header"}));
+}
+
+TEST_F(Typed, WhatIsHiddenInAFolderIsPassedOver) {
+    for (const char* folder : {"parts", "parts/.git", "parts/deep"}) {
+        fs::create_directory(folder_ / folder);
+        stl(std::string(folder) + "/cube.stl", cube_mesh(8));
+    }
+    std::ofstream(at("parts/._cube.stl")) << "of macOS";
+    const Ran ran = pack_cubes({at("parts")});
+    EXPECT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(build()["parts"].size(), 2u);
+    EXPECT_EQ(pack_cubes({at("parts/.git")}).status, 0) << "what is named is meant";
 }
 
 TEST_F(Typed, PartsOfTheSameFileNameStayApart) {

@@ -56,6 +56,11 @@ TEST_F(Vessels, WhatIsSaidDecides) {
     EXPECT_TRUE(names(solid.err, {"mug.stl", "11.5 cm3", "--container-is vessel", "33.55 cm3"}));
     EXPECT_EQ(container["is"], "solid");
     EXPECT_EQ(container["physical"], false);
+    const Ran told = pack({at("die.stl"), "--container", mug_, "--container-is", "solid"});
+    EXPECT_EQ(told.status, 6);
+    EXPECT_TRUE(names(told.out, {"does not fit into the container's walls"}));
+    EXPECT_FALSE(contains(told.out, "--trays")) << "another tray is no larger";
+    EXPECT_FALSE(contains(told.out, in_words(UnplacedReason::no_place)));
     // A block with a dimple is a block, unless something else is said.
     Mesh block = cube_mesh(40);
     stl("block.stl", block);

@@ -72,6 +72,7 @@ inline Packing small_packing() {
     lid.name = "Deckel äöü";
     lid.mesh = "/elsewhere/out/job.3mf";
     lid.object = "7";
+    lid.numbers = {4};
     lid.item_transform = Transform{{{Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}}, {5, 6, 7}};
     lid.unit = 25.4;
     packing.parts.push_back(lid);

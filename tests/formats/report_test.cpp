@@ -27,6 +27,7 @@ Packing reported() {
     packing.unplaced = {{0, 2, UnplacedReason::no_place, ""},
                         {0, 3, UnplacedReason::too_large, "is <b>wide</b>"},
                         {0, 4, UnplacedReason::no_place, ""}};
+    packing.parts[1].numbers.clear();
     packing.metrics.copies = 6;
     return packing;
 }
@@ -85,6 +86,25 @@ std::string text_of(const std::string& page) {
     EXPECT_TRUE(parsed) << XML_ErrorString(XML_GetErrorCode(parser)) << " in line " << XML_GetCurrentLineNumber(parser);
     XML_ParserFree(parser);
     return text;
+}
+
+/// A tray of so many parts with so many copies each, and a plan that takes one after the other.
+Packing long_list(int parts, int copies) {
+    Packing packing = small_packing();
+    packing.parts.assign(static_cast<std::size_t>(parts), packing.parts[0]);
+    packing.trays.resize(1);
+    TrayPacking& tray = packing.trays[0];
+    tray.placements.clear();
+    tray.disassembly = Disassembly{true, {}, {}};
+    packing.unplaced.clear();
+    for (int part = 0; part < parts; ++part) {
+        packing.parts[static_cast<std::size_t>(part)].count = copies;
+        for (int copy = 0; copy < copies; ++copy) {
+            tray.disassembly->steps.push_back({{static_cast<int>(tray.placements.size())}, {{0, 0, 50}}});
+            tray.placements.push_back({part, copy, 0, false, {}});
+        }
+    }
+    return packing;
 }
 
 TEST(Report, EscapesWhateverComesFromFiles) {
@@ -158,12 +178,45 @@ TEST(Report, HasColumnsForOrdersAndDatesOnlyWhereThereAreSome) {
 
 TEST(Report, TheVerdictIsWhatThePlanSays) {
     Packing packing = reported();
-    EXPECT_TRUE(contains(text_of(page_of(packing)), "Comes apart in 1\u00a0step."));
+    EXPECT_TRUE(contains(text_of(page_of(packing)), "Comes apart in 1\u00a0step; 1 of them"));
     EXPECT_TRUE(contains(text_of(page_of(packing)), "Does not come apart:  2 hold each other."));
     packing.trays[1].disassembly->interlocked.clear();
     EXPECT_TRUE(contains(text_of(page_of(packing)), "Not checked to the end whether it comes apart."));
     packing.trays[1].disassembly.reset();
     EXPECT_TRUE(contains(text_of(page_of(packing)), "Not checked whether it comes apart."));
+}
+
+TEST(Report, StepsThroughTheWallsAreToldInVerdictAndOrder) {
+    Packing packing = long_list(2, 3);
+    packing.trays[0].disassembly->unpack = Unpack::top;
+    EXPECT_FALSE(contains(text_of(page_of(packing)), "sideways"));
+    packing.trays[0].disassembly->through_walls = {1, 4};
+    const std::string page = page_of(packing), text = text_of(page);
+    EXPECT_TRUE(contains(text, "Comes apart in 6\u00a0steps; 2 of them sideways through the walls."));
+    for (int step = 1; step <= 6; ++step) {
+        const std::string number = std::to_string(step);
+        const bool marked = step == 2 || step == 5;
+        EXPECT_EQ(count_of(page, "<td class=\"st\">" + number + "‖</td>"), marked ? 1 : 0) << step;
+        EXPECT_EQ(count_of(page, "<td class=\"st\">" + number + "</td>"), marked ? 0 : 1) << step;
+    }
+    EXPECT_TRUE(contains(text, "‖ : sideways through the walls"));
+}
+
+TEST(Report, WhyAPartIsLeftOverIsSaidToItsEnd) {
+    Packing packing = reported();
+    const std::string detail =
+        "120 x 90 x 30 mm, and there is room for 100 x 80 x 60 mm. It fits into HP Jet Fusion 4200, "
+        "5200: --printer hp-mjf-5200";
+    const auto height_of = [&](const std::string& why) {
+        packing.unplaced[1].detail = why;
+        return sheet_layout(packing, stacked(packing))[0].hero_height;
+    };
+    packing.parts[0].name = "a";
+    const double few = height_of("wide");
+    EXPECT_LT(height_of(detail + detail + detail), few) << "rows take the room that their text needs";
+    const std::string page = page_of(packing);
+    EXPECT_TRUE(contains(text_of(page), detail + detail + detail));
+    EXPECT_FALSE(contains(page, "max-height: 7.6mm")) << "a row cuts nothing off";
 }
 
 TEST(Report, GivesEachMoveAnArrowAndALength) {
@@ -189,25 +242,6 @@ TEST(Report, GivesEachMoveAnArrowAndALength) {
         many.insert(many.end(), {{0, 0, 5}, {5, 0, 0}});
     }
     EXPECT_TRUE(contains(rows_with(many), "by hand"));
-}
-
-/// A tray of so many parts with so many copies each, and a plan that takes one after the other.
-Packing long_list(int parts, int copies) {
-    Packing packing = small_packing();
-    packing.parts.resize(static_cast<std::size_t>(parts), packing.parts[0]);
-    packing.trays.resize(1);
-    TrayPacking& tray = packing.trays[0];
-    tray.placements.clear();
-    tray.disassembly = Disassembly{true, {}, {}};
-    packing.unplaced.clear();
-    for (int part = 0; part < parts; ++part) {
-        packing.parts[static_cast<std::size_t>(part)].count = copies;
-        for (int copy = 0; copy < copies; ++copy) {
-            tray.disassembly->steps.push_back({{static_cast<int>(tray.placements.size())}, {{0, 0, 50}}});
-            tray.placements.push_back({part, copy, 0, false, {}});
-        }
-    }
-    return packing;
 }
 
 TEST(Report, LongListsFlowOnAndSayEveryNumberOnce) {

@@ -106,6 +106,30 @@ TEST(Write3mf, EqualMeshesAreWrittenOnceAndEveryCopyIsAnItem) {
     EXPECT_TRUE(test::contains(model, "125 5 5\""));
 }
 
+TEST(Write3mf, AMeshIsNamedWithoutScaleAndWrittenOnceAlsoWhereItWasReadTwice) {
+    Packing packing;
+    packing.container.size = {100, 100, 100};
+    packing.parts.resize(3);
+    packing.parts[0].name = "hook x 1.02";
+    packing.parts[0].scale = 1.02;
+    packing.parts[1].name = "hook";
+    packing.parts[2].name = "lid x 2";  // somebody calls it so
+    packing.trays.resize(1);
+    for (int part = 0; part < 3; ++part) {
+        const double scale = packing.parts[static_cast<std::size_t>(part)].scale;
+        packing.trays[0].placements.push_back({part, 0, 0, false, {scale * Mat3{}, {30.0 * part, 5, 5}}});
+    }
+    const auto cube = [](double size) { return std::make_shared<Mesh>(test::cube_mesh(size)); };
+    const test::TemporaryFolder folder;
+    write_3mf(packing, {cube(10), cube(10), cube(20)}, folder / "p.3mf");
+    const std::string model = entry_of(test::read_text(folder / "p.3mf"), "3D/3dmodel.model");
+    EXPECT_TRUE(test::contains(model, "<object id=\"1\" type=\"model\" name=\"hook\""));
+    EXPECT_TRUE(test::contains(model, "<object id=\"2\" type=\"model\" name=\"lid x 2\""));
+    EXPECT_FALSE(test::contains(model, "<object id=\"3\""));
+    EXPECT_TRUE(test::contains(model, "partnumber=\"1 hook x 1.02\""));
+    EXPECT_TRUE(test::contains(model, "partnumber=\"2 hook\""));
+}
+
 TEST(WriteStl, HoldsEveryCopyWhereItWasPlaced) {
     const test::TemporaryFolder folder;
     const Packing packing = test::small_packing();

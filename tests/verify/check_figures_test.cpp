@@ -46,10 +46,10 @@ TEST_F(CheckFigures, CountsCopies) {
     CheckReport report = check();
     ASSERT_EQ(report.findings.size(), 2u);
     EXPECT_EQ(report.findings[0].kind, Kind::count);
-    EXPECT_TRUE(names(report.findings[0].message, {"cube", 3}));
+    EXPECT_TRUE(names(report.findings[0].message, {"cube", 4}));
     EXPECT_EQ(report.findings[0].tray, kWholePacking);
     EXPECT_EQ(report.findings[1].kind, Kind::count);
-    EXPECT_TRUE(names(report.findings[1].message, {"cube", 0}));
+    EXPECT_TRUE(names(report.findings[1].message, {"1 cube"}));
     EXPECT_EQ(report.findings[1].placements, (std::vector{0, 3}));
 
     packing_.unplaced.push_back({0, 3, UnplacedReason::no_place, ""});
@@ -59,7 +59,7 @@ TEST_F(CheckFigures, CountsCopies) {
 
     packing_ = right;
     packing_.unplaced.push_back({1, 1, UnplacedReason::not_tried, ""});
-    expect_only(check(), Kind::count, {}, {"ring", 1}, kWholePacking);
+    expect_only(check(), Kind::count, {}, {"6 ring"}, kWholePacking);
 
     packing_ = right;
     packing_.parts[0].count = 3;
@@ -67,7 +67,7 @@ TEST_F(CheckFigures, CountsCopies) {
 
     packing_ = right;
     packing_.parts[0].count = 15;
-    expect_only(check(), Kind::count, {}, {"cube", 4, 5, 3}, kWholePacking);
+    expect_only(check(), Kind::count, {}, {"cube", 5, 6, 3}, kWholePacking);
 
     packing_ = right;
     packing_.trays[0].placements.push_back({7, 0, 0, false, {}});

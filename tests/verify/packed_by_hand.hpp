@@ -95,13 +95,15 @@ class PackedByHand : public testing::Test {
         EXPECT_TRUE(names(finding.message, facts));
     }
 
-    /// By its part's name, and its number among that part's copies.
+    /// By its part's name, and the number that pictures and sheet have; where there is no such copy, by the file's.
     void expect_named(const Finding& finding, int tray, int placement) {
         const Placement& p =
             packing_.trays[static_cast<std::size_t>(tray)].placements[static_cast<std::size_t>(placement)];
         const auto part = static_cast<std::size_t>(p.part);
-        const std::string name = part < packing_.parts.size() ? packing_.parts[part].name : "part";
-        EXPECT_TRUE(names(finding.message, {name, p.copy}));
+        const bool known = part < packing_.parts.size();
+        const std::string name = known ? packing_.parts[part].name : "part";
+        const bool counted = known && p.copy >= 0 && p.copy < packing_.parts[part].count;
+        EXPECT_TRUE(names(finding.message, {name, counted ? CopyNumbers(packing_.parts).of(p) : p.copy}));
     }
 
     Transform& transform(std::size_t placement, std::size_t tray = 0) {

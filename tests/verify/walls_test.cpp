@@ -45,7 +45,7 @@ TEST_F(WallsTest, ACopyMayTouchTheMeshContainerAndNotLeaveIt) {
     EXPECT_TRUE(at({10, 25, 20}).empty());  // touches hole and top
     const auto halfway = at({15, 25, 5});
     ASSERT_EQ(halfway.size(), 1u);
-    EXPECT_TRUE(names(halfway[0].message, {"cube", 0, "container"}));
+    EXPECT_TRUE(names(halfway[0].message, {"1 cube", "container"}));
     EXPECT_FALSE(at({25, 25, 10}).empty());  // wholly in the hole, touching nothing
     EXPECT_FALSE(at({200, 0, 0}).empty());
     EXPECT_TRUE(at({10.0005, 25, 5}).empty());  // within the tolerance
@@ -58,7 +58,7 @@ TEST_F(WallsTest, TheWallGapHoldsForMeshesAndKeepOuts) {
     EXPECT_TRUE(at({9, 39, 9}).empty());
     const auto near = at({2, 39, 9});
     ASSERT_FALSE(near.empty());
-    EXPECT_TRUE(names(near[0].message, {"cube", 0, 1, "mm"}));
+    EXPECT_TRUE(names(near[0].message, {"1 cube", 1, "mm"}));
 
     packing_.container.mesh.reset();
     packing_.container.keep_out = {{Box{{40, 40, 0}, {50, 50, 28}}}};

@@ -21,6 +21,12 @@ std::string some_of(const SheetInput& sheet, const TrayPacking& tray, const std:
     return text;
 }
 
+/// As the terminal says it; nothing where all leaves over the top.
+std::string through_walls_words(const Disassembly& plan) {
+    if (plan.through_walls.empty()) return "";
+    return fmt::format("; {} of them sideways through the walls", plan.through_walls.size());
+}
+
 struct Verdict {
     const char* kind;  ///< style
     const char* icon;  ///< path
@@ -37,10 +43,20 @@ Verdict verdict_of(const SheetInput& sheet, std::size_t index) {
         return {"warn", kCall, "<b>Not checked whether it comes apart.</b> " + least};
     }
     const Disassembly& plan = *tray.disassembly;
+    const std::size_t stay = staying(tray).size();
+    if (plan.complete && stay > 0) {
+        return {
+            "warn", kCall,
+            fmt::format(
+                "<b>Checked on the exact meshes, new copies alone.</b> {}<span>They come apart in {}{}. {} that stood "
+                "there before {}: not part of the removal order.</span>",
+                least, counted(plan.steps.size(), "step"), through_walls_words(plan),
+                stay == 1 ? "1 copy" : fmt::format("{} copies", stay), stay == 1 ? "stays" : "stay")};
+    }
     if (plan.complete) {
         return {"good", kTick,
-                fmt::format("<b>Checked on the exact meshes.</b> {}<span>Comes apart in {}.</span>", least,
-                            counted(plan.steps.size(), "step"))};
+                fmt::format("<b>Checked on the exact meshes.</b> {}<span>Comes apart in {}{}.</span>", least,
+                            counted(plan.steps.size(), "step"), through_walls_words(plan))};
     }
     if (plan.interlocked.empty())
         return {"warn", kCall, "<b>Not checked to the end whether it comes apart.</b> " + least};
@@ -126,12 +142,15 @@ class Cover {
         const double height = layout().hero_height;
         const bool slabs = !layout().slabs.empty();
         html_.add(
-            "<div class=\"hero\" style=\"height:{:.1f}mm\"><figure>{}<figcaption>From the front right.{}</figcaption>"
+            "<div class=\"hero\" style=\"height:{:.1f}mm\"><figure>{}<figcaption>From the front right.{}{}</figcaption>"
             "</figure><aside>",
             height + 5,
             picture_svg(contents_.pictures[tray_].whole, "pic", fmt::format("Tray {} from the front right", tray_ + 1)),
             tray_ == 0 && layout().full
                 ? " The numbers are those of the part list, top views, removal order, 3MF and CSV."
+                : "",
+            std::ranges::any_of(tray().placements, [](const Placement& copy) { return copy.fixed; })
+                ? " Dotted outlines: stood there before."
                 : "");
         html_.add("<h2>Layers <small>filled area, height in mm</small></h2>{}",
                   layer_plot(sheet_, tray_, height - kPlotMargin));

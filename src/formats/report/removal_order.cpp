@@ -14,6 +14,7 @@ constexpr double kLine = 50;                            // mm: moves in one line
 constexpr std::size_t kShortName = 12, kLongName = 32;  // characters that fit, in three columns and in two
 constexpr double kLeastMove = 0.5;                      // mm: nobody sees less
 constexpr std::size_t kMostMoves = 6;
+constexpr const char* kThroughWalls = "‖";         // behind the number of such a step
 constexpr double kStraight = 0.98, kPartOf = 0.1;  // of a move's length: along one axis alone; a share worth saying
 
 struct Direction {
@@ -191,17 +192,20 @@ class RemovalOrder {
             }
         }
         Row row;
+        const bool through_walls =
+            std::ranges::binary_search(tray_.disassembly->through_walls, static_cast<int>(index));
+        const std::string number = fmt::format("{}{}", index + 1, through_walls ? kThroughWalls : "");
         if (group) {
             row.html = fmt::format(
                 "<tr class=\"{}{}{}\"><td class=\"st\">{}</td><td colspan=\"3\" class=\"nm\"><b>{} copies as one "
                 "group</b></td><td class=\"mv\">{}</td></tr>",
-                frame, top, more.empty() ? "" : " many", index + 1, step.placements.size(), way);
+                frame, top, more.empty() ? "" : " many", number, step.placements.size(), way);
         } else {
             const Placement& placement = tray_.placements[static_cast<std::size_t>(step.placements.front())];
             row.html = fmt::format(
                 "<tr class=\"{}{}{}\"><td class=\"st\">{}</td><td class=\"nu\"><i style=\"background:{}\"></i>{}</td><td "
                 "class=\"nm\">{}</td><td class=\"sl\">{}</td><td class=\"mv\">{}</td></tr>",
-                frame, more.empty() ? bottom : "", more.empty() ? "" : " many", index + 1,
+                frame, more.empty() ? bottom : "", more.empty() ? "" : " many", number,
                 part_colour_text(placement.part), sheet_.numbers.of(placement),
                 escaped(shortened(sheet_.packing.parts[static_cast<std::size_t>(placement.part)].name, name_length_)),
                 slab_of_[static_cast<std::size_t>(step.placements.front())], way);
@@ -281,9 +285,19 @@ class RemovalOrder {
         for (const Direction& direction : kDirections) {
             html.add("<span>{}{}</span>", arrow(direction), direction.words);
         }
-        html.add("<span class=\"x\">Seen from the front of the printer.{}</span></p>\n",
-                 sheet_.packing.container.physical ? " The walls stay; all leaves over the top." : "");
+        html.add("<span class=\"x\">Seen from the front of the printer.{}</span></p>\n", about_walls());
         return html.take();
+    }
+
+    std::string about_walls() const {
+        if (sheet_.packing.container.physical) return " The walls stay; all leaves over the top.";
+        std::string text;
+        if (!tray_.disassembly->through_walls.empty()) {
+            text = fmt::format(" {} : sideways through the walls.", kThroughWalls);
+        }
+        const std::size_t stay = staying(tray_).size();
+        if (stay > 0) text += fmt::format(" {} from before {}.", stay, stay == 1 ? "stays" : "stay");
+        return text;
     }
 
     std::string stages() const {

@@ -152,6 +152,7 @@ std::vector<Option> container_options() {
          .line = "stays empty: x0,y0,z0,x1,y1,z1, or a mesh file",
          .help = "A box by two opposite corners in mm, or a closed mesh; more than once. The wall gap holds for it, "
                  "too. In a job file: the key 'keep_out'.",
+         .takes = "a box x0,y0,z0,x1,y1,z1 in mm, or the path of a mesh file",
          .examples = {"0,0,0,480,10,200", "pillar.stl"}},
         {.name = "physical",
          .group = Group::tray,

@@ -192,6 +192,7 @@ std::optional<Vec3> parse_size(std::string_view text) {
 
 std::string values_of(const Option& option) {
     const auto kind = [&]() -> std::string {
+        if (!option.takes.empty()) return std::string(option.takes);
         switch (option.type) {
             case OptionType::flag:
                 return "true or false";

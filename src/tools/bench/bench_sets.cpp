@@ -44,7 +44,9 @@ std::string set_text(const std::vector<Part>& parts) {
 
 std::vector<Part> parts_of(const SetOnDisk& set) {
     ExpandedInputs inputs = expand_inputs({set.file.string()}, set.mesh_dir);
-    if (!inputs.unusable.empty()) throw inputs.unusable.front();
+    for (const Part& part : inputs.parts) {
+        if (part.problem) throw InputError(*part.problem);
+    }
     return std::move(inputs.parts);
 }
 

@@ -59,7 +59,7 @@ std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOp
     std::vector<std::string> names;
     std::set<std::string> known;
     for (const Part& part : inputs.parts) {
-        if (known.insert(part.mesh.file()).second) names.push_back(part.mesh.file());
+        if (!part.problem && known.insert(part.mesh.file()).second) names.push_back(part.mesh.file());
     }
     std::vector<InspectedFile> files(names.size());
     const Workers workers(options.threads);
@@ -73,8 +73,8 @@ std::vector<InspectedFile> inspect(const ExpandedInputs& inputs, const InspectOp
         listener.on_progress({Phase::load, static_cast<std::int64_t>(end), static_cast<std::int64_t>(files.size()), 0,
                               static_cast<double>(end) / static_cast<double>(files.size())});
     }
-    for (const InputError& error : inputs.unusable) {
-        files.push_back({error.file(), error, {}});
+    for (const Part& part : inputs.parts) {
+        if (part.problem) files.push_back({part.problem->file(), part.problem, {}});
     }
     return files;
 }

@@ -54,17 +54,18 @@ class Preparation {
     Preparation(const fs::path& folder, const fs::path& output, const PrepareOptions& options)
         : folder_(folder), output_(output), options_(options) {
         const ExpandedInputs inputs = expand_inputs({folder.string()}, "");
-        for (const Part& part : inputs.parts) {
-            names_.insert(fs::path(part.mesh.file()).lexically_relative(folder).string());
-        }
         const auto drop = [&](const std::string& file, const std::string& why) {
             const std::string name = fs::path(file).lexically_relative(folder).string();
             unusable_.push_back({name, 0, std::string(to_string(Prepared::unusable)), why, "", 0, 0, {}, 0, 1, ""});
         };
-        for (const InputError& error : inputs.unusable) {
-            const std::string name = fs::path(error.file()).lexically_relative(folder).string();
-            if (name == "." || error.file() == folder.string()) throw error;
-            drop(error.file(), error.cause());
+        for (const Part& part : inputs.parts) {
+            const std::string name = fs::path(part.mesh.file()).lexically_relative(folder).string();
+            if (!part.problem) {
+                names_.insert(name);
+                continue;
+            }
+            if (name == "." || part.mesh.file() == folder.string()) throw InputError(*part.problem);
+            drop(part.mesh.file(), part.problem->cause());
         }
         for (const std::string& file : inputs.own_builds) {
             drop(file, "is a whole build, written by this program");
