@@ -15,10 +15,9 @@ constexpr double kLeastDrawing = 2.5, kMostOfAll = 0.33;
 }  // namespace
 
 TimeShares time_shares(const JobSettings& settings) {
-    const bool draws = std::ranges::any_of(settings.outputs, is_picture) ||
-                       std::ranges::any_of(settings.reports, [](const std::string& report) {
-                           return ending_of(report) == ".html";
-                       });
+    const bool draws =
+        std::ranges::any_of(settings.outputs, is_picture) ||
+        std::ranges::any_of(settings.reports, [](const std::string& report) { return ending_of(report) == ".html"; });
     const double limit = settings.options.time_limit.value_or(0);
     const auto at_most = [&](double share, double seconds) {
         return limit > 0 ? std::min(share, seconds / limit) : share;
