@@ -219,11 +219,11 @@ class Judge {
         ++pairs_;
         const double least = distance(body, other, std::max(gap, 1e-6));
         if (least == 0 && cross(body, other, Vector(0, 0, 0), kTouching)) return find(name(i) + " runs into " + what);
-        if (gap > 0 && least < gap - kRounding) {
-            return find(name(i) + " is " + std::to_string(least) + " mm from " + what + ", not " + std::to_string(gap));
-        }
         if (solid && (lies_in(body, other, least == 0, kTouching) || lies_in(other, body, least == 0, kTouching))) {
-            find(name(i) + " and " + what + " lie in each other");
+            return find(name(i) + " and " + what + " lie in each other");
+        }
+        if (gap > 0 && least < gap - kRounding) {
+            find(name(i) + " is " + std::to_string(least) + " mm from " + what + ", not " + std::to_string(gap));
         }
     }
 
