@@ -4,11 +4,13 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "api/input_hash.hpp"
 #include "api/journal/journal_file.hpp"
 #include "mesh_checks.hpp"
 

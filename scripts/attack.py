@@ -13,6 +13,7 @@ import os
 import random
 import resource
 import select
+import shlex
 import shutil
 import signal
 import struct
@@ -78,9 +79,12 @@ def torus(radius, thick, around=16, across=8):
     return facets
 
 
-def random_part(rng):
+KINDS = ["box", "ell", "channel", "hook", "torus"]
+
+
+def random_part(rng, kinds):
     size = lambda low, high: rng.randrange(low * 4, high * 4) / 4
-    kind = rng.choice(["box", "ell", "channel", "hook", "torus"])
+    kind = rng.choice(kinds)
     if kind == "box":
         return kind, box(size(6, 24), size(6, 24), size(3, 20))
     if kind == "ell":
@@ -112,11 +116,11 @@ def size_of(facets):
 class Parts:
     """A set of parts: files and rows of a set file, in a folder."""
 
-    def __init__(self, rng, kinds, copies):
+    def __init__(self, rng, number, copies, kinds=KINDS):
         self.rows = []  # name, facets, columns
-        for i in range(kinds):
-            kind, facets = random_part(rng)
-            self.rows.append((f"{kind}{i}", facets, {"count": max(1, round(copies / kinds * rng.uniform(0.5, 1.5)))}))
+        for i in range(number):
+            kind, facets = random_part(rng, kinds)
+            self.rows.append((f"{kind}{i}", facets, {"count": max(1, round(copies / number * rng.uniform(0.5, 1.5)))}))
 
     def write(self, folder, name="set"):
         """Returns the set file."""
@@ -234,7 +238,7 @@ class Program:
             if file_size:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (file_size, file_size))
 
-        process = subprocess.Popen([self.path, *map(str, args)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+        process = subprocess.Popen([str(self.path), *map(str, args)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                    preexec_fn=limits, env={**os.environ, "XDG_CONFIG_HOME": "/nonexistent"})
         began, text, phase, phases = time.time(), b"", "load", [["load", 0, 0]]
         due = began + when[2] if when and when[0] == "load" else None
@@ -284,7 +288,7 @@ class Campaign:
                "refused", "differences"]
 
     def __init__(self, program, second, out, seed):
-        self.program, self.second, self.out = Program(program), second, Path(out)
+        self.program, self.second, self.out = Program(Path(program).resolve()), Path(second).resolve(), Path(out)
         self.rng = random.Random(seed)
         self.rows = collections.defaultdict(collections.Counter)
         self.phases = collections.defaultdict(collections.Counter)
@@ -298,7 +302,8 @@ class Campaign:
         place = self.out / f"difference-{self.kept}"
         shutil.rmtree(place, ignore_errors=True)
         shutil.copytree(folder, place, ignore=shutil.ignore_patterns("disk"))
-        lines = [" ".join(f"'{a}'" if " " in str(a) else str(a) for a in c) for c in commands]
+        # In the folder that is kept, these commands can be tried again.
+        lines = [" ".join(shlex.quote(str(a)).replace(str(folder), ".") for a in c) for c in commands]
         (place / "what.txt").write_text(what + "\n\n" + "\n".join(lines) + "\n")
         print(f"DIFFERENCE ({attack}): {what}\n  kept in {place}", flush=True)
 
@@ -328,7 +333,7 @@ class Campaign:
 
     # Runs that are cut off, and go on ------------------------------------------------------------------------------
 
-    # Each takes about a second; name, kinds of parts, copies, options.
+    # Each takes about a second: what it is to exercise, number of parts, copies, options.
     KILL_JOBS = [
         ("one tray", 6, 352, ["--tray", "156x143x117", "--voxel", "1.5"]),
         ("several trays", 6, 352, ["--tray", "104x91x78", "--voxel", "1.5", "--trays", "all"]),
@@ -345,8 +350,10 @@ class Campaign:
 
     def kill_round(self, folder):
         rng = self.rng
-        name, kinds, copies, options = rng.choice(self.KILL_JOBS)
-        parts = Parts(rng, kinds, copies).write(folder / "parts")
+        name, number, copies, options = rng.choice(self.KILL_JOBS)
+        # What hangs in each other has to be taken out and put back.
+        parts = Parts(rng, number, copies, ["hook", "torus", "channel"] if name == "links" else KINDS)
+        parts = parts.write(folder / "parts")
         base = ["pack", parts, *options, "--threads", "2", "--progress", "json"]
         self.kill_and_go_on(folder, base)
 
@@ -369,7 +376,8 @@ class Campaign:
 
     def moment(self, phases):
         """A random one in a random phase of a run that went like this."""
-        name = self.rng.choice(sorted({phase for phase, _, _ in phases}))
+        names = sorted({phase for phase, _, _ in phases})
+        name = self.rng.choices(names, [0.3 if n == "load" else 1 for n in names])[0]
         times = [ended - began for phase, began, ended in phases if phase == name]
         nth = self.rng.randrange(len(times))
         return name, nth + 1, self.rng.uniform(0, max(0.01, times[nth]))
@@ -593,12 +601,14 @@ class Campaign:
 
     def run(self, minutes):
         end = time.time() + 60 * minutes
-        attacks = [self.kill_round, self.kill_round, self.random_job, self.kill_round, self.metamorphic]
-        rounds = 0
+        shares = {self.kill_round: 0.5, self.random_job: 0.3, self.metamorphic: 0.2}  # of the time
+        spent = dict.fromkeys(shares, 0.0)
         while time.time() < end:
+            attack = min(shares, key=lambda a: spent[a] / shares[a])
+            began = time.time()
             with tempfile.TemporaryDirectory(prefix="attack-") as folder:
-                attacks[rounds % len(attacks)](Path(folder))
-            rounds += 1
+                attack(Path(folder))
+            spent[attack] += time.time() - began
         self.report()
         return 1 if self.kept else 0
 

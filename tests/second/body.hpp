@@ -179,6 +179,12 @@ inline bool cross(const Body& a, const Body& b, const Vector& way, double tolera
         });
 }
 
+/// A point a little below a face, where the solid is.
+inline Point below(const Triangle& t, double depth) {
+    const Vector normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+    return CGAL::centroid(t) - normal / length(normal) * depth;
+}
+
 /// Whether `a` has a point inside `b` more than about `tolerance` deep, where their surfaces do not cross.
 inline bool lies_in(const Body& a, const Body& b, bool they_touch, double tolerance) {
     if (a.box().apart(b.box()) > -tolerance) return false;
@@ -188,12 +194,19 @@ inline bool lies_in(const Body& a, const Body& b, bool they_touch, double tolera
     // Faces may lie on faces: look a little below each of them. What is thinner than that is let pass.
     const Box around = b.box();
     return std::ranges::any_of(a.triangles(), [&](const Triangle& t) {
-        const Vector normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
-        const Point below = CGAL::centroid(t) - normal / length(normal) * 2 * tolerance;
+        const Point p = below(t, 2 * tolerance);
         for (int axis = 0; axis < 3; ++axis) {
-            if (below[axis] < around.min[axis] || below[axis] > around.max[axis]) return false;
+            if (p[axis] < around.min[axis] || p[axis] > around.max[axis]) return false;
         }
-        return a.winding(below) != 0 && b.winding(below) != 0;
+        return a.winding(p) != 0 && b.winding(p) != 0;
+    });
+}
+
+/// Whether no point of `a` is outside `b`, where their surfaces do not cross.
+inline bool lies_wholly_in(const Body& a, const Body& b, double tolerance) {
+    return std::ranges::all_of(a.triangles(), [&](const Triangle& t) {
+        const Point p = below(t, 2 * tolerance);
+        return a.winding(p) == 0 || b.winding(p) != 0;
     });
 }
 

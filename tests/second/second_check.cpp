@@ -199,7 +199,7 @@ class Judge {
             }
         }
         if (container_) {
-            if (container_->winding(copy.body.shells().front()) == 0) find(name(i) + " is not in the container");
+            if (!lies_wholly_in(copy.body, *container_, kTouching)) find(name(i) + " is not in the container");
             judge_apart(i, *container_, wall_gap, "the container", false);
         }
         for (const Body& keep_out : keep_outs_) {
