@@ -20,7 +20,8 @@ Mesh block(double x, double y, double z) {
 
 Job small_job() {
     Job job;
-    job.parts = {{.name = "block", .mesh = block(9, 9, 9), .count = 3}, {.name = "bar", .mesh = block(15, 4, 3), .count = 4}};
+    job.parts = {{.name = "block", .mesh = block(9, 9, 9), .count = 3},
+                 {.name = "bar", .mesh = block(15, 4, 3), .count = 4}};
     job.options.tray = {24, 20, 12};
     job.options.voxel = 3;
     job.options.gap = 0.5;

@@ -108,7 +108,7 @@ class Judge {
             tray_ = t;
             judge_tray(packing_["trays"][t]);
         }
-        return {{"ok", findings_.empty()}, {"copies", copies_},  {"pairs", pairs_},
+        return {{"ok", findings_.empty()}, {"copies", copies_}, {"pairs", pairs_},
                 {"steps", steps_},         {"sweeps", sweeps_}, {"findings", findings_}};
     }
 
@@ -321,7 +321,8 @@ class Judge {
         } else if (!vessel_) {
             constexpr double kThick = 1000;
             for (int axis = 0; axis < 2; ++axis) {
-                std::array<double, 3> min{-kThick, -kThick, -kThick}, max{size_[0] + kThick, size_[1] + kThick, size_[2]};
+                std::array<double, 3> min{-kThick, -kThick, -kThick},
+                    max{size_[0] + kThick, size_[1] + kThick, size_[2]};
                 max[axis] = 0;
                 walls.push_back(block(min, max));
                 max[axis] = size_[axis] + kThick;

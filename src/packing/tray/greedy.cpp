@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "packing/tray/decisions_fit.hpp"
 #include "packing/tray/open_height.hpp"
 #include "spectralpack/error.hpp"
 
@@ -92,6 +93,7 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& 
                         const Shape& shape) {
     if (!context.decisions) return search_place(tray, search, context, copy, shape);
     if (const std::optional<FoundPlace> known = context.decisions->recall_place(copy)) {
+        require_fit(*known, tray, shape, context.limits.most_layers);
         if (tray.extent().z < known->layers) tray = grown(tray, known->layers);
         return {known->best, false};
     }
