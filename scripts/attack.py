@@ -101,6 +101,10 @@ def shifted(facets, by):
     return [tuple(tuple(c + d for c, d in zip(p, by)) for p in facet) for facet in facets]
 
 
+def scaled(facets, by):
+    return [tuple(tuple(c * by for c in p) for p in facet) for facet in facets]
+
+
 def write_stl(path, facets):
     data = bytearray(80) + struct.pack("<I", len(facets))
     for facet in facets:
@@ -516,6 +520,10 @@ class Campaign:
         parts = Parts(rng, rng.randrange(2, 6), rng.randrange(8, 40))
         options = rng.choice(self.METAMORPHIC)
         attack = rng.choice(["renamed", "other unit", "shifted", "reordered", "left out"])
+        # Inches, and what is 25.4 times as large in millimetres; or a file that is 1024 times smaller, scaled.
+        inches = attack == "other unit" and rng.random() < 0.5
+        if inches:
+            parts.rows = [(n, scaled(f, 1 / 32), {**e, "scale": 25.4}) for n, f, e in parts.rows]
         other = copy.deepcopy(parts)
         names = {}  # of the other's parts, by those of the first
         shift = {}
@@ -543,10 +551,12 @@ class Campaign:
             rng.shuffle(letters)
             other.rows = [(letter, f, e) for letter, (_, f, e) in zip(letters, other.rows)]
             names = {a[0]: b[0] for a, b in zip(parts.rows, other.rows)}
+        elif inches:
+            for _, _, extra in other.rows:
+                extra.update({"scale": 1, "unit": "inch"})
         elif attack == "other unit":
             scale = 1 / 1024
-            other.rows = [(n, [tuple(tuple(c * scale for c in p) for p in f) for f in facets], {**e, "scale": 1024})
-                          for n, facets, e in other.rows]
+            other.rows = [(n, scaled(f, scale), {**e, "scale": 1024}) for n, f, e in other.rows]
         elif attack == "shifted":
             voxel = float(options[options.index("--voxel") + 1])
             shift = {n: [voxel * rng.randrange(-20, 20) for _ in range(3)] for n, _, _ in parts.rows}
