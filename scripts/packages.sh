@@ -5,6 +5,7 @@ packages="g++ cmake ninja-build pkg-config python3
     libfftw3-dev libtbb-dev libembree-dev libfcl-dev libcli11-dev libfmt-dev nlohmann-json3-dev libhwy-dev
     libzip-dev libexpat1-dev libfast-float-dev libpng-dev libstb-dev libxxhash-dev libqhull-dev libmeshoptimizer-dev"
 test_packages="libgtest-dev librapidcheck-dev"
+attack_packages="libcgal-dev"
 
 # install_missing PACKAGE...
 install_missing() {

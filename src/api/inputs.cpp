@@ -68,7 +68,8 @@ double scale_in(const std::string& argument, const std::string& text) {
 
 /// FILE:COUNT, FILE@SCALE or FILE:COUNT@SCALE, when `argument` reads so.
 std::optional<CountAndScale> split_argument(const std::string& argument) {
-    constexpr const char *kOfCounts = "+-.0123456789", *kOfScales = "+-.0123456789eE";
+    // A comma is among them to be told of.
+    constexpr const char *kOfCounts = "+-.,0123456789", *kOfScales = "+-.,0123456789eE";
     CountAndScale result{argument};
     const auto cut = [&](const std::string& number) { result.file.resize(result.file.size() - number.size() - 1); };
     const auto scale = behind(result.file, '@', kOfScales);

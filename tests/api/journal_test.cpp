@@ -5,12 +5,15 @@
 #include <spectralpack/spectralpack.hpp>
 
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "api/input_hash.hpp"
 #include "api/journal/journal_file.hpp"
 #include "api/journal/record_text.hpp"
 #include "support/names.hpp"
@@ -274,6 +277,65 @@ TEST(Journal, WritesOverNoOtherFile) {
         EXPECT_THROW(pack(job_of(1, {50, 40, 30}), {}, {file, 0, resume}), InputError);
     }
     EXPECT_EQ(test::read_text(file), "something else");
+}
+
+/// Writes a journal with sound checksums.
+void write_journal(const fs::path& file, const std::vector<std::string>& records) {
+    std::ofstream out(file, std::ios::binary);
+    std::string hash;
+    for (const std::string& record : records) {
+        hash = chained_hash(hash, record);
+        out << hash << ' ' << record << '\n';
+    }
+}
+
+/// Checksums are no secret: whoever writes a journal may write anything. It ends the run, with a message.
+TEST(Journal, ThatSaysWhatNoRunDecidedIsRefused) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder / "a.journal";
+    Job job = job_of(6, {60, 50, 30});
+    static_cast<void>(pack(job, {}, {file, 0, Resume::never}));
+    const std::vector<std::string> whole = read_journal(file).records;
+    struct Change {
+        std::string word;  // of the record that is changed; those after it are left out
+        std::size_t token;
+        std::string to;
+    };
+    const std::vector<Change> changes{
+        {"place", 4, "1000000"},                            // layers
+        {"place", 6, "99"},                                 // orientation
+        {"place", 6, "-1"},      {"place", 7, "1000"},      // position
+        {"place", 9, "-1"},      {"packed", 2, "1000000"},  // layers
+        {"packed", 4, "99"},                                // part
+        {"packed", 6, "99"},                                // orientation
+        {"apart", 6, "99"},                                 // of a step
+        {"filled", 3, "99"},                                // part
+        {"filled", 5, "-1"},                                // orientation
+    };
+    for (const auto& [word, token, to] : changes) {
+        std::vector<std::string> records;
+        for (const std::string& record : whole) {
+            records.push_back(record);
+            if (record.starts_with(word + ' ')) break;
+        }
+        std::istringstream words(records.back());
+        std::vector<std::string> tokens{std::istream_iterator<std::string>(words), {}};
+        ASSERT_LT(token, tokens.size()) << word;
+        tokens[token] = to;
+        records.back().clear();
+        for (const std::string& each : tokens) {
+            records.back() += (records.back().empty() ? "" : " ") + each;
+        }
+        // Places come before what the tray came to, and are not asked for then.
+        write_journal(file, records);
+        try {
+            const PackResult result = pack(job, {}, {file, 0, Resume::must});
+            ASSERT_TRUE(result.failure) << word << ' ' << token;
+            EXPECT_TRUE(test::names(result.failure->what(), {"journal", "--no-resume"})) << result.failure->what();
+        } catch (const Error& error) {
+            EXPECT_TRUE(test::names(error.what(), {"journal", "--no-resume"})) << error.what();
+        }
+    }
 }
 
 TEST(Journal, ThatCannotBeWrittenEndsNoRun) {

@@ -94,7 +94,7 @@ TEST(Documents, BashOffersCommandsOptionsAndWords) {
     if (!is_there("bash")) GTEST_SKIP() << "bash is not here";
     EXPECT_EQ(offers({"spectralpack", "rend"}), Texts{"render"});
     EXPECT_EQ(offers({"spectralpack", "pack", "--wall"}), Texts{"--wall-gap"});
-    EXPECT_EQ(offers({"spectralpack", "pack", "a.stl", "--no-"}), (Texts{"--no-refine", "--no-config"}));
+    EXPECT_EQ(offers({"spectralpack", "pack", "a.stl", "--no-"}), (Texts{"--no-refine", "--no-config", "--no-resume"}));
     EXPECT_EQ(offers({"spectralpack", "pack", "--interlock", ""}), (Texts{"off", "place", "post"}));
     EXPECT_EQ(offers({"spectralpack", "pack", "--height-at", "a"}), Texts{"auto"});
     EXPECT_EQ(offers({"spectralpack", "pack", "--printer", "hp-mjf-52"}), Texts{"hp-mjf-5200"});

@@ -158,7 +158,8 @@ RunJournal::RunJournal(const JournalOptions& options, const std::vector<InputFac
 
 /// The journal that is gone on with; none: this run begins one.
 std::optional<JournalText> RunJournal::take_what_stands(Resume resume, const std::vector<InputFact>& facts) {
-    if (!std::filesystem::is_regular_file(path_)) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path_, unknown)) {
         if (resume == Resume::must) throw InputError(path_.string(), "", "there is no such journal");
         return std::nullopt;
     }

@@ -7,6 +7,7 @@
 #include "disassembly/plan_repair.hpp"
 #include "disassembly/remaining_steps.hpp"
 #include "packing/interlocking/put_back.hpp"
+#include "packing/tray/decisions_fit.hpp"
 #include "refine/refiner.hpp"
 
 namespace spectralpack {
@@ -86,6 +87,10 @@ class Untangling {
     std::vector<PlacedCopy> disassemble() {
         std::optional<TakenApart> known;
         if (context_.decisions) known = context_.decisions->recall_taken_apart();
+        if (known) {
+            require_fit(known->out, placed_.size());
+            require_fit(known->plan, placed_.size() - known->out.size(), options_.fixed.size() + 1);  // walls
+        }
         TakenApart apart = known ? std::move(*known) : take_apart();
         if (context_.decisions && !known && !context_.stop.stopped()) context_.decisions->keep(apart);
         result_.report.counts = apart.counts;

@@ -11,6 +11,7 @@
 #include "packing/interlocking/final_plan.hpp"
 #include "packing/interlocking/reachable_search.hpp"
 #include "packing/off_grid/fill_up.hpp"
+#include "packing/tray/decisions_fit.hpp"
 #include "packing/tray/measure.hpp"
 #include "packing/tray/open_height.hpp"
 #include "voxel/voxelize.hpp"
@@ -83,6 +84,7 @@ Vec3 TrayFiller::room_for_moves(const TrayCopies& wanted) const {
 /// Stands in the tray what a run before had packed. The context's observer is told of it.
 void TrayFiller::stand_again(const PackedTray& known, Tray& tray, const TrayContext& context, Refinement* refinement,
                              FilledTray& result) const {
+    require_fit_of_layers(known.layers, tray, options_.most_layers);
     if (tray.extent().z < known.layers) tray = grown(tray, known.layers);
     static_cast<GreedyResult&>(result) = known.result;
     std::vector<Copy> copies;
@@ -116,11 +118,18 @@ void TrayFiller::stand_again(const PackedTray& known, Tray& tray, const TrayCont
 }
 
 template <class Pack, class FillUp>
-bool TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up) {
+bool TrayFiller::fill_one(const TrayCopies& wanted, const std::vector<Copy>& copies, FilledTray& result,
+                          const Pack& pack, const FillUp& fill_up) {
     Decisions* const decisions = context_.decisions;
+    const auto orientations = [&](int part) {
+        const std::vector<Mat3>* set = part_of_(part).orientations;
+        return set ? set->size() : 0;
+    };
     if (decisions) {
         decisions->begin_filling();
         if (std::optional<FilledTray> known = decisions->recall_filled()) {
+            require_fit(*known, copies, orientations);
+            if (known->plan) require_fit(*known->plan, known->placed.size(), options_.fixed.size());
             result = std::move(*known);
             if (context_.observer) tell_anew(*context_.observer, wanted.number, result.placed);
             return false;
@@ -186,6 +195,7 @@ bool TrayFiller::fill_one(const TrayCopies& wanted, FilledTray& result, const Pa
     std::optional<PackedTray> packed;
     if (decisions) packed = decisions->recall_packed();
     if (packed) {
+        require_fit(packed->result, copies, orientations);
         stand_again(*packed, tray, packing, refinement.get(), result);
     } else {
         pack(tray, packing);
@@ -248,7 +258,7 @@ void TrayFiller::make_removable(Tray& tray, const TrayContext& context, const Un
 
 void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, FilledTray& result) {
     const bool packed = fill_one(
-        wanted, result,
+        wanted, wanted.copies, result,
         [&](Tray& tray, const TrayContext& context) {
             context.shapes.start_tray(wanted.copies);
             if (options_.beam) {
@@ -271,7 +281,7 @@ void TrayFiller::fill_in_shares(const std::vector<PartShare>& shares, const Firs
         copies.push_back({share.part, 0});
     }
     const bool packed = fill_one(
-        {}, result,
+        {}, copies, result,
         [&](Tray& tray, const TrayContext& context) {
             context.shapes.start_tray(copies);
             pack_in_shares(tray, context, shares, first, copy_done, result);

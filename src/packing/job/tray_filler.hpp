@@ -81,9 +81,10 @@ class TrayFiller {
     bool avoids_links() const { return options_.interlock == Interlock::post && options_.links == Links::avoid; }
     /// Calls `pack` with a tray in which only fixed copies stand, with refinement then `fill_up`, which may add to it
     /// off the grid; then makes what they packed come apart. Where a run before did so, its decisions take the place of
-    /// these steps; false where that was all of them.
+    /// these steps; false where that was all of them. `copies` has one of each part at least.
     template <class Pack, class FillUp>
-    bool fill_one(const TrayCopies& wanted, FilledTray& result, const Pack& pack, const FillUp& fill_up);
+    bool fill_one(const TrayCopies& wanted, const std::vector<Copy>& copies, FilledTray& result, const Pack& pack,
+                  const FillUp& fill_up);
     void stand_again(const PackedTray& known, Tray& tray, const TrayContext& context, Refinement* refinement,
                      FilledTray& result) const;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/stopped.hpp"
+#include "packing/tray/decisions_fit.hpp"
 #include "packing/tray/open_height.hpp"
 #include "spectralpack/error.hpp"
 
@@ -104,6 +105,7 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& 
     if (tray.excludes(shape.gap_class)) return {};
     if (!context.decisions) return search_place(tray, search, context, copy, shape);
     if (const std::optional<FoundPlace> known = context.decisions->recall_place(copy)) {
+        require_fit(*known, tray, shape, context.limits.most_layers);
         if (tray.extent().z < known->layers) tray = grown(tray, known->layers);
         return {known->best, false};
     }
