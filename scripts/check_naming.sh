@@ -15,8 +15,10 @@ import json
 print("\n".join(sorted({entry["file"] for entry in json.load(open("build-names/compile_commands.json"))})))' |
     grep -v '/commit\.cpp$')
 check() {
-    clang-tidy --quiet -p build-names --header-filter="$PWD/(apps|include|src)/" "$1" 2>/dev/null |
-        { grep -E '(error|warning):' || true; } | tee /dev/stderr | { ! grep -q .; }
+    local found
+    found=$(clang-tidy --quiet -p build-names --header-filter="$PWD/(apps|include|src)/" "$1" 2>/dev/null |
+        grep -E '(error|warning):' || true)
+    [ -z "$found" ] || { echo "$found" >&2; return 1; }
 }
 export -f check
 xargs -d '\n' -P "$(nproc)" -I{} bash -c 'check {}' <<<"$files" || { echo "names above are not as .clang-tidy says" >&2; exit 1; }

@@ -66,7 +66,7 @@ bool RunOutputs::write(const Scene& scene, const StopToken& hurry, RunFacts& fac
         display_.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
     };
     std::vector<std::string> outputs = settings_.outputs;
-    std::ranges::stable_partition(outputs, std::not_fn(is_picture));  // what takes longest comes last
+    std::stable_partition(outputs.begin(), outputs.end(), std::not_fn(is_picture));  // what takes longest comes last
     for (const std::string& output : outputs) {
         all &= attempt(output, [&] {
             WrittenFile written{output, {}};
