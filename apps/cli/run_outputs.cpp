@@ -51,6 +51,7 @@ bool RunOutputs::attempt(const std::string& file, const Write& write) {
 void RunOutputs::write_trays(const Scene& finished) {
     for (; trays_ < finished.packing.trays.size(); ++trays_) {
         for (const std::string& output : settings_.outputs) {
+            if (is_picture(output)) continue;
             attempt(output, [&] { of_trays_.insert(write_tray(finished, trays_, output, settings_.options.threads)); });
         }
     }

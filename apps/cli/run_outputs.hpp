@@ -18,7 +18,8 @@ class RunOutputs {
     /// Both outlive it.
     RunOutputs(const JobSettings& settings, ProgressDisplay& display) : settings_(settings), display_(display) {}
 
-    /// Of the trays that were not written before. The run that is killed later has them.
+    /// Of the trays that were not written before, but for pictures, which `render` draws from a .json as well. A run
+    /// that is killed later has them.
     void write_trays(const Scene& finished);
 
     /// Writes every output and report; one that fails does not keep the others from being written. False: one did. What
