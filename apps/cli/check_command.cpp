@@ -29,6 +29,14 @@ std::string apart_text(const Packing& packing, std::size_t tray, const std::opti
         return fmt::format("DOES NOT COME APART by its plan ({} of {} fail)", plan->failed_steps.size(),
                            steps_text(plan->steps));
     }
+    const std::optional<Disassembly>& stated = packing.trays[tray].disassembly;
+    if (stated && !stated->interlocked.empty()) {
+        std::string sets;
+        for (const std::vector<int>& set : stated->interlocked) {
+            sets += (sets.empty() ? "" : "; ") + copy_names(packing, packing.trays[tray], set);
+        }
+        return fmt::format("DOES NOT COME APART: by its plan these hold each other: {}", sets);
+    }
     if (plan->complete) {
         return fmt::format("{} in {}{}{}", plan->staying.empty() ? "comes apart" : "new copies come apart",
                            steps_text(plan->steps), through_walls_text(static_cast<std::size_t>(plan->through_walls)),

@@ -264,7 +264,8 @@ int run_pack(const PackArguments& arguments) {
     if (problems.size() == inputs.parts.size()) {
         display.on_unusable(problems);
         tell("Nothing is left to pack.\n");
-        return problems.empty() ? kUsage : kUnusableInput;
+        if (problems.empty()) return kUsage;
+        return settings.skip_unusable.value_or(false) ? kNothingPlaced : kUnusableInput;
     }
     Job job;
     job.parts = inputs.parts;

@@ -116,7 +116,10 @@ std::string tray_text(const Packing& packing, const RunFacts& facts) {
     const Container& container = packing.container;
     std::string text;
     if (container.mesh) text = printable(std::filesystem::path(container.mesh->file).filename().string()) + ", ";
-    if (container.open_height) {
+    const bool vessel = container.is == ContainerIs::vessel && container.mesh && container.mesh->surface;
+    if (vessel) {
+        text += size_text(bounding_box(*container.mesh->surface).size()) + " inside";
+    } else if (container.open_height) {
         text +=
             fmt::format("{} x {} mm, without a ceiling", length_text(container.size.x), length_text(container.size.y));
     } else {
@@ -215,6 +218,9 @@ std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& f
                             through_walls_text(plans.through_walls), staying_text(plans.staying)));
         } else if (packing.trays.size() == 1) {
             add(fmt::format("comes apart in {} step{}{}", plans.steps, plans.steps == 1 ? "" : "s",
+                            through_walls_text(plans.through_walls)));
+        } else if (plans.through_walls > 0) {
+            add(fmt::format("each tray comes apart, in {} steps together{}", plans.steps,
                             through_walls_text(plans.through_walls)));
         } else if (text.empty()) {
             add("comes apart");

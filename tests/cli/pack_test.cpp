@@ -178,6 +178,7 @@ TEST_F(Pack, NothingPlacedIsNoSuccessAndWritesNothing) {
     const std::string missing = at("missing.stl");
     nothing({missing}, 3);  // the files come first
     nothing({missing, "--skip-unusable"}, 6);
+    EXPECT_EQ(spectralpack({"pack", missing, "--skip-unusable", "-o", at("b.json")}).status, 6) << "and nothing else";
 }
 
 TEST_F(Pack, NothingNewOnAnOldBuildIsNoSuccessEither) {

@@ -148,6 +148,13 @@ PackResult two_trays() {
     return result;
 }
 
+TEST(Summary, OfSeveralTraysSaysWhatLeavesThroughTheWalls) {
+    PackResult result = two_trays();
+    EXPECT_FALSE(test::names(summary_text(result, {}), {"through the walls"}));
+    result.packing.trays[1].disassembly->through_walls = {1, 3};
+    EXPECT_TRUE(test::names(summary_text(result, {}), {2, 54, "through the walls"}));
+}
+
 TEST(Summary, SaysHowLongAllOfItTook) {
     RunFacts facts = wrote({"sev.json"});
     facts.seconds = 24;

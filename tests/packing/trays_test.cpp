@@ -135,6 +135,21 @@ TEST_F(ManyTrays, AStopBetweenTraysBeginsNoOther) {
     EXPECT_TRUE(result_.left_over.empty()) << "they would have had a tray of their own";
 }
 
+TEST_F(ManyTrays, AStopBeforeTheNextTraysFirstCopyLeavesNoEmptyTray) {
+    TrayFiller filler(setup_, {search_, shapes_, Workers(1), stop_.token()}, {});
+    std::size_t left_over = 99;
+    fill_trays(
+        copies(1, 10), {0, 0}, filler, nullptr, [](const GreedyResult&, std::size_t) {}, result_,
+        [&] {
+            left_over = result_.left_over.size();
+            stop_.request(StopReason::cancelled);
+        });
+    EXPECT_EQ(left_over, 0u) << "they are tried again";
+    EXPECT_EQ(result_.trays.size(), 1u);
+    EXPECT_FALSE(result_.stuck);
+    EXPECT_TRUE(result_.left_over.empty());
+}
+
 TEST_F(ManyTrays, AStopAtTheEndOfTheOnlyTrayChangesNothing) {
     stop_after_ = 10;
     pack(copies(1, 10), {1, 0});

@@ -17,7 +17,7 @@ constexpr double kCrowded = 0.7;
 constexpr int kAttempts = 5;          // on parts of the base
 constexpr double kCloseEnough = 1.2;  // between areas that were too small and large enough
 constexpr double kNested = 2;         // boxes hardly take less room than this part of theirs
-constexpr double kSameHeight = 1e-6;  // mm
+constexpr double kSameHeight = 0.1;   // of a voxel: what sliding together makes of it is no reason to spread
 
 double widened_box(const Mesh& mesh, const Transform& transform, double gap) {
     const Vec3 size = bounding_box(transformed(mesh, transform)).size();
@@ -106,8 +106,9 @@ class TrayAttempts {
         for (int i = 0; i < kAttempts && enough > kCloseEnough * too_small; ++i) {
             const double share = std::sqrt(too_small * enough), side = std::sqrt(share);
             wanted_.within = {std::min(all.x, whole(side * all.x)), std::min(all.y, whole(side * all.y)), all.z};
-            const bool better = attempt(
-                [&](const FilledTray& other) { return holds_all(other) && score(other).top <= top + kSameHeight; });
+            const bool better = attempt([&](const FilledTray& other) {
+                return holds_all(other) && score(other).top <= top + kSameHeight * dx;
+            });
             (better ? enough : too_small) = share;
         }
     }

@@ -40,7 +40,10 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
     bool stopped = false;
     do {
         const auto index = result.trays.size();
-        if (next_tray && index > 0) next_tray();
+        if (next_tray && index > 0) {
+            result.left_over.clear();  // it is tried again
+            next_tray();
+        }
         const bool next = limit.trays == 0 || static_cast<int>(index) + 1 < limit.trays;
         const TrayCopies wanted{static_cast<int>(index), remaining, next, next ? limit.try_per_tray : 0, {}};
         FilledTray& tray = result.trays.emplace_back();
@@ -64,9 +67,9 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
         // What a next tray would have been tried for has not been tried to the end.
         result.left_over = stopped && next ? std::vector<Copy>{} : without(tray.left_over, placed);
         const bool empty = tray.placed.empty() && index >= static_cast<std::size_t>(filler.trays_with_fixed());
-        if (several && empty && !remaining.empty() && !stopped) {
+        if (several && empty && !remaining.empty() && (!stopped || index > 0)) {
             result.trays.pop_back();
-            result.stuck = true;
+            result.stuck = !stopped;
         }
     } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
              !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));

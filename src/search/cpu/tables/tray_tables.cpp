@@ -57,6 +57,15 @@ int layers_used(const BitGrid& grid) {
     return static_cast<int>((words.rend() - last + in_layer - 1) / in_layer);
 }
 
+/// One more than the highest layer that an object reaches into, in the grid.
+int layers_standing(const Tray& tray) {
+    int top = 0;
+    for (ObjectId id = 0; id < tray.object_count(); ++id) {
+        if (const TrayObject* object = tray.find(id)) top = std::max(top, object->box().hi.z);
+    }
+    return std::min(top, tray.extent().z);
+}
+
 bool any_removed(const Tray& tray, std::uint64_t since) {
     for (std::uint64_t v = since; v < tray.version(); ++v) {
         if (!tray.changes()[v].added) return true;
@@ -111,7 +120,9 @@ void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
     words_.reset();
     bytes_.reset();
     quads_.reset();
-    top_ = 0;
+    // As a run would have it that had searched for what stands. From the lowest layers up, each would be searched for a
+    // best position of its own, and all of those asked about (Shape::admits).
+    top_ = layers_standing(tray);
     minima_ = {};
     phi_ = {};
     large_ = n.count() >= large_from_;
