@@ -137,7 +137,7 @@ TEST_F(Check, NamesTheStepThatFails) {
 TEST_F(Check, ToldLoudlyWhereAPlanIsIncomplete) {
     plan() = {false, {{{2}, {{10, 0, 0}}}}, {{0, 1}}};
     EXPECT_TRUE(names(check().out, {"DOES NOT COME APART", "hold each other", "1 cube", "2 cube"}));
-    plan().interlocked.clear();
+    plan()->interlocked.clear();
     const Ran ran = check();
     EXPECT_EQ(ran.status, 0) << ran.out;
     EXPECT_TRUE(contains(ran.out, "NOT CHECKED")) << ran.out;
