@@ -414,9 +414,9 @@ class Campaign:
                 if hurt:
                     self.phases[ran.phase][attack] += 1
                 what.append(f"{attack} in {ran.phase}: status {ran.status}")
-                allowed = (0, -more["sent"]) if "sent" in more and not ran.err else {"KILL": (0, -9), "TERM": (0, 130), "INT": (0, 130), "HUP": (0, 130, -1),
+                allowed = (0, 130, -more["sent"]) if "sent" in more and (not ran.err or file.exists()) else {"KILL": (0, -9), "TERM": (0, 130), "INT": (0, 130), "HUP": (0, 130, -1),
                            "full disk": (0, 4), "address limit": (0, 4, 127)}[attack]
-                # Silent: it had not begun. 127: not even loaded.
+                # Silent: it had hardly begun; with an output it may have been done. 127: not even loaded.
                 if ran.status not in allowed:
                     self.differs(attack, f"status {ran.status}: {ran.err[-800:]}", folder, commands)
                 if file.exists() and ran.status in (0, 4, 130):
