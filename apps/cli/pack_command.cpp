@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <new>
+#include <set>
 
 #include "commands.hpp"
 #include "default_settings.hpp"
@@ -65,24 +64,12 @@ std::int64_t most_trays(const Job& job) {
 
 /// Nothing that is read is written over: a part would be lost, or the last build, lying among the parts, packed as one.
 void spare_inputs(const Job& job, const JobSettings& settings, const PackArguments& arguments) {
-    std::vector<std::string> inputs = files_of(job.container);
-    inputs.insert(inputs.end(), arguments.parts.begin(), arguments.parts.end());  // set and job files among them
+    std::set<std::string> files = mesh_files(job);                 // the build that is topped up may itself be replaced
+    files.insert(arguments.parts.begin(), arguments.parts.end());  // set and job files among them
     for (const std::filesystem::path& file : settings_files(arguments)) {
-        inputs.push_back(file.string());
+        files.insert(file.string());
     }
-    for (const Part& part : job.parts) {
-        inputs.push_back(part.mesh.file());
-    }
-    for (const FixedSource& fixed : job.fixed) {
-        inputs.push_back(fixed.mesh.file);
-    }
-    if (job.onto) {  // the build itself may be replaced by what it is topped up to
-        for (const PackedPart& part : job.onto->packing.parts) {
-            inputs.push_back(part.mesh);
-        }
-    }
-    std::ranges::sort(inputs);
-    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+    const std::vector<std::string> inputs(files.begin(), files.end());
     const std::vector<NamedOutput> outputs = outputs_of(settings);
     for (const NamedOutput& output : outputs) {
         require_no_input(output.path, output.option, inputs);

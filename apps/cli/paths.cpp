@@ -80,15 +80,6 @@ void require_tray_files(const NamedOutput& output, std::int64_t trays, const std
     require_writable(tray_file(output.path, trays).string(), output.option);  // whose name is the longest
 }
 
-std::vector<std::string> files_of(const ContainerSource& container) {
-    std::vector<std::string> files;
-    if (container.mesh) files.push_back(container.mesh->file);
-    for (const KeepOutSource& keep_out : container.keep_out) {
-        if (keep_out.mesh) files.push_back(keep_out.mesh->file);
-    }
-    return files;
-}
-
 void require_picture(const std::string& path) {
     if (ending_of(path) != ".png") {
         throw UsageError(fmt::format("-o {}: a picture's name ends in .png", path));

@@ -30,9 +30,6 @@ void require_apart(const std::vector<NamedOutput>& outputs);
 void require_tray_files(const NamedOutput& output, std::int64_t trays, const std::vector<NamedOutput>& outputs,
                         const std::vector<std::string>& inputs);
 
-/// The mesh files of the container and of what is kept free in it.
-std::vector<std::string> files_of(const ContainerSource& container);
-
 /// Throws UsageError where `path`, given with -o, is not a picture's name or cannot be written.
 void require_picture(const std::string& path);
 

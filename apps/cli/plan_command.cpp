@@ -67,10 +67,8 @@ int run_plan(const PlanArguments& arguments) {
     const Interrupts interrupts(arguments.time_limit);
     ProgressDisplay display(ProgressStyle::automatic);
     Scene scene = load_scene(arguments.packing);
-    std::vector<std::string> meshes = files_of(container_source(scene.packing));
-    for (const PackedPart& part : scene.packing.parts) {
-        meshes.push_back(part.mesh);
-    }
+    const std::set<std::string> files = mesh_files(scene.packing);
+    const std::vector<std::string> meshes(files.begin(), files.end());
     for (const NamedOutput& output : outputs) {
         require_no_input(output.path, output.option, meshes);
         require_tray_files(output, static_cast<std::int64_t>(scene.packing.trays.size()), outputs, meshes);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,6 +53,10 @@ std::string packing_json(const Scene& scene);
 
 /// `text` as a string of JSON; bytes that are not UTF-8 become U+FFFD.
 std::string json_string(const std::string& text);
+
+/// The mesh files of parts, fixed copies, the build that is topped up, the container and its keep-outs, each once.
+std::set<std::string> mesh_files(const Job& job);
+std::set<std::string> mesh_files(const Packing& packing);
 
 /// Endings that write_output() knows, for messages: ".json .3mf .stl .csv .png".
 bool is_output_file(const std::filesystem::path& path);

@@ -5,10 +5,10 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "api/mesh_files.hpp"
 #include "core/remarks.hpp"
 #include "formats/file_bytes.hpp"
 #include "spectralpack/error.hpp"
+#include "spectralpack/files.hpp"
 
 namespace spectralpack {
 namespace {
@@ -37,7 +37,7 @@ std::optional<FileHash> hash_of(const std::string& file) {
 }  // namespace
 
 FileStamps::FileStamps(const Job& job, const Workers& workers) {
-    for (const std::string& file : mesh_files_of(job)) {
+    for (const std::string& file : mesh_files(job)) {
         stamps_.push_back({file});
     }
     workers.for_each(static_cast<std::int64_t>(stamps_.size()), [&](std::int64_t i) {

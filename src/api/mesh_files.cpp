@@ -1,27 +1,42 @@
-#include "api/mesh_files.hpp"
+#include "spectralpack/files.hpp"
 
 namespace spectralpack {
+namespace {
 
-std::set<std::string> mesh_files_of(const Job& job) {
+void add_container(const ContainerSource& container, std::set<std::string>& files) {
+    if (container.mesh) files.insert(container.mesh->file);
+    for (const KeepOutSource& keep_out : container.keep_out) {
+        if (keep_out.mesh) files.insert(keep_out.mesh->file);
+    }
+}
+
+void add_parts(const Packing& packing, std::set<std::string>& files) {
+    for (const PackedPart& part : packing.parts) {
+        files.insert(part.mesh);
+    }
+}
+
+}  // namespace
+
+std::set<std::string> mesh_files(const Job& job) {
     std::set<std::string> files;
-    const auto add = [&](const std::string& file) {
-        if (!file.empty()) files.insert(file);
-    };
     for (const Part& part : job.parts) {
-        add(part.mesh.file());
+        files.insert(part.mesh.file());
     }
     for (const FixedSource& fixed : job.fixed) {
-        add(fixed.mesh.file);
+        files.insert(fixed.mesh.file);
     }
-    if (job.onto) {
-        for (const PackedPart& part : job.onto->packing.parts) {
-            add(part.mesh);
-        }
-    }
-    if (job.container.mesh) add(job.container.mesh->file);
-    for (const KeepOutSource& keep_out : job.container.keep_out) {
-        if (keep_out.mesh) add(keep_out.mesh->file);
-    }
+    if (job.onto) add_parts(job.onto->packing, files);
+    add_container(job.container, files);
+    files.erase("");  // meshes in memory
+    return files;
+}
+
+std::set<std::string> mesh_files(const Packing& packing) {
+    std::set<std::string> files;
+    add_parts(packing, files);
+    add_container(container_source(packing), files);
+    files.erase("");
     return files;
 }
 

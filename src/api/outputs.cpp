@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "api/mesh_files.hpp"
 #include "core/atomic_file.hpp"
 #include "formats/packing_file.hpp"
 #include "spectralpack/files.hpp"
@@ -75,7 +74,7 @@ void require_writable(const fs::path& path, const std::string& what) {
 }
 
 void require_nameable(const Job& job, const fs::path& path) {
-    if (ending_of(path) == ".json") require_mesh_paths(mesh_files_of(job), path.parent_path());
+    if (ending_of(path) == ".json") require_mesh_paths(mesh_files(job), path.parent_path());
 }
 
 bool has_tray_files(const fs::path& path) { return ending_of(path) != ".json"; }

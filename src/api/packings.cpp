@@ -126,6 +126,15 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
     }
 }
 
+/// `single` is for scenes of one tray of `scene`.
+std::filesystem::path write_tray_file(const Scene& scene, std::size_t tray, const std::filesystem::path& path,
+                                      int threads, const StopToken& hurry, Scene& single) {
+    single.packing.trays = {scene.packing.trays[tray]};
+    std::filesystem::path file = tray_file(path, static_cast<std::int64_t>(tray) + 1);
+    write_one(single, file, tray + 1, threads, hurry);
+    return file;
+}
+
 }  // namespace
 
 std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std::filesystem::path& path, int threads) {
@@ -134,10 +143,7 @@ std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std
         return path;
     }
     Scene single = scene;
-    single.packing.trays = {scene.packing.trays[tray]};
-    const std::filesystem::path file = tray_file(path, static_cast<std::int64_t>(tray) + 1);
-    write_one(single, file, tray + 1, threads, {});
-    return file;
+    return write_tray_file(scene, tray, path, threads, {}, single);
 }
 
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads,
@@ -148,9 +154,7 @@ std::vector<std::filesystem::path> write_output(const Scene& scene, const std::f
     if (trays < 2 || !has_tray_files(path)) return written;
     Scene single = scene;
     for (std::size_t tray = 0; tray < trays; ++tray) {
-        single.packing.trays = {scene.packing.trays[tray]};
-        written.push_back(tray_file(path, static_cast<std::int64_t>(tray) + 1));
-        write_one(single, written.back(), tray + 1, threads, hurry);
+        written.push_back(write_tray_file(scene, tray, path, threads, hurry, single));
     }
     return written;
 }

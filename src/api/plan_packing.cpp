@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "api/check_options.hpp"
@@ -198,6 +199,16 @@ class PackingPlanner {
     Unpack unpack_ = Unpack::any;
 };
 
+/// Tells of each copy that is out, of `total` in all trays.
+Disassembler::Left telling(Listener& listener, std::int64_t total) {
+    const auto done = std::make_shared<std::int64_t>(0);  // copies of the function count together
+    return [&listener, total, done](int, int) {
+        *done = std::min(*done + 1, total);
+        listener.on_progress(
+            {Phase::disassemble, *done, total, 0, static_cast<double>(*done) / static_cast<double>(total)});
+    };
+}
+
 }  // namespace
 
 std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& settings, const Control& control) {
@@ -209,12 +220,7 @@ std::vector<Disassembly> plan_packing(const Scene& scene, const PlanOptions& set
         total += planner.questions(tray);
     }
     std::vector<Disassembly> plans;
-    std::int64_t done = 0;
-    const auto left = [&](int, int) {
-        done = std::min(done + 1, total);
-        listener.on_progress(
-            {Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
-    };
+    const Disassembler::Left left = telling(listener, total);
     for (const TrayPacking& tray : scene.packing.trays) {
         if (tray.placements.empty()) {
             plans.push_back({!control.stop.stopped(), {}, {}});
@@ -236,14 +242,7 @@ void plan_what_stood_before(Packing& packing, const PartMeshes& meshes, int thre
     for (TrayPacking& tray : packing.trays) {
         if (!tray.disassembly || !tray.disassembly->complete || !has_copies_from_before(tray)) continue;
         const PackingPlanner planner(packing, meshes, settings);
-        const std::int64_t total = planner.questions(tray);
-        std::int64_t done = 0;
-        const auto left = [&](int, int) {
-            done = std::min(done + 1, total);
-            listener.on_progress(
-                {Phase::disassemble, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
-        };
-        Disassembly plan = planner.plan(tray, true, left, control.stop);
+        Disassembly plan = planner.plan(tray, true, telling(listener, planner.questions(tray)), control.stop);
         if (plan.complete) tray.disassembly = std::move(plan);
     }
 }

@@ -7,6 +7,7 @@
 ///   Omega_place: objects, keep-out, everything outside the container: zeta, phi and rho.
 ///   Omega_move: objects and fixed copies (and the container where it is physical): free positions.
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -99,6 +100,10 @@ class Tray {
     double voxel_size() const { return setup_.voxel_size; }
     int reference_layers() const { return reference_layers_; }
     int gap_classes() const { return static_cast<int>(setup_.gap_classes.size()); }
+    /// Of a gap that is one of them.
+    int gap_class_of(double gap) const {
+        return static_cast<int>(std::ranges::lower_bound(setup_.gap_classes, gap) - setup_.gap_classes.begin());
+    }
 
     /// Whether some object stands that leaves no room for one of this gap class, or would leave it none: the gap is
     /// longer than the diagonal of the tray.

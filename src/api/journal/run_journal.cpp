@@ -135,12 +135,13 @@ std::string difference(const std::vector<std::string>& records, const std::vecto
     return "";
 }
 
-/// A file that is something else is not written over.
-void require_no_other_file(const std::filesystem::path& path) {
+/// The journal that is there; none where no file is. A file that is something else is not written over.
+std::optional<JournalText> journal_at(const std::filesystem::path& path) {
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path, unknown) || std::filesystem::file_size(path, unknown) == 0) return;
-    const JournalText text = read_journal(path);
-    if (!text.records.empty() && text.records.front().starts_with(kFormat)) return;
+    if (!std::filesystem::is_regular_file(path, unknown)) return std::nullopt;
+    JournalText text = read_journal(path);
+    const bool empty = text.bytes == 0 && !text.damaged;
+    if (empty || (!text.records.empty() && text.records.front().starts_with(kFormat))) return text;
     throw InputError(path.string(), "", "is there, and is not a journal; it is left as it is");
 }
 
@@ -148,36 +149,30 @@ void require_no_other_file(const std::filesystem::path& path) {
 
 RunJournal::RunJournal(const JournalOptions& options, const std::vector<InputFact>& facts, Listener& listener)
     : path_(options.file), listener_(listener) {
-    require_no_other_file(path_);
-    std::optional<JournalText> standing;
-    if (options.resume != Resume::never) standing = take_what_stands(options.resume, facts);
+    std::optional<JournalText> standing = journal_at(path_);
+    if (!standing && options.resume == Resume::must) throw InputError(path_.string(), "", "there is no such journal");
+    if (standing && (options.resume == Resume::never || !goes_on(*standing, options.resume, facts))) standing.reset();
     file_ = std::make_unique<JournalFile>(path_, options.after, standing ? &*standing : nullptr);
     if (!standing) begin(facts);
     told_of_file_ = standing || options.after <= 0;  // who asked for it knows
 }
 
-/// The journal that is gone on with; none: this run begins one.
-std::optional<JournalText> RunJournal::take_what_stands(Resume resume, const std::vector<InputFact>& facts) {
-    std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path_, unknown)) {
-        if (resume == Resume::must) throw InputError(path_.string(), "", "there is no such journal");
-        return std::nullopt;
-    }
-    JournalText text = read_journal(path_);
+/// Takes what the journal decided; false where it is of another job.
+bool RunJournal::goes_on(const JournalText& standing, Resume resume, const std::vector<InputFact>& facts) {
     std::size_t decisions = 0;
-    const std::string differs = difference(text.records, facts, decisions);
+    const std::string differs = difference(standing.records, facts, decisions);
     if (!differs.empty()) {
         if (resume == Resume::must) throw InputError(path_.string(), "", "is not of this job: " + differs);
         listener_.on_warning(path_.string() + " is not of this job (" + differs + "): this run begins anew");
-        return std::nullopt;
+        return false;
     }
-    for (std::size_t i = decisions; i < text.records.size(); ++i) {
-        take_record(text.records[i]);
+    for (std::size_t i = decisions; i < standing.records.size(); ++i) {
+        take_record(standing.records[i]);
     }
     listener_.on_warning("this run goes on from " + path_.string() + ": " + what_is_known() +
                          "; --no-resume begins anew" +
-                         (text.damaged ? ". What stood last in it was torn, and is decided again" : ""));
-    return text;
+                         (standing.damaged ? ". What stood last in it was torn, and is decided again" : ""));
+    return true;
 }
 
 /// For people: how many copies were tried, in all fillings.
@@ -199,11 +194,6 @@ void RunJournal::begin(const std::vector<InputFact>& facts) {
     file_->add(kBegun);
 }
 
-RunJournal::Filling& RunJournal::known(std::size_t filling) {
-    if (fillings_.size() < filling) fillings_.resize(filling);
-    return fillings_[filling - 1];
-}
-
 void RunJournal::take_record(const std::string& record) {
     RecordReader reader(record);
     std::size_t number = 0;
@@ -216,7 +206,8 @@ void RunJournal::take_record(const std::string& record) {
     if (number == 0 || number < fillings_.size() || number > fillings_.size() + 1) {
         throw InputError(path_.string(), "record '" + std::string(reader.word()) + "'", "is out of order");
     }
-    Filling& filling = known(number);
+    fillings_.resize(number);
+    Filling& filling = fillings_.back();
     if (reader.word() == "place") {
         filling.places.push_back(read(FoundPlace{}));
     } else if (reader.word() == "settled") {

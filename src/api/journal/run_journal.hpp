@@ -47,10 +47,9 @@ class RunJournal final : public Decisions {
         std::optional<FilledTray> filled;
     };
 
-    std::optional<JournalText> take_what_stands(Resume resume, const std::vector<InputFact>& facts);
+    bool goes_on(const JournalText& standing, Resume resume, const std::vector<InputFact>& facts);
     void take_record(const std::string& record);
     std::string what_is_known() const;
-    Filling& known(std::size_t filling);
     template <class T>
     std::optional<T> recall(std::optional<T> Filling::*decision);
     template <class T>

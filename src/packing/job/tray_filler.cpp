@@ -96,11 +96,9 @@ void TrayFiller::stand_again(const PackedTray& known, Tray& tray, const TrayCont
         PlacedCopy& placed = result.placed[i];
         const auto& [part, number] = placed.copy;
         if (refinement) {
-            const std::vector<double>& gaps = tray.setup().gap_classes;
-            const auto gap_class = std::ranges::find(gaps, part_of_(part).gap) - gaps.begin();
-            placed.object = tray.add(
-                refinement->stand_at(placed.copy, placed.orientation, placed.offset, static_cast<int>(gap_class))
-                    .object);
+            const int gap_class = tray.gap_class_of(part_of_(part).gap);
+            placed.object =
+                tray.add(refinement->stand_at(placed.copy, placed.orientation, placed.offset, gap_class).object);
         } else {
             const Shape& shape = context.shapes.at(i);
             const auto oriented =

@@ -134,10 +134,7 @@ void OffGrid::put_again(const PlacedCopy& copy, std::vector<PlacedCopy>& placed)
     if (Caps* caps = context_.limits.caps) caps->add(copy.copy.part, copy.orientation, copy.offset);
 }
 
-int OffGrid::gap_class(int part) const {
-    const std::vector<double>& gaps = tray_.setup().gap_classes;
-    return static_cast<int>(std::ranges::lower_bound(gaps, surfaces_.part(part).gap) - gaps.begin());
-}
+int OffGrid::gap_class(int part) const { return tray_.gap_class_of(surfaces_.part(part).gap); }
 
 void OffGrid::clear(std::vector<PlacedCopy>& placed) {
     for (const PlacedCopy& copy : placed) {
