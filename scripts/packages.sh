@@ -23,7 +23,7 @@ install_missing() {
     command -v apt-get >/dev/null || { echo "No apt-get here. Install the equivalents of:$missing" >&2; return 1; }
     # The list of packages may be old or absent on a fresh machine.
     $as_root apt-get update -q >/dev/null 2>&1
-    if ! $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing >/tmp/spectralpack-apt.log 2>&1; then
+    if ! $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y -q --no-install-recommends $missing >/tmp/spectralpack-apt.log 2>&1; then
         tail -n 5 /tmp/spectralpack-apt.log >&2
         echo "Installing failed (whole log: /tmp/spectralpack-apt.log). Try: apt-get update && apt-get install$missing" >&2
         return 1

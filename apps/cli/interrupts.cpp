@@ -86,6 +86,11 @@ StopSource& Interrupts::trial(double most_seconds) {
     return ends_[kTrial];
 }
 
+void Interrupts::improve_for(double seconds) {
+    set_timer(kImproved, Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                            std::chrono::duration<double>(std::min(seconds, kMostSeconds))));
+}
+
 /// `when` may be over.
 void Interrupts::set_timer(End end, Clock::time_point when) {
     const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(when - Clock::now()).count();

@@ -41,6 +41,10 @@ class Interrupts {
     StopToken placed() const { return ends_[kPlaced].token(); }
     /// For what may take half of the time for placing; stops with placed(), too.
     StopToken half_placed() const { return ends_[kHalf].token(); }
+    /// Ends what makes the packing better; stops with placed(), too.
+    StopToken improved() const { return ends_[kImproved].token(); }
+    /// It does so many seconds from now on.
+    void improve_for(double seconds);
     /// For a try beforehand, which takes no longer than so many seconds from now on; stops with all others.
     StopSource& trial(double most_seconds);
     /// Pictures are drawn plainly from here on. Signals do not request it.
@@ -50,7 +54,7 @@ class Interrupts {
     void begin_writing() { writing_ = true; }
 
   private:
-    enum End { kTrial, kHalf, kPlaced, kPlanned, kHurry, kEnds };
+    enum End { kTrial, kHalf, kImproved, kPlaced, kPlanned, kHurry, kEnds };
 
     static void handle(int signal, siginfo_t* info, void*);
     void set_timer(End end, Clock::time_point when);

@@ -168,12 +168,30 @@ void settle_journal(const PackResult& result, bool written, ProgressDisplay& dis
 /// Writes finished trays while others are packed.
 class PackDisplay final : public ProgressDisplay {
   public:
-    PackDisplay(ProgressStyle style, const JobSettings& settings) : ProgressDisplay(style), outputs_(settings, *this) {}
+    PackDisplay(const JobSettings& settings, Interrupts& interrupts)
+        : ProgressDisplay(settings.progress.value_or(ProgressStyle::automatic)),
+          improve_(settings.options.improve),
+          interrupts_(interrupts),
+          outputs_(settings, *this) {}
+
+    /// The time to improve in counts from the first step on.
+    void on_progress(const Progress& progress) override {
+        if (progress.phase == Phase::improve && improve_ && progress.improved) {
+            if (*improve_ > 0) {
+                limit_improvement(*improve_ - progress.improved->seconds);
+                interrupts_.improve_for(*improve_ - progress.improved->seconds);
+            }
+            improve_.reset();
+        }
+        ProgressDisplay::on_progress(progress);
+    }
 
     void on_trays(const Scene& finished) override { outputs_.write_trays(finished); }
     RunOutputs& outputs() { return outputs_; }
 
   private:
+    std::optional<int> improve_;  // seconds that are to be counted still
+    Interrupts& interrupts_;
     RunOutputs outputs_;
 };
 
@@ -245,7 +263,7 @@ int run_pack(const PackArguments& arguments) {
     const JobSettings settings = settle(arguments, inputs.job.value_or(defaults));
     const JournalOptions journal = journal_options(arguments, settings);
     Interrupts interrupts(settings.options.time_limit, time_shares(settings), start);
-    PackDisplay display(settings.progress.value_or(ProgressStyle::automatic), settings);
+    PackDisplay display(settings, interrupts);
     report_passed_over(inputs, display);
     const std::vector<InputError> problems = problems_of(inputs.parts);
     if (problems.size() == inputs.parts.size()) {
@@ -263,6 +281,7 @@ int run_pack(const PackArguments& arguments) {
     job.defaults = settings.defaults;
     job.enough_orders = interrupts.half_placed();
     job.enough_placed = interrupts.placed();
+    job.enough_improved = interrupts.improved();
     const TakenOver taken = settle_container(arguments, settings, job);
     for (const std::string& remark : taken.remarks) {
         display.on_warning(remark);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "summary_texts.hpp"
 #include "tell.hpp"
 #include "text.hpp"
 #include "unusable_files.hpp"
@@ -34,11 +36,23 @@ const char* doing(Phase phase) {
             return "drawing";
         case Phase::write:
             return "writing";
+        case Phase::improve:
+            return "improving";
     }
     return "";
 }
 
+double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
 }  // namespace
+
+void ProgressDisplay::limit_improvement(double seconds) {
+    improving_since_ = Clock::now();
+    improving_until_ =
+        improving_since_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
 
 ProgressDisplay::ProgressDisplay(ProgressStyle style) : style_(style) {
     if (style == ProgressStyle::automatic) {
@@ -59,18 +73,23 @@ void ProgressDisplay::on_progress(const Progress& progress) {
     last_ = now;
     const double elapsed = std::chrono::duration<double>(now - run.start).count();
     // Of work spread as it was so far; -1 while there is too little to tell.
-    const double left = progress.work > 0.01 && elapsed > 0.5 ? elapsed * (1 - progress.work) / progress.work
-                        : last                                ? 0
-                                                              : -1;
+    const double left = progress.improved && improving_until_   ? std::max(0.0, seconds_between(now, *improving_until_))
+                        : progress.work > 0.01 && elapsed > 0.5 ? elapsed * (1 - progress.work) / progress.work
+                        : last                                  ? 0
+                                                                : -1;
     if (style_ == ProgressStyle::json) {
         const std::string orders =
             progress.orders > 0 ? fmt::format(R"(, "order": {}, "orders": {})", progress.order, progress.orders) : "";
+        const std::string improved = progress.improved ? fmt::format(R"(, "what": "{}", "before": {}, "now": {})",
+                                                                     to_string(progress.improved->what),
+                                                                     progress.improved->before, progress.improved->now)
+                                                       : "";
         const std::string verified = progress.verified > 0 ? fmt::format(R"(, "verified": {})", progress.verified) : "";
         tell(R"({{"phase": "{}", "done": {}, "total": {}, "density": {}, "seconds": {:.3f}, "left": {}{}{}}})"
              "\n",
              to_string(progress.phase), progress.done, progress.total,
              progress.density ? fmt::format("{}", *progress.density) : "null", elapsed,
-             left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders);
+             left < 0 ? "null" : fmt::format("{:.3f}", left), verified, orders + improved);
     } else {
         draw(progress, left);
     }
@@ -92,10 +111,17 @@ void ProgressDisplay::on_event(const Event& event) {
 }
 
 void ProgressDisplay::draw(const Progress& progress, double left) {
-    const int filled = static_cast<int>(progress.work * kBarWidth);
+    double work = progress.work;
+    if (progress.improved && improving_until_ && left >= 0) {
+        const double all = seconds_between(improving_since_, *improving_until_);
+        work = all > 0 ? std::clamp(1 - left / all, 0.0, 1.0) : 1;
+    }
+    const int filled = static_cast<int>(work * kBarWidth);
     std::string bar(static_cast<std::size_t>(filled), '#');
     bar.resize(kBarWidth, '.');
-    std::string line = fmt::format("{:<12} [{}] {}/{}", doing(progress.phase), bar, progress.done, progress.total);
+    std::string line = fmt::format(
+        "{:<12} [{}] {}", doing(progress.phase), bar,
+        progress.improved ? progress_text(*progress.improved) : fmt::format("{}/{}", progress.done, progress.total));
     if (progress.phase == Phase::search && progress.density) {
         line += fmt::format("  {} filled", percent_text(*progress.density));
     }

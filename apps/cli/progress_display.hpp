@@ -32,6 +32,9 @@ class ProgressDisplay : public Listener {
     /// Ends the bar's line, and sets off what was told from the result that follows.
     void end();
 
+    /// Phase::improve, which begins, ends so many seconds from now.
+    void limit_improvement(double seconds);
+
     /// Ends the bar's line, so that other output starts on a fresh one.
     void finish() { line_.clear(); }
 
@@ -51,6 +54,8 @@ class ProgressDisplay : public Listener {
     std::map<Phase, Run> runs_;
     std::optional<Phase> phase_;
     Clock::time_point last_ = {};
+    Clock::time_point improving_since_ = {};
+    std::optional<Clock::time_point> improving_until_;  // none: nobody said
     StatusLine line_;
     bool told_ = false;  ///< a remark or an error, to people
 };

@@ -87,6 +87,7 @@ SummaryLines summary_lines(const PackResult& result, const RunFacts& facts, cons
         lines.labelled("Filled", filled_text(packing));
     }
     if (packing.options.fill) lines.labelled("Of each", shares_text(packing));
+    if (packing.metrics.improvement) lines.labelled("Improved", improved_text(*packing.metrics.improvement));
     lines.labelled("Gap", gap_text(packing, facts.taken));
     lines.labelled("Left over", left_over_texts(packing, result.stopped, room.reason_lines));
     lines.labelled("Checked", checked_texts(packing, facts));

@@ -266,6 +266,54 @@ std::string written_text(const RunFacts& facts, bool several_trays) {
     return text;
 }
 
+namespace {
+
+/// "5 trays, the last 4.3 % full".
+std::string trays_text(double trays) {
+    const double whole = std::floor(trays);
+    return fmt::format("{:.0f} trays, the last {} full", whole + 1, percent_text(trays - whole));
+}
+
+}  // namespace
+
+std::string progress_text(const Improved& improved) {
+    const double gain = improved.now - improved.before;
+    switch (improved.what) {
+        case Improves::height:
+            return fmt::format("{:.1f} mm high, {:.1f} mm lower than at first", improved.now, -gain);
+        case Improves::density:
+            return fmt::format("{} filled, {:.1f} points more than at first", percent_text(improved.now), 100 * gain);
+        case Improves::copies:
+            return fmt::format("{} copies, {} more than at first", improved.now, gain);
+        case Improves::value:
+            return fmt::format("worth {:g}, {:g} more than at first", improved.now, gain);
+        case Improves::trays:
+            return trays_text(improved.now) + ", at first " + trays_text(improved.before);
+    }
+    return "";
+}
+
+std::string improved_text(const Improved& improved) {
+    const std::string orders = fmt::format("{} order{} tried in {}", improved.steps, improved.steps == 1 ? "" : "s",
+                                           duration_text(improved.seconds));
+    const double gain = improved.now - improved.before;
+    if (gain == 0) return "nothing better was found; " + orders;
+    switch (improved.what) {
+        case Improves::height:
+            return fmt::format("{:.1f} mm lower than at first ({:.1f} mm); {}", -gain, improved.before, orders);
+        case Improves::density:
+            return fmt::format("{:.1f} points fuller than at first ({}); {}", 100 * gain, percent_text(improved.before),
+                               orders);
+        case Improves::copies:
+            return fmt::format("{} copies more than at first ({}); {}", gain, improved.before, orders);
+        case Improves::value:
+            return fmt::format("worth {:g} more than at first ({:g}); {}", gain, improved.before, orders);
+        case Improves::trays:
+            return fmt::format("{}, at first {}; {}", trays_text(improved.now), trays_text(improved.before), orders);
+    }
+    return "";
+}
+
 std::string took_text(const Metrics& metrics, double seconds) {
     const std::string orders = metrics.orders > 1 ? fmt::format("; the best of {} orders", metrics.orders) : "";
     return duration_text(seconds) + orders;

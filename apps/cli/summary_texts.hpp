@@ -19,6 +19,8 @@ std::string shares_text(const Packing& packing);
 std::string gap_text(const Packing& packing, const TakenOver& taken);
 std::vector<std::string> checked_texts(const Packing& packing, const RunFacts& facts);
 std::string written_text(const RunFacts& facts, bool several_trays);
+std::string progress_text(const Improved& improved);  ///< "121.3 mm high, 14.6 mm lower than at first"
+std::string improved_text(const Improved& improved);
 std::string took_text(const Metrics& metrics, double seconds);
 
 }  // namespace spectralpack::cli

@@ -54,6 +54,9 @@ std::optional<ProbedTime> probe_time(const Job& job, double seconds, StopSource&
     Job probed = job;
     probed.enough_orders.reset();
     probed.enough_placed.reset();
+    probed.enough_improved.reset();
+    probed.options.improve.reset();
+    probed.options.improve_steps = 0;
     try {
         pack(probed, {&probe, stop.token()});
     } catch (const ResourceError&) {

@@ -7,13 +7,14 @@
 #include <string>
 
 #include "spectralpack/geometry.hpp"
+#include "spectralpack/improvement.hpp"
 #include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
 struct Scene;
 
-enum class Phase { load, voxelize, search, disassemble, reinsert, check, render, write };
+enum class Phase { load, voxelize, search, disassemble, reinsert, check, render, write, improve };
 
 struct Progress {
     Phase phase = Phase::load;
@@ -23,7 +24,8 @@ struct Progress {
     std::optional<double> density = 0;
     double work = 0;            ///< share of the phase's expected work that is done, 0..1
     std::int64_t verified = 0;  ///< placements a second engine answered alike so far; only with --verify-with
-    int order = 0, orders = 0;  ///< where several orders are packed in: which, from 1, of how many
+    std::optional<Improved> improved = {};  ///< only in Phase::improve
+    int order = 0, orders = 0;              ///< where several orders are packed in: which, from 1, of how many
 };
 
 enum class EventKind {

@@ -66,7 +66,7 @@ struct Part {
     double priority = 0;              ///< higher goes first
     std::string due = {};             ///< "2026-12-01": earlier goes first; empty: last
     std::string order = {};           ///< whose it is, for people
-    double value = 1;                 ///< what a copy is worth; kept for the record, nothing is decided by it yet
+    double value = 1;                 ///< what a copy is worth: Goal::value
     std::string origin = {};          ///< where it was named, for messages ("set.csv line 7"); empty: as an argument
     std::optional<InputError> problem = {};  ///< why it cannot be used, where that is known before it is read
 };
@@ -114,6 +114,9 @@ struct Job {
     /// Ends placing: what stands by then is still made to come apart, until pack()'s own token is requested. None: that
     /// ends all. Who has one requests it whenever he requests that.
     std::optional<StopToken> enough_placed = {};
+    /// Ends the search for a better packing (PackOptions::improve), which otherwise goes on until placing ends. Who has
+    /// one requests it whenever he requests that.
+    std::optional<StopToken> enough_improved = {};
     std::optional<Scene> onto = {};  ///< its copies stand where they are; those placed come on top, tray by tray
     std::vector<Printer> own_printers = {};     ///< known besides printers(): named where a part needs a larger tray
     std::vector<SettingsSource> defaults = {};  ///< where options came from that nobody said; kept for the record

@@ -44,6 +44,8 @@ inline constexpr Words<2> kWords<Unpack>{"any", "top"};
 template <>
 inline constexpr Words<5> kWords<Order>{"size", "input", "random", "volume", "mixed"};
 template <>
+inline constexpr Words<4> kWords<Goal>{"fair", "volume", "copies", "value"};
+template <>
 inline constexpr Words<4> kWords<EngineKind>{"auto", "cpu", "cuda", "reference"};
 template <>
 inline constexpr Words<2> kWords<HeightReference>{"bottom", "top"};
@@ -69,8 +71,10 @@ template <>
 inline constexpr Words<8> kWords<FindingKind>{"outside",   "overlap", "nested", "gap",
                                               "transform", "density", "count",  "plan"};
 template <>
-inline constexpr Words<8> kWords<Phase>{"load",     "voxelize", "search", "disassemble",
-                                        "reinsert", "check",    "render", "write"};
+inline constexpr Words<9> kWords<Phase>{"load",  "voxelize", "search", "disassemble", "reinsert",
+                                        "check", "render",   "write",  "improve"};
+template <>
+inline constexpr Words<5> kWords<Improves>{"height", "density", "copies", "value", "trays"};
 template <>
 inline constexpr Words<6> kWords<EventKind>{"tray_begun",     "copy_placed",   "copy_moved",
                                             "copy_taken_out", "copy_put_back", "tray_finished"};

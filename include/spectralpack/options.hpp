@@ -20,6 +20,9 @@ enum class TakeOut { smallest, lightest, thinnest };
 /// each other is found afterwards and taken out, as in the paper.
 enum class Links { allow, avoid };
 enum class Order { size, input, random, volume, mixed };
+/// What a tray that cannot hold all is filled with. fair: large copies first, then as much as fits; the others look for
+/// the most material, the most copies, or those that are worth most together, and may leave large ones out.
+enum class Goal { fair, volume, copies, value };
 enum class EngineKind { automatic, cpu, cuda, reference };
 enum class HeightReference { bottom, top };
 enum class Minimise { none, box };
@@ -64,6 +67,11 @@ struct PackOptions {
     Order order = Order::size;
     int restarts = 1;  ///< orders to pack in, of which the best is kept
     int beam = 1;      ///< states that a beam search over orders keeps; 1: none
+    Goal goal = Goal::fair;
+    /// Seconds to make the first packing better; 0: the rest of the time for placing; none: it stays as it is. Kept for
+    /// the record, the caller holds the clock (Job::enough_improved).
+    std::optional<int> improve;
+    int improve_steps = 0;  ///< orders tried to that end, at most; 0: as many as there is time for
     EngineKind engine = EngineKind::automatic;
     int threads = 0;  ///< 0: all the machine has; at most kMostThreads
     std::uint64_t seed = 0;

@@ -11,6 +11,7 @@
 
 #include "spectralpack/disassembly.hpp"
 #include "spectralpack/geometry.hpp"
+#include "spectralpack/improvement.hpp"
 #include "spectralpack/mesh.hpp"
 #include "spectralpack/options.hpp"
 #include "spectralpack/orientations.hpp"
@@ -166,6 +167,7 @@ struct Metrics {
     std::int64_t searches = 0;                 ///< copies searched for, skipped copies not counted
     std::int64_t verified = 0;                 ///< placements answered alike by the verifying engine
     int orders = 1;                            ///< packed in, of which the best was kept
+    std::optional<Improved> improvement;       ///< none where none was asked for
     std::int64_t peak_memory = 0;
     std::string engine;
     int threads = 0;

@@ -95,6 +95,9 @@ class Hash {
     XXH3_state_t* state_;
 };
 
+/// Later options count where they are not as by default, so that they change the hash of no run without them.
+constexpr int kAlwaysHashed = 23;
+
 /// Those that placements depend on.
 std::vector<const Option*> hashed_options() {
     std::vector<const Option*> options;
@@ -125,6 +128,7 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
         hash.add(part.priority);
         hash.add(part.due);
         hash.add(part.orientations);
+        if (options.goal == Goal::value) hash.add(part.value);
     }
     for (const FixedPlacement& fixed : loaded.fixed) {
         hash.add(fixed.tray);
@@ -141,9 +145,11 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     hash.add(container.physical);
     PackOptions decisive = options;
     if (options.trays == 1) decisive.try_per_tray = 0;
-    if (options.order != Order::random && options.restarts == 1) decisive.seed = 0;
+    const bool improves = options.improve || options.improve_steps > 0;
+    if (options.order != Order::random && options.restarts == 1 && !improves) decisive.seed = 0;
     for (const Option* option : hashed_options()) {
-        hash.add(*option, option->in_pack.get(decisive));
+        const OptionValue value = option->in_pack.get(decisive);
+        if (option->hash_place <= kAlwaysHashed || value != default_of(*option)) hash.add(*option, value);
     }
     return hash.hex();
 }
@@ -171,8 +177,8 @@ std::vector<InputFact> input_facts(const LoadedJob& loaded, const Container& con
         const std::string name = "part " + std::to_string(i + 1) + " (" + part.name + ")";
         facts.push_back({name + ", count", std::to_string(part.count)});
         facts.push_back({name + ", mesh", mesh_hash(loaded.meshes[i])});
-        facts.push_back({name + ", size, gap, orientations and order",
-                         hash_of(part.to_mm(), part.gap, part.priority, part.due, part.orientations)});
+        facts.push_back({name + ", size, gap, orientations, order and value",
+                         hash_of(part.to_mm(), part.gap, part.priority, part.due, part.orientations, part.value)});
     }
     for (const FixedPlacement& fixed : loaded.fixed) {
         facts.push_back(

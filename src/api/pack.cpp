@@ -25,6 +25,7 @@
 #include "core/remarks.hpp"
 #include "core/stopped.hpp"
 #include "core/stopwatch.hpp"
+#include "packing/improve/improvement.hpp"
 #include "packing/job/least_box.hpp"
 #include "packing/job/order_search.hpp"
 #include "search/verifying_search.hpp"
@@ -145,7 +146,7 @@ class JobRun {
 
     Packing recorded(const TraysResult& trays, const PackedJob& packed) const {
         return packing_of({loaded_, container_, options_, plan_, job_.defaults, trays, packed.base, seconds_, verified_,
-                           packed.orders},
+                           packed.orders, packed.improvement},
                           workers_);
     }
 
@@ -208,6 +209,16 @@ class JobRun {
         } else {
             packer.pack({packer.job().copies, packer.job().fill, stop_, tell, &events}, packed.trays);
         }
+        if (!options_.improve && options_.improve_steps == 0) return;
+        if (!plan_.keeps_all) {
+            listener_.on_warning(
+                "--improve needs the voxels of all parts at once, for which there is too little memory; "
+                "the first packing stays");
+            return;
+        }
+        const ImprovementOptions improving{options_.goal, options_.improve_steps, options_.seed, stop_,
+                                           job_.enough_improved.value_or(enough())};
+        improve(packer, improving, tell, &events, packed);
     }
 
     const Job& job_;

@@ -61,7 +61,7 @@ std::vector<JobPart> job_parts(const LoadedJob& loaded, const Plan& plan) {
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
         const PackedPart& part = loaded.parts[i];
         parts.push_back({loaded.meshes[i], part.to_mm(), part.gap, plan.orientations[i], part.volume,
-                         loaded.box_volume[i], part.count});
+                         loaded.box_volume[i], part.count, part.value});
     }
     return parts;
 }

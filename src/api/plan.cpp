@@ -24,6 +24,9 @@ namespace {
 /// Turns of a cube.
 constexpr std::size_t kRightAngles = 24;
 
+/// A tray overflows where the copies' boxes come to more than so many times its volume (appendix A.2).
+constexpr double kOverflow = 1.2;
+
 int voxels_in(double length, double dx) {
     const double voxels = std::ceil(length / dx - 1e-9);
     if (voxels > 1e9) throw ResourceError("--voxel is too fine: over a billion voxels along one axis");
@@ -176,7 +179,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         plan.volume_ratio += copies * part.volume / container_volume;
         plan.gap_classes.push_back(part.gap);
         if (copies > 0) {
-            sizes.push_back({part.id, copies, loaded.box_volume[i], part.priority, part.due, part.volume});
+            sizes.push_back({part.id, copies, loaded.box_volume[i], part.priority, part.due, part.volume, part.value});
             plan.copies = plan.copies || copies > 1 || options.fill;
             material += copies * part.volume;
         }
@@ -184,7 +187,9 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     if (!is_open(options) && material > container_volume) plan.placed = container_volume / material;
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
-    plan.items = order_copies(sizes, options.order, options.seed);
+    const bool overflows = !is_open(options) && options.trays == 1 && plan.box_ratio > kOverflow;
+    const bool by_goal = overflows && options.goal != Goal::fair && options.order == Order::size;
+    plan.items = by_goal ? order_copies(sizes, options.goal) : order_copies(sizes, options.order, options.seed);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));

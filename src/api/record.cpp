@@ -116,6 +116,7 @@ Metrics metrics_of(const PackRun& run, const Packing& packing, const Workers& wo
     metrics.searches = run.trays.searches();
     metrics.verified = run.verified;
     metrics.orders = run.orders;
+    metrics.improvement = run.improvement;
     metrics.peak_memory = peak_memory();
     metrics.engine = to_string(run.plan.engine);
     metrics.threads = workers.threads();

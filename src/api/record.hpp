@@ -22,6 +22,7 @@ struct PackRun {
     PhaseSeconds seconds;          ///< but for disassembly and re-insertion, which the trays tell
     std::int64_t verified = 0;
     int orders = 1;  ///< packed in, of which the best was kept
+    std::optional<Improved> improvement = {};
 };
 
 Packing packing_of(const PackRun& run, const Workers& workers);

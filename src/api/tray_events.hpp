@@ -19,6 +19,7 @@ class TrayEvents final : public TrayObserver {
         tell(EventKind::tray_begun);
     }
     void copy_placed(const PlacedCopy& placed) override { tell(EventKind::copy_placed, placed); }
+    void copy_moved(const PlacedCopy& placed) override { tell(EventKind::copy_moved, placed); }
     void copy_taken_out(const PlacedCopy& placed) override { tell(EventKind::copy_taken_out, placed); }
     void copy_put_back(const PlacedCopy& placed) override { tell(EventKind::copy_put_back, placed); }
     void tray_finished() override { tell(EventKind::tray_finished); }

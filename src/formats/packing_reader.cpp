@@ -336,6 +336,15 @@ class PackingReader {
         }
         if (const auto v = node.find("searches")) m.searches = v->integer<std::int64_t>(0);
         if (const auto v = node.find("orders")) m.orders = v->integer<int>(1);
+        if (const auto v = node.find("improvement")) {
+            Improved& improved = m.improvement.emplace();
+            if (const auto field = v->find("what")) improved.what = field->one_of<Improves>();
+            if (const auto field = v->find("before")) improved.before = field->number();
+            if (const auto field = v->find("now")) improved.now = field->number();
+            if (const auto field = v->find("steps")) improved.steps = field->integer<std::int64_t>(0);
+            if (const auto field = v->find("starts")) improved.starts = field->integer<int>(0);
+            if (const auto field = v->find("seconds")) improved.seconds = field->number();
+        }
         if (const auto v = node.find("verified")) m.verified = v->integer<std::int64_t>(0);
         if (const auto v = node.find("peak_memory")) m.peak_memory = v->integer<std::int64_t>(0);
         if (const auto v = node.find("engine")) m.engine = v->text();

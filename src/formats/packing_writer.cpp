@@ -333,6 +333,11 @@ class PackingWriter {
                 {"added", counts.added}};
     }
 
+    static Json improvement_json(const Improved& improved) {
+        return {{"what", to_string(improved.what)}, {"before", improved.before}, {"now", improved.now},
+                {"steps", improved.steps},          {"starts", improved.starts}, {"seconds", improved.seconds}};
+    }
+
     Json metrics_json() const {
         const Metrics& m = packing_.metrics;
         const PhaseSeconds& s = m.seconds;
@@ -351,6 +356,7 @@ class PackingWriter {
                 {"interlock", m.interlock ? interlock_json(*m.interlock) : Json(nullptr)},
                 {"searches", m.searches},
                 {"orders", m.orders},
+                {"improvement", m.improvement ? improvement_json(*m.improvement) : Json(nullptr)},
                 {"verified", m.verified},
                 {"peak_memory", m.peak_memory},
                 {"engine", m.engine},

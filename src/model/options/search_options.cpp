@@ -14,6 +14,7 @@ constexpr int kMostDetail = 8;
 // Nobody would wait for more.
 constexpr int kMostRestarts = 1'000'000;
 constexpr int kMostBeam = 100;
+constexpr int kMostImprove = 1'000'000;  // seconds: eleven days
 
 constexpr std::array<std::string_view, 8> kRotations{"none",          "90",    "45", "30", "15", "icosahedron",
                                                      "icosahedron:1", "90+box"};
@@ -158,7 +159,6 @@ std::vector<Option> placing_options() {
         kept_in<&PackOptions::height_at>(
             {.name = "height-at",
              .group = Group::packing,
-             .help_place = 12,
              .none_word = "auto",
              .placeholder = "WHERE",
              .line = "auto, top (lower builds), bottom",
@@ -210,6 +210,49 @@ std::vector<Option> order_options() {
              .default_means = "none",
              .examples = {"5"},
              .hash_place = 22}),
+        kept_in<&PackOptions::goal>(
+            {.name = "goal",
+             .group = Group::packing,
+             .placeholder = "WHAT",
+             .line = "what a full tray should hold most of: fair, volume, copies, value",
+             .help = "For one tray that cannot hold all. 'fair' lets large copies go first, as people do. 'volume' "
+                     "fills the tray most, 'copies' places the most copies, 'value' those that are worth most (the "
+                     "column 'value' of a set); these leave out what takes much room for what it brings, hollow or "
+                     "large parts. Unless --order says otherwise, copies are tried in the order that serves the goal.",
+             .examples = {"volume"},
+             .hash_place = 24}),
+        kept_in<&PackOptions::improve>(
+            {.name = "improve",
+             .group = Group::packing,
+             .help_place = 12,
+             .type = Type::integer,
+             .least = 1,
+             .most = kMostImprove,
+             .zero_word = "rest",
+             .placeholder = "S",
+             .line = "so many seconds more to pack lower or denser; 'rest': what --time-limit leaves",
+             .help =
+                 "Once the first packing is done, other orders are tried and copies are shifted, over and over; the "
+                 "best packing so far is kept, which comes apart like any other. Where all fits it becomes "
+                 "lower; a tray that overflows comes to hold more of what --goal says; of several trays the last "
+                 "becomes lower. Ctrl-C ends it early, and the best is written. What comes of it depends on how "
+                 "fast the machine is; --improve-steps does not.",
+             .default_means = "none",
+             .examples = {"60"},
+             .hash_place = 25}),
+        kept_in<&PackOptions::improve_steps>(
+            {.name = "improve-steps",
+             .group = Group::packing,
+             .type = Type::integer,
+             .least = 0,
+             .most = kMostInt,
+             .placeholder = "N",
+             .line = "improve by trying N other orders, however long that takes",
+             .help = "The same number gives the same packing on every machine. A packing that --improve made says how "
+                     "many steps it took. With both, what ends first counts.",
+             .default_means = "none",
+             .examples = {"200"},
+             .hash_place = 26}),
     };
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -52,7 +54,35 @@ struct WaysOut {
 
 BitGrid link_sample(const BitGrid& solid) { return row_sample(solid, kRowsAlong); }
 
-/// What is known of a shape; copies of a part are asked about one after the other.
+/// What a shape looks like in one orientation, and past whom it is known to leave. That depends on nothing but the two
+/// solids and how they stand to each other, so it holds in any tray.
+struct UnlinkedSearch::Form {
+    /// A solid that stands, and where the shape is beside it.
+    struct Pose {
+        const BitGrid* standing;
+        VoxelIndex beside;
+
+        bool operator==(const Pose&) const = default;
+    };
+    struct PoseHash {
+        std::size_t operator()(const Pose& pose) const {
+            std::size_t hash = std::hash<const void*>()(pose.standing);
+            for (const int value : {pose.beside.x, pose.beside.y, pose.beside.z}) {
+                hash = (hash ^ static_cast<std::size_t>(value)) * 0x9e3779b97f4a7c15u;
+            }
+            return hash ^ (hash >> 32);
+        }
+    };
+
+    std::mutex mutex;
+    std::shared_ptr<const BitGrid> sample, in_cells;  // of its voxels; null: not asked about so far
+    std::shared_ptr<const Outlines> outlines;
+    std::unordered_map<Pose, bool, PoseHash> leaves;  // of poses that a walk was needed for
+
+    static constexpr std::int64_t kBytesOfPose = 64;
+};
+
+/// Ways of one shape past the objects of one tray; copies of a part are asked about one after the other.
 struct UnlinkedSearch::Known {
     /// Past one object; null: not asked about so far.
     struct Past {
@@ -60,9 +90,6 @@ struct UnlinkedSearch::Known {
     };
     /// An orientation.
     struct Moving {
-        std::mutex mutex;
-        std::shared_ptr<const BitGrid> sample, in_cells;  // of its voxels; null: not asked about so far
-        std::shared_ptr<const Outlines> outlines;
         std::map<ObjectId, Past> past;
         int round = 0;  // in which they were made
     };
@@ -71,7 +98,7 @@ struct UnlinkedSearch::Known {
 
     std::uint64_t shape;
     std::map<ObjectId, Alone> cells, voxels;  // of objects; as long as readers of them
-    std::vector<Moving> moving;               // by orientation
+    std::vector<Moving> moving;               // by orientation, guarded by its form's mutex
     std::atomic<std::int64_t> bytes = 0;      // of ways and of what readers share
     std::atomic<int> round = 0;  // when there are too many of them, all ways of earlier rounds are forgotten
 };
@@ -81,70 +108,88 @@ class UnlinkedSearch::Asking {
   public:
     Asking(UnlinkedSearch& owner, const Tray& tray, const Shape& shape, const StopToken& stop)
         : owner_(owner), known_(*owner.known_), tray_(tray), shape_(shape), stop_(stop) {
+        std::vector<std::unique_ptr<Form>>& forms = owner.forms_[shape.id];
+        while (forms.size() < shape.orientations.size()) {
+            forms.push_back(std::make_unique<Form>());
+        }
+        forms_ = &forms;
         for (ObjectId id = 0; id < tray.object_count(); ++id) {
-            if (tray.find(id)) standing_.push_back({id, on_finest(tray.object(id)).box()});
+            if (!tray.find(id)) continue;
+            const TrayObject object = on_finest(tray.object(id));
+            standing_.push_back({id, object.box(), object.solid});
         }
     }
 
     bool unlinked(int index, const VoxelIndex& q) {
-        Moving& moving = known_.moving[static_cast<std::size_t>(index)];
-        const std::lock_guard lock(moving.mutex);
-        if (!moving.sample) {
-            const OrientedShape& oriented = shape_.orientations[static_cast<std::size_t>(index)];
-            const BitGrid& solid = tray_.detail() == 1 ? *oriented.solid : *oriented.fine;
-            moving.sample = std::make_shared<const BitGrid>(link_sample(solid));
-            moving.in_cells = std::make_shared<const BitGrid>(sample_in_cells(*moving.sample));
-            moving.outlines = std::make_shared<const Outlines>(solid);
-        }
+        Form& form = *(*forms_)[static_cast<std::size_t>(index)];
+        const std::lock_guard lock(form.mutex);
+        if (!form.sample) make(form, index);
         const int s = tray_.detail();
-        const Extent& solid = moving.sample->extent();
+        const Extent& solid = form.sample->extent();
         const VoxelIndex at{s * q.x, s * q.y, s * q.z};
         const VoxelBox box{at, at + VoxelIndex{solid.x, solid.y, solid.z}};
         for (const StandingObject& object : standing_) {
             if (intersection(box, object.box).empty()) continue;
             const VoxelIndex beside = at - object.box.lo;
-            const std::shared_ptr<const Outlines> outlines = outlines_of(object.id);
-            if (moving.outlines->leave(*outlines, beside)) continue;
-            if (!way_past(object.id, outlines, moving, beside)) return false;
+            const std::shared_ptr<const Outlines> outlines = outlines_of(object);
+            if (form.outlines->leave(*outlines, beside)) continue;
+            if (!way_past(object, outlines, form, index, beside)) return false;
         }
         return true;
     }
 
   private:
-    using Moving = Known::Moving;
     struct StandingObject {
         ObjectId id;
         VoxelBox box;  // in the voxels that collisions are decided on
+        std::shared_ptr<const BitGrid> solid;
     };
 
-    std::shared_ptr<const Outlines> outlines_of(ObjectId id) {
-        const std::lock_guard lock(making_);
-        std::shared_ptr<const Outlines>& outlines = owner_.outlines_[id];
-        if (!outlines) {
-            outlines = std::make_shared<const Outlines>(*on_finest(tray_.object(id)).solid);
-            owner_.outlines_bytes_ += outlines->bytes();
-        }
-        return outlines;
+    void make(Form& form, int index) {
+        const OrientedShape& oriented = shape_.orientations[static_cast<std::size_t>(index)];
+        const BitGrid& solid = tray_.detail() == 1 ? *oriented.solid : *oriented.fine;
+        form.sample = std::make_shared<const BitGrid>(link_sample(solid));
+        form.in_cells = std::make_shared<const BitGrid>(sample_in_cells(*form.sample));
+        form.outlines = std::make_shared<const Outlines>(solid);
+        owner_.bytes_ +=
+            form.sample->extent().count() / 8 + form.in_cells->extent().count() / 8 + form.outlines->bytes();
     }
 
-    bool way_past(ObjectId id, const std::shared_ptr<const Outlines>& outlines, Moving& moving,
+    std::shared_ptr<const Outlines> outlines_of(const StandingObject& object) {
+        const std::lock_guard lock(making_);
+        Standing& standing = owner_.standing_[object.solid.get()];
+        if (!standing.outlines) {
+            standing = {object.solid, std::make_shared<const Outlines>(*object.solid)};
+            owner_.bytes_ += standing.outlines->bytes();
+        }
+        return standing.outlines;
+    }
+
+    bool way_past(const StandingObject& object, const std::shared_ptr<const Outlines>& outlines, Form& form, int index,
                   const VoxelIndex& from) {
+        const Form::Pose pose{object.solid.get(), from};
+        if (const auto seen = form.leaves.find(pose); seen != form.leaves.end()) return seen->second;
+        Known::Moving& moving = known_.moving[static_cast<std::size_t>(index)];
         if (moving.round != known_.round) {
             moving.round = known_.round;
             moving.past.clear();
         }
-        Known::Past& past = moving.past[id];
+        Known::Past& past = moving.past[object.id];
         // Where there is no way from cell to cell, there is none, and that takes a sixteenth of the look-ups.
         const bool way =
-            leads_out(past.of_cells, cell_of(from), [&] { return make_ways(id, moving, true, {}); }) &&
+            leads_out(past.of_cells, cell_of(from), [&] { return make_ways(object.id, form, true, {}); }) &&
             leads_out(past.of_voxels, from, [&] {
-                return make_ways(id, moving, false, [moved = moving.outlines, outlines](const VoxelIndex& at) {
+                return make_ways(object.id, form, false, [moved = form.outlines, outlines](const VoxelIndex& at) {
                     return moved->leave(*outlines, at);
                 });
             });
         if (known_.bytes > owner_.kept_.walks) {
             known_.bytes = 0;
             ++known_.round;
+        }
+        if (!stop_.stopped()) {  // walks that were stopped say nothing
+            form.leaves.emplace(pose, way);
+            owner_.bytes_ += Form::kBytesOfPose;
         }
         return way;
     }
@@ -159,7 +204,7 @@ class UnlinkedSearch::Asking {
         return way;
     }
 
-    std::unique_ptr<WaysOut> make_ways(ObjectId id, const Moving& moving, bool in_cells,
+    std::unique_ptr<WaysOut> make_ways(ObjectId id, const Form& form, bool in_cells,
                                        ReachableRegion::StraightOut straight_out) {
         const std::lock_guard lock(making_);
         std::map<ObjectId, Alone>& all = in_cells ? known_.cells : known_.voxels;
@@ -172,7 +217,7 @@ class UnlinkedSearch::Asking {
         const int round = known_.round;
         if (std::exchange(alone->second.counted, round) != round) known_.bytes += alone->second.bytes();
         const Tray& around = alone->second.tray;
-        const std::shared_ptr<const BitGrid>& sample = in_cells ? moving.in_cells : moving.sample;
+        const std::shared_ptr<const BitGrid>& sample = in_cells ? form.in_cells : form.sample;
         return std::make_unique<WaysOut>(owner_.engine_.free_tiles(around, sample, {.for_readers = true}),
                                          sample->extent(), around.extent(), stop_, std::move(straight_out));
     }
@@ -182,29 +227,32 @@ class UnlinkedSearch::Asking {
     const Tray& tray_;
     const Shape& shape_;
     StopToken stop_;
+    std::vector<std::unique_ptr<Form>>* forms_;  // by orientation
     std::vector<StandingObject> standing_;
-    std::mutex making_;  // guards the trays of the known and what else is the owner's
+    std::mutex making_;  // guards the trays of the known and what stands
 };
 
 UnlinkedSearch::UnlinkedSearch(PlacementSearch& engine) : ForwardingSearch(engine) {}
 UnlinkedSearch::~UnlinkedSearch() = default;
 
 void UnlinkedSearch::forget() {
-    outlines_.clear();
-    outlines_bytes_ = 0;
+    forget_poses();
     known_.reset();
     engine_.forget();
+}
+
+void UnlinkedSearch::forget_poses() {
+    forms_.clear();
+    standing_.clear();
+    bytes_ = 0;
 }
 
 SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape, const CostModel& model,
                                             const StopToken& stop) {
     const bool another = followed_ != tray.instance();
     if (another) kept_ = kept_in(tray.extent().count() * part_count(tray.detail()));
-    if (another || outlines_bytes_ > kept_.outlines) {
-        followed_ = tray.instance();
-        outlines_.clear();
-        outlines_bytes_ = 0;
-    }
+    followed_ = tray.instance();
+    if (bytes_ > std::max(answers_, kept_.outlines)) forget_poses();
     if (another || !known_ || known_->shape != shape.id) known_ = std::make_unique<Known>(shape);
     Asking asking(*this, tray, shape, stop);
     Shape asked = shape;
@@ -215,6 +263,17 @@ SearchResult UnlinkedSearch::best_placement(const Tray& tray, const Shape& shape
     SearchResult result = engine_.best_placement(tray, asked, model, stop);
     if (stop.stopped()) known_.reset();  // walks that were stopped say nothing
     return result;
+}
+
+std::unique_ptr<PlacementSearch> make_unlinked_search(std::unique_ptr<PlacementSearch> engine) {
+    struct Owner {
+        std::unique_ptr<PlacementSearch> owned;
+    };
+    class Owning final : private Owner, public UnlinkedSearch {
+      public:
+        explicit Owning(std::unique_ptr<PlacementSearch> own) : Owner{std::move(own)}, UnlinkedSearch(*owned) {}
+    };
+    return std::make_unique<Owning>(std::move(engine));
 }
 
 }  // namespace spectralpack

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "packing/interlocking/unlinked_search.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
@@ -127,7 +128,10 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     if (job.keeps_all) packer.keep_shapes();
     FillOptions on_grid = job.fill;
     on_grid.refine = false;
-    on_grid.interlock = Interlock::off;
+    on_grid.take_apart = false;
+    // What can be reached is not looked at on the grid: that takes long. So all is packed once more in the end.
+    const bool packs_anew = job.fill.interlock == Interlock::place || job.verified;
+    if (job.fill.interlock == Interlock::place) on_grid.interlock = Interlock::off;
     // The second engine does not look at beams.
     const bool done_on_grid = !job.fill.refine && job.fill.interlock == Interlock::off && !job.verified;
     const StopToken placing = job.fill.enough.value_or(options.stop);
@@ -143,11 +147,15 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
         packed.trays = std::move(trays);
         if (observer) tell_of(packed.trays, static_cast<int>(told), *observer);
     };
+    const bool avoids_links = on_grid.interlock == Interlock::post && on_grid.links == Links::avoid;
+    const auto make_engine = [&] {
+        std::unique_ptr<PlacementSearch> engine = options.make_engine(wanted.beam);
+        return avoids_links ? make_unlinked_search(std::move(engine)) : std::move(engine);
+    };
     const PackInOrder pack = [&](const std::vector<Copy>& copies, bool beam) -> std::optional<TraysResult> {
         FillOptions fill = on_grid;
         if (beam) {
-            fill.beam =
-                BeamOptions{wanted.beam, job.ranks, [&] { return options.make_engine(wanted.beam); }, wanted.measures};
+            fill.beam = BeamOptions{wanted.beam, job.ranks, make_engine, wanted.measures};
         }
         const int work = beam ? beam_work : 1;
         TraysResult trays;
@@ -170,7 +178,13 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
     TraysResult last;
     progress.last();
     try {
-        packer.pack({packed.copies, job.fill, options.stop, progress.of(1), observer}, last);
+        if (packs_anew) {
+            packer.pack({packed.copies, job.fill, options.stop, progress.of(1), observer}, last);
+        } else {
+            packer.with_filler({job.fill, options.stop, observer, true}, [&](TrayFiller& filler) {
+                finish_trays(found.trays, packed.copies, job.limit, filler, last);
+            });
+        }
     } catch (...) {
         keep(std::move(found.trays), last.trays.size());
         throw;

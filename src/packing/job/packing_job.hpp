@@ -22,6 +22,7 @@ struct JobPart {
     double volume = 0;                                      ///< signed, of one scaled copy, mm^3
     double box_volume = 0;                                  ///< of the scaled mesh's box in file orientation, mm^3
     int count = 0;                                          ///< copies, or the share of them
+    double value = 1;                                       ///< what a copy is worth
 
     /// Its mesh in millimetres, not turned.
     ScaledPart scaled() const;
@@ -60,6 +61,7 @@ struct PackedJob {
     int orders = 1;                ///< packed in, of which the best was kept
     std::vector<Copy> copies;      ///< the job's, in the order packed in last; empty: in the job's
     std::optional<BaseSize> base;  ///< of the tray, where it was searched for
+    std::optional<Improved> improvement;
 };
 
 /// What packings of the job in different orders are compared by: volumes and heights of the true meshes, mm. Refers to

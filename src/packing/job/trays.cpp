@@ -1,6 +1,7 @@
 #include "packing/job/trays.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -74,6 +75,37 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
     } while ((!remaining.empty() || static_cast<int>(result.trays.size()) < filler.trays_with_fixed()) && !stopped &&
              !result.stuck && (limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays));
     if (!stopped && !result.stuck) result.left_over = remaining;  // with what is interlocked
+}
+
+void finish_trays(const TraysResult& layouts, const std::vector<Copy>& copies, const TraysLimit& limit,
+                  TrayFiller& filler, TraysResult& result) {
+    std::map<Copy, std::size_t> trays;  // in whose layout a copy is
+    for (std::size_t t = 0; t < layouts.trays.size(); ++t) {
+        for (const PlacedCopy& placed : layouts.trays[t].placed) {
+            trays[placed.copy] = t;
+        }
+    }
+    std::set<Copy> done;
+    for (std::size_t t = 0; t < layouts.trays.size(); ++t) {
+        const bool last = t + 1 == layouts.trays.size();
+        TrayCopies wanted{static_cast<int>(t), {}, !last, 0, layouts.trays[t].height_at, {}};
+        for (const Copy& copy : copies) {
+            const auto known = trays.find(copy);
+            const bool here = known == trays.end() ? last : known->second <= t;
+            if (here && !done.contains(copy)) wanted.copies.push_back(copy);
+        }
+        FilledTray& tray = result.trays.emplace_back();
+        filler.finish(wanted, layouts.trays[t].placed, false, tray);
+        for (const PlacedCopy& placed : tray.placed) {
+            done.insert(placed.copy);
+        }
+    }
+    const std::vector<Copy> rest = without(copies, done);
+    const bool more = limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays;
+    result.left_over = rest;
+    if (rest.empty() || !more || filler.enough().stopped()) return;
+    fill_trays(
+        rest, limit, filler, nullptr, [](const FilledTray&, std::size_t) {}, result);
 }
 
 void tell_of(const TraysResult& result, int told, TrayObserver& observer) {

@@ -58,6 +58,12 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
                 const HeightChoice* choice, const TrayCopyDone& copy_done, TraysResult& result,
                 const std::function<void()>& next_tray = {});
 
+/// Makes a packing of the layouts that trays have on the grid: TrayFiller::finish() for each. What cannot be taken out
+/// of one, and for the last what found no place, is tried in the next; where it is the last, in as many more as `limit`
+/// allows. `copies`: all of the job's, in the order packed in. `result` as in fill_trays().
+void finish_trays(const TraysResult& layouts, const std::vector<Copy>& copies, const TraysLimit& limit,
+                  TrayFiller& filler, TraysResult& result);
+
 /// Tells of a packing that is done: tray by tray, each copy where it stands. `told`: so many trays have been told of
 /// before; those that are not among the result's are empty now.
 void tell_of(const TraysResult& result, int told, TrayObserver& observer);

@@ -164,44 +164,58 @@ void TraysPacker::LastShared::put(std::uint64_t id, std::shared_ptr<const Shape>
     shape_ = std::move(shape);
 }
 
-void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
-    const std::vector<int> counts = copies_of_shapes(pass.copies, shape_ids_);
+void TraysPacker::with_filler(const FillerUse& use, const std::function<void(TrayFiller&)>& work) {
+    const std::vector<int> counts = copies_of_shapes(job_.copies, shape_ids_);
     ShapeStore shapes(
         [&](int part, const Workers& workers) {
-            return shape_of(part, counts[static_cast<std::size_t>(part)], pass.fill.tray, workers);
+            return shape_of(part, counts[static_cast<std::size_t>(part)], use.fill.tray, workers);
         },
         workers_, job_.keep, job_.ahead);
-    TrayFiller filler(pass.fill, {engine_, shapes, workers_, pass.stop, pass.observer, decisions_},
+    TrayFiller filler(use.fill, {engine_, shapes, workers_, use.stop, use.observer, use.decides ? decisions_ : nullptr},
                       [&](int part) { return job_.parts[static_cast<std::size_t>(part)].scaled(); });
-    TraysLimit limit = job_.limit;
-    if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
-    SearchProgress progress(job_, pass, limit.trays == 1);
-    const TrayCopyDone copy_done = [&](const FilledTray& tray, std::size_t done) {
-        progress.copy_done(tray, done, result);
-    };
     const auto note = [&] {
         seconds_.voxelize += shapes.seconds();
         seconds_.refine += filler.refine_seconds();
         seconds_.untangle += filler.untangle_seconds();
     };
     try {
-        if (job_.in_shares) {
-            FilledTray& tray = result.trays.emplace_back();
-            filler.fill_in_shares(
-                shares_of(job_), [&](std::size_t done) { copy_done(tray, done); }, tray);
-        } else {
-            std::optional<HeightChoice> choice;
-            if (job_.choose_heights) choice = choose_heights(job_, pass.fill);
-            const auto next_tray = [&] {
-                if (trays_told_ && pass.observer) trays_told_(result);
-            };
-            fill_trays(pass.copies, limit, filler, choice ? &*choice : nullptr, copy_done, result, next_tray);
-        }
+        work(filler);
     } catch (...) {
         note();
         throw;
     }
     note();
+}
+
+std::shared_ptr<const Shape> TraysPacker::lasting_shape(int part) {
+    Shape shape = *shape_of(part, 0, job_.fill.tray, workers_);
+    shape.copies = 0;
+    return std::make_shared<const Shape>(std::move(shape));
+}
+
+void TraysPacker::pack(const PackingPass& pass, TraysResult& result) {
+    with_filler({pass.fill, pass.stop, pass.observer, true}, [&](TrayFiller& filler) { pack(pass, filler, result); });
+}
+
+void TraysPacker::pack(const PackingPass& pass, TrayFiller& filler, TraysResult& result) {
+    TraysLimit limit = job_.limit;
+    if (limit.trays > 0) limit.trays = std::max(limit.trays, filler.trays_with_fixed());
+    SearchProgress progress(job_, pass, limit.trays == 1);
+    const TrayCopyDone copy_done = [&](const FilledTray& tray, std::size_t done) {
+        progress.copy_done(tray, done, result);
+    };
+    if (job_.in_shares) {
+        FilledTray& tray = result.trays.emplace_back();
+        filler.fill_in_shares(
+            shares_of(job_), [&](std::size_t done) { copy_done(tray, done); }, tray);
+        return;
+    }
+    std::optional<HeightChoice> choice;
+    if (job_.choose_heights) choice = choose_heights(job_, pass.fill);
+    const auto next_tray = [&] {
+        if (trays_told_ && pass.observer) trays_told_(result);
+    };
+    fill_trays(pass.copies, limit, filler, choice ? &*choice : nullptr, copy_done, result, next_tray);
 }
 
 }  // namespace spectralpack

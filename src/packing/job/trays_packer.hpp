@@ -34,6 +34,18 @@ class TraysPacker {
     /// `result` is filled as it goes, so that it holds what was done when an exception leaves this function.
     void pack(const PackingPass& pass, TraysResult& result);
 
+    /// For strategies that fill trays by themselves.
+    struct FillerUse {
+        const FillOptions& fill;
+        StopToken stop;
+        TrayObserver* observer = nullptr;  ///< null: nobody is told
+        bool decides = false;              ///< what is decided is kept, and recalled
+    };
+    void with_filler(const FillerUse& use, const std::function<void(TrayFiller&)>& work);
+
+    /// The voxels of a part that may be asked about any number of times.
+    std::shared_ptr<const Shape> lasting_shape(int part);
+
     /// From now on `told` gets the trays that are finished each time that another is begun, in passes with an observer.
     void tell_of_trays(std::function<void(const TraysResult&)> told) { trays_told_ = std::move(told); }
 
@@ -61,6 +73,7 @@ class TraysPacker {
         std::shared_ptr<const Shape> shape_;
     };
 
+    void pack(const PackingPass& pass, TrayFiller& filler, TraysResult& result);
     std::shared_ptr<const Shape> shape_of(int part, int count, const TraySetup& tray, const Workers& workers);
 
     const PackingJob& job_;

@@ -18,6 +18,7 @@ bool goes_before(const PartSize& a, const PartSize& b) {
     return a.due < b.due;
 }
 
+constexpr double kLeastBox = 1e-9;  // mm^3
 constexpr double kFarthest = 0.2;  // of all copies, that one goes back
 
 /// What an order by size sorts by, largest first.
@@ -36,6 +37,31 @@ double size_of(const PartSize& part, Order order) {
     return 0;
 }
 
+/// All copies, those of parts with the largest `key` first.
+template <class Key>
+std::vector<Copy> sorted_copies(const std::vector<PartSize>& parts, const Key& key) {
+    std::vector<PartSize> sorted = parts;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const PartSize& a, const PartSize& b) { return key(a) > key(b); });
+    std::vector<Copy> copies;
+    for (const PartSize& part : sorted) {
+        for (int copy = 0; copy < part.count; ++copy) {
+            copies.push_back({part.part, copy});
+        }
+    }
+    return copies;
+}
+
+void put_urgent_first(std::vector<Copy>& copies, const std::vector<PartSize>& parts) {
+    std::map<int, const PartSize*> by_part;
+    for (const PartSize& part : parts) {
+        by_part[part.part] = &part;
+    }
+    std::stable_sort(copies.begin(), copies.end(), [&](const Copy& a, const Copy& b) {
+        return goes_before(*by_part.at(a.part), *by_part.at(b.part));
+    });
+}
+
 }  // namespace
 
 std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>& out) {
@@ -47,26 +73,30 @@ std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>&
 }
 
 std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
-    std::vector<PartSize> sorted = parts;
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const PartSize& a, const PartSize& b) { return size_of(a, order) > size_of(b, order); });
-    std::vector<Copy> copies;
-    for (const PartSize& part : sorted) {
-        for (int copy = 0; copy < part.count; ++copy) {
-            copies.push_back({part.part, copy});
-        }
-    }
+    std::vector<Copy> copies = sorted_copies(parts, [&](const PartSize& part) { return size_of(part, order); });
     if (order == Order::random) {
         RandomStream random(seed);
         shuffle(copies, random);
     }
-    std::map<int, const PartSize*> by_part;
-    for (const PartSize& part : parts) {
-        by_part[part.part] = &part;
-    }
-    std::stable_sort(copies.begin(), copies.end(), [&](const Copy& a, const Copy& b) {
-        return goes_before(*by_part.at(a.part), *by_part.at(b.part));
+    put_urgent_first(copies, parts);
+    return copies;
+}
+
+std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Goal goal) {
+    std::vector<Copy> copies = sorted_copies(parts, [&](const PartSize& part) {
+        switch (goal) {
+            case Goal::fair:
+                return part.box_volume;
+            case Goal::volume:
+                return part.volume;
+            case Goal::copies:
+                return -part.box_volume;
+            case Goal::value:
+                return part.value / std::max(part.box_volume, kLeastBox);
+        }
+        return 0.0;
     });
+    put_urgent_first(copies, parts);
     return copies;
 }
 

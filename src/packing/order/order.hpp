@@ -23,6 +23,7 @@ struct PartSize {
     double priority = 0;    ///< higher goes first
     std::string due = {};   ///< "2026-12-01": of equal priority, earlier goes first; empty: last
     double volume = 0;      ///< of the scaled mesh, mm^3
+    double value = 1;       ///< what a copy is worth
 };
 
 /// Every copy of every part, in the order to try them. `parts` in input order.
@@ -33,6 +34,11 @@ struct PartSize {
 ///  random: a permutation of the input order that only `seed` decides
 /// Before that, in every order: higher priority first, then earlier due date.
 std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed);
+
+/// By what serves `goal` in a tray that cannot hold all: by box volume, largest first (fair); by volume, largest first;
+/// by box volume, smallest first (copies); by value per box volume, most first. Ties, priorities and due dates as
+/// above.
+std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Goal goal);
 
 /// Which parts go first whatever the order, by part: lower ranks first, and only copies of equal rank may change
 /// places. `parts` in any order; parts that are not among them rank 0.

@@ -16,8 +16,10 @@ class TrayObserver {
     virtual ~TrayObserver() = default;
     /// Tray `number`, from 0, holds its fixed copies and nothing else.
     virtual void tray_begun(int number) = 0;
-    /// Where it really stands, refined or not. Nothing moves it from there but what takes it out.
+    /// Where it really stands, refined or not.
     virtual void copy_placed(const PlacedCopy& placed) = 0;
+    /// It stands elsewhere now, as told.
+    virtual void copy_moved(const PlacedCopy& placed) = 0;
     /// It stands nowhere any more; as it was told of before.
     virtual void copy_taken_out(const PlacedCopy& placed) = 0;
     /// One that was taken out stands again, perhaps elsewhere.

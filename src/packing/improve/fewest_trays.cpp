@@ -1,0 +1,191 @@
+#include "packing/improve/fewest_trays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/stopwatch.hpp"
+
+namespace spectralpack {
+namespace {
+
+// A copy's key is the logarithm of its volume times its longest side. What ended in the last tray gains so much, what
+// ended in the one before a little; noise makes another order of it each time.
+constexpr double kOfLast = 0.7, kOfLastButOne = 0.15, kNoise = 0.1;
+constexpr double kLeast = 1e-9;
+
+class FewestTrays {
+  public:
+    FewestTrays(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell,
+                TrayObserver* observer, PackedJob& packed)
+        : packer_(packer),
+          job_(packer.job()),
+          options_(options),
+          tell_(tell),
+          observer_(observer),
+          packed_(packed),
+          measures_(measures_of(job_.parts)),
+          random_(options.seed) {}
+
+    void run() {
+        packed_.improvement = Improved{Improves::trays};
+        packed_.improvement->starts = 1;
+        packed_.improvement->before = packed_.improvement->now = figure(packed_.trays);
+        best_ = score(packed_.trays);
+        packer_.keep_shapes();
+        FillOptions on_grid = job_.fill;
+        on_grid.refine = false;
+        on_grid.take_apart = false;
+        on_grid.enough = options_.enough;
+        std::int64_t searches = 0;
+        tell();
+        for (int pass = 0; goes_on(pass); ++pass) {
+            const std::vector<Copy> order = order_of_pass(pass);
+            TraysResult layouts;
+            packer_.pack({order, on_grid, options_.enough, [](const Progress&) {}}, layouts);
+            searches += layouts.searches();
+            if (options_.enough.stopped()) break;
+            packed_.improvement->steps = pass + 1;
+            note_ends(layouts);
+            if (score(layouts) < best_) finish(layouts, order);
+            tell();
+        }
+        packed_.trays.trays.front().searches += searches;
+        packed_.improvement->seconds = watch_.seconds();
+        tell();
+    }
+
+  private:
+    bool goes_on(int pass) const {
+        return !options_.enough.stopped() && (options_.most_steps == 0 || pass < options_.most_steps);
+    }
+
+    TraysScore score(const TraysResult& trays) const {
+        TraysScore score;
+        std::map<int, int> missing;  // by part
+        for (const Copy& copy : job_.copies) {
+            ++missing[copy.part];
+        }
+        for (const FilledTray& tray : trays.trays) {
+            score.last = score.top = 0;
+            ++score.trays;
+            for (const PlacedCopy& placed : tray.placed) {
+                --missing[placed.copy.part];
+                score.last += std::max(0.0, measures_.volume(placed.copy.part));
+                score.top = std::max(score.top, measures_.top(placed));
+            }
+        }
+        for (const auto& [part, count] : missing) {
+            score.missing += count * std::max(0.0, measures_.volume(part));
+        }
+        return score;
+    }
+
+    double figure(const TraysResult& trays) const {
+        const TraysScore reached = score(trays);
+        return static_cast<double>(reached.trays) - 1 + reached.last / volume_of(job_.fill.container);
+    }
+
+    /// Copies of the last trays are to go earlier.
+    void note_ends(const TraysResult& trays) {
+        const std::size_t count = trays.trays.size();
+        for (std::size_t t = count < 2 ? 0 : count - 2; t < count; ++t) {
+            for (const PlacedCopy& placed : trays.trays[t].placed) {
+                boosts_[placed.copy] += t + 1 == count ? kOfLast : kOfLastButOne;
+            }
+        }
+        for (const Copy& copy : trays.left_over) {
+            boosts_[copy] += kOfLast;
+        }
+    }
+
+    /// The first by the keys alone: nothing is known to have ended late.
+    std::vector<Copy> order_of_pass(int pass) {
+        struct Keyed {
+            Copy copy;
+            int rank;
+            double key;
+        };
+        std::vector<Keyed> keyed;
+        for (const Copy& copy : job_.copies) {
+            const auto part = static_cast<std::size_t>(copy.part);
+            double key = key_of(copy.part);
+            if (pass > 0) {
+                const auto boost = boosts_.find(copy);
+                key += (boost == boosts_.end() ? 0 : boost->second) + kNoise * (2 * random_.unit() - 1);
+            }
+            keyed.push_back({copy, job_.ranks[part], key});
+        }
+        std::ranges::stable_sort(
+            keyed, [](const Keyed& a, const Keyed& b) { return a.rank != b.rank ? a.rank < b.rank : a.key > b.key; });
+        std::vector<Copy> order;
+        for (const Keyed& one : keyed) {
+            order.push_back(one.copy);
+        }
+        return order;
+    }
+
+    double key_of(int part) {
+        const auto [known, fresh] = keys_.try_emplace(part, 0);
+        if (fresh) {
+            const JobPart& of = job_.parts[static_cast<std::size_t>(part)];
+            const Vec3 size = bounding_box(*of.mesh).size();
+            const double longest = of.to_mm * std::max({size.x, size.y, size.z});
+            known->second = std::log(std::max(kLeast, of.volume * longest));
+        }
+        return known->second;
+    }
+
+    void finish(const TraysResult& layouts, const std::vector<Copy>& order) {
+        FillOptions fill = job_.fill;
+        fill.enough = options_.stop;  // what was found is finished, however long it takes
+        TraysResult finished;
+        packer_.with_filler({fill, options_.stop},
+                            [&](TrayFiller& filler) { finish_trays(layouts, order, job_.limit, filler, finished); });
+        const bool apart = std::ranges::all_of(
+            finished.trays, [](const FilledTray& tray) { return !tray.plan || tray.plan->complete; });
+        const TraysScore reached = score(finished);
+        if (options_.stop.stopped() || !apart || !(reached < best_)) return;
+        const std::size_t told = packed_.trays.trays.size();
+        finished.trays.front().searches += packed_.trays.searches();
+        packed_.trays = std::move(finished);
+        best_ = reached;
+        packed_.improvement->now = figure(packed_.trays);
+        if (observer_) tell_of(packed_.trays, static_cast<int>(told), *observer_);
+    }
+
+    void tell() const {
+        Progress progress{Phase::improve, packed_.improvement->steps, options_.most_steps, std::nullopt, 0};
+        if (options_.most_steps > 0) {
+            progress.work = static_cast<double>(packed_.improvement->steps) / static_cast<double>(options_.most_steps);
+        }
+        progress.improved = packed_.improvement;
+        progress.improved->seconds = watch_.seconds();
+        tell_(progress);
+    }
+
+    Stopwatch watch_;
+    TraysPacker& packer_;
+    const PackingJob& job_;
+    const ImprovementOptions& options_;
+    const TellProgress& tell_;
+    TrayObserver* observer_;
+    PackedJob& packed_;
+    PackingMeasures measures_;
+    RandomStream random_;
+    std::map<int, double> keys_;     // by part
+    std::map<Copy, double> boosts_;  // of those that ended late
+    TraysScore best_;
+};
+
+}  // namespace
+
+void improve_trays(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell,
+                   TrayObserver* observer, PackedJob& packed) {
+    FewestTrays(packer, options, tell, observer, packed).run();
+}
+
+}  // namespace spectralpack

@@ -1,0 +1,199 @@
+#include "packing/improve/improvement.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/stopwatch.hpp"
+#include "packing/improve/fewest_trays.hpp"
+#include "packing/improve/tray_improver.hpp"
+
+namespace spectralpack {
+namespace {
+
+constexpr std::int64_t kSettled = 25;  // steps without a better layout: then the best is made to come apart
+constexpr std::int64_t kMostAnswers = std::int64_t{512} << 20;  // bytes
+constexpr double kFair = 2;  // with Goal::fair, copies with boxes at most so many times as large are passed
+
+/// Less is better, lexicographically.
+struct TrayScore {
+    double missing = 0;  ///< worth of the copies that are not placed
+    double top = 0;      ///< mm
+
+    auto operator<=>(const TrayScore&) const = default;
+};
+
+std::function<double(int)> worth_of(Goal goal, const std::vector<JobPart>& parts) {
+    return [goal, &parts](int part) {
+        const JobPart& of = parts[static_cast<std::size_t>(part)];
+        if (goal == Goal::copies) return 1.0;
+        if (goal == Goal::value) return of.value;
+        return std::max(0.0, of.volume);
+    };
+}
+
+class Improving {
+  public:
+    Improving(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell, TrayObserver* observer,
+              PackedJob& packed)
+        : packer_(packer),
+          job_(packer.job()),
+          options_(options),
+          tell_(tell),
+          observer_(observer),
+          packed_(packed),
+          measures_(measures_of(job_.parts)),
+          worth_(worth_of(options.goal, job_.parts)) {}
+
+    void run() {
+        FilledTray& tray = packed_.trays.trays.front();
+        TrayCopies wanted{0, job_.copies, false, 0, {}, {}};
+        const bool holds_all = tray.placed.size() == wanted.copies.size();
+        if (wanted.copies.empty()) return;
+        if (holds_all) wanted.height_at = HeightAt::top;
+        packed_.improvement = Improved{holds_all ? Improves::height : improves_of(options_.goal)};
+        best_ = score(tray, wanted.copies);
+        packed_.improvement->before = packed_.improvement->now = figure(tray, best_);
+        packer_.keep_shapes();
+        FillOptions fill = job_.fill;
+        fill.enough = options_.stop;  // what was found is finished, however long it takes
+        packer_.with_filler({fill, options_.stop}, [&](TrayFiller& filler) { improve(filler, wanted, tray); });
+    }
+
+  private:
+    static Improves improves_of(Goal goal) {
+        return goal == Goal::copies ? Improves::copies : goal == Goal::value ? Improves::value : Improves::density;
+    }
+
+    TrayScore score(const FilledTray& tray, const std::vector<Copy>& wanted) const {
+        TrayScore score;
+        std::map<int, int> missing;  // by part
+        for (const Copy& copy : wanted) {
+            ++missing[copy.part];
+        }
+        for (const PlacedCopy& placed : tray.placed) {
+            --missing[placed.copy.part];
+            score.top = std::max(score.top, measures_.top(placed));
+        }
+        for (const auto& [part, count] : missing) {
+            score.missing += count * worth_(part);
+        }
+        return score;
+    }
+
+    /// What the user is told of it.
+    double figure(const FilledTray& tray, const TrayScore& score) const {
+        const Improves what = packed_.improvement->what;
+        if (what == Improves::height) return score.top;
+        if (what == Improves::copies) return static_cast<double>(tray.placed.size());
+        double sum = 0;
+        for (const PlacedCopy& placed : tray.placed) {
+            sum += worth_(placed.copy.part);
+        }
+        return what == Improves::density ? sum / volume_of(job_.fill.container) : sum;
+    }
+
+    void improve(TrayFiller& filler, const TrayCopies& wanted, FilledTray& tray) {
+        filler.keep_answers(std::min(kMostAnswers, job_.keep / 2));
+        StartedTray started = filler.start(wanted);
+        std::map<int, std::shared_ptr<const Shape>> shapes;
+        const auto shape_of = [&](int part) -> const Shape& {
+            std::shared_ptr<const Shape>& shape = shapes[part];
+            if (!shape) shape = packer_.lasting_shape(part);
+            return *shape;
+        };
+        TrayImproverOptions improver_options{wanted.copies, job_.ranks, {}, {}, options_.seed, job_.fill.refine};
+        improver_options.measures = {worth_, measures_.top, job_.fill.tray.voxel_size, job_.fill.wall_gap};
+        const bool fair = packed_.improvement->what == Improves::density && options_.goal == Goal::fair;
+        improver_options.may_pass = [&, fair](const Copy& a, const Copy& b) {
+            const auto box = [&](const Copy& copy) {
+                return job_.parts[static_cast<std::size_t>(copy.part)].box_volume;
+            };
+            return !fair || box(b) <= kFair * box(a);
+        };
+        TrayImprover improver(started, filler.refining(wanted), shape_of, improver_options, packer_.workers(),
+                              options_.enough);
+        std::optional<ImprovedLayout> pending;
+        std::int64_t found_at = 0;
+        const auto settle = [&] {
+            if (pending) finish(filler, wanted, *pending, tray);
+            pending.reset();
+        };
+        tell(improver);
+        while (!options_.enough.stopped() && (options_.most_steps == 0 || improver.steps() < options_.most_steps)) {
+            if (std::optional<ImprovedLayout> better = improver.step()) {
+                pending = std::move(better);
+                found_at = improver.steps();
+            }
+            if (pending && improver.steps() - found_at >= kSettled) settle();
+            tell(improver);
+        }
+        settle();
+        packed_.improvement->steps = improver.steps();
+        packed_.improvement->starts = improver.starts();
+        packed_.improvement->seconds = watch_.seconds();
+        tray.searches += improver.searches();
+        tell(improver);
+    }
+
+    /// Makes the layout come apart. It becomes the tray where that is better than what there is.
+    void finish(TrayFiller& filler, const TrayCopies& wanted, const ImprovedLayout& layout, FilledTray& tray) {
+        if (options_.stop.stopped()) return;
+        if (packed_.improvement->what == Improves::height && layout.top >= best_.top) return;
+        FilledTray finished;
+        filler.finish(wanted, layout.placed, job_.fill.refine, finished);
+        const bool comes_apart = !finished.plan || finished.plan->complete;
+        const TrayScore reached = score(finished, wanted.copies);
+        const std::int64_t searches = tray.searches + finished.searches;
+        if (comes_apart && reached < best_ && !options_.stop.stopped()) {
+            tray = std::move(finished);
+            best_ = reached;
+            packed_.improvement->now = figure(tray, best_);
+            std::set<Copy> placed;
+            for (const PlacedCopy& copy : tray.placed) {
+                placed.insert(copy.copy);
+            }
+            packed_.trays.left_over = without(wanted.copies, placed);
+            if (observer_) {
+                tell_anew(*observer_, wanted.number, tray.placed);
+                observer_->tray_finished();
+            }
+        }
+        tray.searches = searches;
+    }
+
+    void tell(const TrayImprover& improver) const {
+        Progress progress{Phase::improve, improver.steps(), options_.most_steps, std::nullopt, 0};
+        if (options_.most_steps > 0) {
+            progress.work = static_cast<double>(improver.steps()) / static_cast<double>(options_.most_steps);
+        }
+        progress.improved = packed_.improvement;
+        progress.improved->steps = improver.steps();
+        progress.improved->starts = improver.starts();
+        progress.improved->seconds = watch_.seconds();
+        tell_(progress);
+    }
+
+    Stopwatch watch_;
+    TraysPacker& packer_;
+    const PackingJob& job_;
+    const ImprovementOptions& options_;
+    const TellProgress& tell_;
+    TrayObserver* observer_;
+    PackedJob& packed_;
+    PackingMeasures measures_;
+    std::function<double(int)> worth_;
+    TrayScore best_;
+};
+
+}  // namespace
+
+void improve(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell, TrayObserver* observer,
+             PackedJob& packed) {
+    if (packed.trays.trays.empty() || options.enough.stopped()) return;
+    if (packed.trays.trays.size() > 1) return improve_trays(packer, options, tell, observer, packed);
+    Improving(packer, options, tell, observer, packed).run();
+}
+
+}  // namespace spectralpack

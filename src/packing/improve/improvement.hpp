@@ -1,0 +1,28 @@
+#pragma once
+/// Uses the time that the user gives to make a finished packing better. What it starts from stays until something is
+/// better, comes apart and is whole; so it may end at any time.
+
+#include <cstdint>
+#include <optional>
+
+#include "packing/job/trays_packer.hpp"
+#include "spectralpack/options.hpp"
+
+namespace spectralpack {
+
+struct ImprovementOptions {
+    Goal goal = Goal::fair;
+    std::int64_t most_steps = 0;  ///< orders tried; 0: until `enough`
+    std::uint64_t seed = 0;
+    StopToken stop;    ///< ends all
+    StopToken enough;  ///< ends the search for something better; what was found is still made to come apart
+};
+
+/// Replaces the trays in `packed` where something better was found; `observer` (may be null) is told of that, anew. One
+/// tray that holds all becomes lower; one that overflows comes to hold more of what the goal says; of several the last
+/// comes to hold less, or there are fewer (fewest_trays.hpp). `packed` holds the best so far when an exception leaves
+/// this function.
+void improve(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell, TrayObserver* observer,
+             PackedJob& packed);
+
+}  // namespace spectralpack
