@@ -3,38 +3,15 @@
 /// out, free positions padded by one, in three ways.
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <numeric>
 #include <vector>
 
-#include "core/stopwatch.hpp"
 #include "disassembly/ways/reachable_region.hpp"
 #include "packing/tray/greedy.hpp"
+#include "query_times.hpp"
 #include "search/placement_search.hpp"
 
 namespace spectralpack {
-
-/// Milliseconds of each query.
-struct QueryTimes {
-    std::vector<double> ms;
-
-    template <class Work>
-    void time(const Work& work) {
-        const Stopwatch watch;
-        work();
-        ms.push_back(1e3 * watch.seconds());
-    }
-    double mean() const {
-        return ms.empty() ? 0 : std::accumulate(ms.begin(), ms.end(), 0.0) / static_cast<double>(ms.size());
-    }
-    double quantile(double share) const {
-        if (ms.empty()) return 0;
-        std::vector<double> sorted = ms;
-        std::ranges::sort(sorted);
-        return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-    }
-};
 
 struct FreeQueries {
     QueryTimes walks;  ///< a walk from where the copy stands over positions asked for as it goes, until it is outside
@@ -44,15 +21,10 @@ struct FreeQueries {
     int differ = 0;    ///< of the plain method's answers, from the engine's
 
     void print() const {
-        const auto line = [](const char* what, const QueryTimes& times) {
-            if (times.ms.empty()) return;
-            std::printf("  %-40s %7zu times, mean %.3f ms, median %.3f, 95%% %.3f, longest %.3f\n", what,
-                        times.ms.size(), times.mean(), times.quantile(0.5), times.quantile(0.95), times.quantile(1));
-        };
         std::printf("free positions, one copy out:\n");
-        line("a walk from the copy to outside, lazily", walks);
-        line("all of them", all);
-        line("all of them, plain (transforms)", plain);
+        walks.print("a walk from the copy to outside, lazily");
+        all.print("all of them");
+        plain.print("all of them, plain (transforms)");
         std::printf("  %d of %zu walks came outside; %d plain answers differ\n", ways, walks.ms.size(), differ);
     }
 };

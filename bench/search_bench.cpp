@@ -5,13 +5,15 @@
 /// same states, in a packing of its own lest it disturbs the other's caches, and extrapolated.
 ///
 ///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
-///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--free SAMPLES] [--distinct]
-///                [--trace]
+///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--free SAMPLES] [--undo ROUNDS]
+///                [--distinct] [--trace]
 ///
 /// --gpu times the plain method on a GPU instead, all orientations of a copy at a time (gpu_plain.hpp); without the
 /// distance field, which the CPU makes for it.
 ///
 /// --free asks, once all is packed, where each copy could be if it were not where it is (free_queries.hpp).
+///
+/// --undo takes the last copies out and places them anew, again and again (undo_rounds.hpp).
 ///
 /// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
 /// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
@@ -21,6 +23,7 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -32,6 +35,7 @@
 #include "search/cpu/cpu_search.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/orientations.hpp"
+#include "undo_rounds.hpp"
 #ifdef SPECTRALPACK_BENCH_REFERENCE
 #include "search/reference/reference_search.hpp"
 #endif
@@ -49,7 +53,7 @@ struct Arguments {
     double voxel = 2, gap = 0.2;
     Vec3 tray{480, 245, 200};
     std::string penalty = "auto";
-    int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, free_samples = 0, most = 0;
+    int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, free_samples = 0, undo_rounds = 0, most = 0;
     std::int64_t cache = CpuOptions{}.cache_memory;
     bool distinct = false, trace = false;
 };
@@ -91,6 +95,8 @@ Arguments parse(int count, char** words) {
             result.gpu_samples = std::atoi(value);
         else if (option == "--free")
             result.free_samples = std::atoi(value);
+        else if (option == "--undo")
+            result.undo_rounds = std::atoi(value);
         else if (option == "--tray") {
             std::sscanf(value, "%lfx%lfx%lf", &result.tray.x, &result.tray.y, &result.tray.z);
         } else
@@ -204,6 +210,7 @@ struct Packed {
     double plain_seconds = 0, plain_orientations = 0;  ///< of the plain method, on its samples
     int asked = 0, same = 0;                           ///< these, and those with the engine's answer
     FreeQueries free;                                  ///< where copies could be in the tray that is packed
+    UndoRounds undo;                                   ///< once it is packed
 };
 
 /// Packs greedily. The plain method is asked as well, now and then.
@@ -211,15 +218,14 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
     const std::vector<Mat3> rotations = orientation_set("90");
     const TraySetup& setup = question.setup;
     Tray tray(setup);
-    ShapeStore shapes(
-        [&](int part, const Workers& makers) {
-            Shape shape = make_shape(static_cast<std::uint64_t>(part) + 1,
-                                     question.meshes[static_cast<std::size_t>(part)], rotations, setup.voxel_size,
-                                     setup.detail, arguments.gap, setup.gap_classes, makers, setup.size);
-            shape.copies = static_cast<int>(std::ranges::count(question.items, part, &Copy::part));
-            return std::make_shared<const Shape>(std::move(shape));
-        },
-        workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
+    const auto make = [&](int part, const Workers& makers) {
+        Shape shape =
+            make_shape(static_cast<std::uint64_t>(part) + 1, question.meshes[static_cast<std::size_t>(part)], rotations,
+                       setup.voxel_size, setup.detail, arguments.gap, setup.gap_classes, makers, setup.size);
+        shape.copies = static_cast<int>(std::ranges::count(question.items, part, &Copy::part)) + arguments.undo_rounds;
+        return std::make_shared<const Shape>(std::move(shape));
+    };
+    ShapeStore shapes(make, workers, 0, 1);  // none ahead: nothing else goes on while searches are timed
     shapes.start_tray(question.items);
     // FFTW tries its ways out on the first question: not part of the method's time.
     if (plain.search) {
@@ -234,8 +240,9 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
     const Settle settle = [&](const Copy&, const Shape& shape, const BestPlacement& best) {
         return settle_on_grid(shape, best, setup.voxel_size, setup.detail, 0);
     };
+    const TrayContext context{{search, shapes, workers}, 0, question.model, {}, settle};
     pack_greedily(
-        tray, {{search, shapes, workers}, 0, question.model, {}, settle}, question.items, [](std::size_t) {}, result);
+        tray, context, question.items, [](std::size_t) {}, result);
 
     Packed packed{result.placed.size(),
                   result.searches,
@@ -247,6 +254,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
                   search.plain_orientations,
                   search.asked,
                   search.same,
+                  {},
                   {}};
     for (const PlacedCopy& placed : result.placed) {
         packed.costs += placed.cost.primary;
@@ -257,6 +265,15 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
         transforms = make_reference_search({}, workers);
 #endif
         packed.free = ask_free_positions(tray, result.placed, *engine, transforms.get(), arguments.free_samples);
+    }
+    if (arguments.undo_rounds > 0) {
+        std::map<int, std::shared_ptr<const Shape>> made;
+        const auto shape_of = [&](const Copy& copy) -> const Shape& {
+            std::shared_ptr<const Shape>& shape = made[copy.part];
+            if (!shape) shape = make(copy.part, workers);
+            return *shape;
+        };
+        packed.undo = repack_last(tray, result.placed, context, shape_of, arguments.undo_rounds);
     }
     return packed;
 }
@@ -304,6 +321,7 @@ void run(const Arguments& arguments) {
 #endif
     std::printf("\n");
     if (arguments.free_samples > 0) packed.free.print();
+    if (arguments.undo_rounds > 0) packed.undo.print();
 }
 
 }  // namespace

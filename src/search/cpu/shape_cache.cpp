@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "search/cpu/scan/reaching_blocks.hpp"
 #include "search/cpu/tuning.hpp"
 
 namespace spectralpack {
@@ -13,10 +14,19 @@ bool same_heights(const CostModel& a, const CostModel& b) {
     return a.height_penalty == b.height_penalty && a.height_at == b.height_at;
 }
 
+/// The boxes of what stood when the entry was last brought up to date, and is gone.
+std::vector<VoxelBox> freed_since(const Tray& tray, const ShapeCache::Entry& entry) {
+    std::vector<VoxelBox> boxes;
+    for (const ObjectId id : difference(tray, entry.version, entry.objects).removed) {
+        boxes.push_back(tray.object(id).box());
+    }
+    return boxes;
+}
+
 }  // namespace
 
-ShapeCache::Entry& ShapeCache::at(const Shape& shape, const Tray& tray, const TrayTables& tables,
-                                  const CostModel& model, const Workers& workers) {
+ShapeCache::Entry& ShapeCache::at(const Shape& shape, const Tray& tray, TrayTables& tables, const CostModel& model,
+                                  const Workers& workers) {
     if (tables.epoch() != epoch_) {
         epoch_ = tables.epoch();
         entries_.clear();  // also what takes no memory: that nothing fitted the last tray says nothing of the next
@@ -28,17 +38,24 @@ ShapeCache::Entry& ShapeCache::at(const Shape& shape, const Tray& tray, const Tr
     } else {
         Entry& entry = found->second;
         ++entry.hits;
-        const VoxelBox changed =
-            same_heights(entry.model, model) ? tables.changed_since(entry.version) : whole(tray.extent());
-        if (!changed.empty()) {
+        const Extent& n = tray.extent();
+        const std::vector<VoxelBox> fallen =
+            same_heights(entry.model, model) ? tables.fallen_since(entry.objects) : std::vector<VoxelBox>{whole(n)};
+        const std::vector<VoxelBox> freed = freed_since(tray, entry);
+        if (!fallen.empty() || !freed.empty()) {
+            const BitGrid fallen_blocks = blocks_of(fallen, 0, n);
+            const BitGrid freed_blocks = blocks_of(freed, tables.bits().margin(), n);
             workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
                 const auto k = static_cast<std::size_t>(i);
-                entry.states[k].forget(changed, shape.orientations[k].solid.extent());
+                const Extent& extent = shape.orientations[k].solid.extent();
+                if (!freed.empty()) entry.states[k].reopen(blocks_reaching(freed_blocks, extent));
+                if (!fallen.empty()) entry.states[k].forget(blocks_reaching(fallen_blocks, extent));
             });
         }
     }
     Entry& entry = found->second;
     entry.version = tables.version();
+    entry.objects = tray.object_count();
     entry.model = model;
     entry.last_use = ++uses_;
     return entry;
@@ -77,8 +94,10 @@ void ShapeCache::evict_for(std::int64_t bytes) {
 
 void ShapeCache::make_lists(Entry& entry, const std::vector<bool>& open, const TrayTables& tables,
                             const Workers& workers) {
-    if (entry.listed_classes != tables.occupied_classes() || entry.listed_in_bytes != tables.in_bytes()) {
+    if (entry.listed_classes != tables.occupied_classes() || entry.listed_in_bytes != tables.in_bytes() ||
+        entry.listed_phi_bound < tables.phi_bound()) {
         entry.listed_classes = tables.occupied_classes();
+        entry.listed_phi_bound = tables.phi_bound();
         entry.listed_in_bytes = tables.in_bytes();
         std::ranges::fill(entry.lists, OrientationLists());
     }

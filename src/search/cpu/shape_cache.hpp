@@ -23,7 +23,9 @@ class ShapeCache {
         std::vector<ScoredPosition> seeds;    ///< good places that the last search found and did not choose
         int listed_classes = 0;               ///< that had objects when lists were made
         bool listed_in_bytes = false;         ///< they are for sums in bytes
-        std::uint64_t version = 0;            ///< of the tables that the states' bounds belong to
+        int listed_phi_bound = 0;             ///< they serve as long as no phi is above it
+        std::uint64_t version = 0;            ///< of the tables that the states belong to
+        ObjectId objects = 0;                 ///< that the tray had had at that version
         CostModel model;                      ///< what those are made for
         std::int64_t state_bytes = 0, bytes = 0;
         std::int64_t hits = 0;
@@ -32,8 +34,7 @@ class ShapeCache {
 
     /// The shape's entry, its states brought up to the tables' version and the model; a fresh one where there is none.
     /// Stays until the next call.
-    Entry& at(const Shape& shape, const Tray& tray, const TrayTables& tables, const CostModel& model,
-              const Workers& workers);
+    Entry& at(const Shape& shape, const Tray& tray, TrayTables& tables, const CostModel& model, const Workers& workers);
 
     /// Makes the lists of `open` orientations, whose runs there are, where there are none for the tables as they are,
     /// and counts what the entry holds. The cache may be over its budget until the next call of at().

@@ -9,8 +9,10 @@ namespace spectralpack::tuning {
 
 // Tables of a tray
 
-/// Pending changes that make a fresh start cheaper than following them one by one.
-inline constexpr std::uint64_t kRebuildAfter = 64;
+/// Objects that came or went, for which a fresh start is cheaper than following them one by one.
+inline constexpr std::size_t kRebuildAfter = 512;
+/// Objects that come until the cell of an older one is worked out anew: it has shrunk, but that takes some time.
+inline constexpr std::size_t kAdditionsPerCell = 8;
 /// Layers of voxels for which plates and cubes are made at a time, so that what is on the way to them stays in L2.
 inline constexpr int kSlab = 32;
 
@@ -43,6 +45,9 @@ inline constexpr std::size_t kLoadsPerBunch = 2 * kLoadsPerBatch;
 inline constexpr int kLayersPerTask = 4, kLayersPerTaskInOrder = 2;
 /// Batches of pruning that are made for all layers of a brick at once, since they leave out none.
 inline constexpr std::size_t kBatchesForAllLayers = 1;
+/// Where one in so many blocks of a pair of bricks, or of all positions, is reopened after objects went, what is known
+/// of the others is not worth the trouble.
+inline constexpr int kPartsReopened = 2;
 /// Questions in vain after which stacks are asked about more rarely, and how many are left out at a stretch at most.
 inline constexpr int kPatienceWithStacks = 4, kMostLeftOut = 24;
 /// Cells between two looks at the limit.

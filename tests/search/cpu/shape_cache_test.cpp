@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "core/zeroed.hpp"
 #include "search/cpu/scan/incumbent.hpp"
+#include "search/cpu/scan/reaching_blocks.hpp"
 #include "search/cpu/shape_cache.hpp"
 #include "search/random_scene.hpp"
 
@@ -111,7 +112,8 @@ TEST_F(OpenState, ForgetsWhatAChangeOfPhiMayHaveMadeWrong) {
         row.set_least_bound(bx, 0, 0, 7);
         if (i % 3 == 2) row.close(bx, 0, 0);
     }
-    row.forget({{128 + 40, 3, 2}, {128 * 3 + 1, 4, 3}}, {10, 3, 3});
+    const std::vector<VoxelBox> fallen{{{128 + 40, 3, 2}, {128 * 3 + 1, 4, 3}}};
+    row.forget(blocks_reaching(blocks_of(fallen, 0, {6 * 128, 8, 4}), {10, 3, 3}));
     for (int i = 0; i < 6; ++i) {
         const bool touched = i >= 1 && i <= 3;
         EXPECT_EQ(row.least_bound(kPair * i, 0, 0), i % 3 == 2 ? kDead : touched ? 0 : 7) << i;
@@ -123,6 +125,40 @@ TEST_F(OpenState, ForgetsWhatAChangeOfPhiMayHaveMadeWrong) {
             EXPECT_EQ(bound[1][x], 7) << i << ", " << x;
         }
     }
+}
+
+TEST_F(OpenState, ReopensTheBlocksThatReachIntoWhatWentAndNoOthers) {
+    const std::vector<VoxelBox> freed{{{150, 5, 9}, {155, 6, 10}}};
+    state.close(0, 1, 2);
+    state.reopen(blocks_reaching(blocks_of(freed, 2, {208, 25, 14}), {9, 6, 5}));
+    for_each_pair(state, [&](int bx, int by, int bz) {
+        const bool is_dead = bx == 0 && by == 1 && bz == 2;
+        EXPECT_EQ(state.is_dead(bx, by, bz), is_dead);
+        if (is_dead) return;
+        ASSERT_TRUE(state.is_open(bx, by, bz));
+        std::uint32_t reopened = 0;
+        for (int j = 0; j < kBlocksY; ++j) {
+            for (int x = 0; x < kPair * kBlocksX; ++x) {
+                const VoxelIndex q{4 * (bx * kBlocksX + x), kBrickY * by + 4 * j, kBrickZ * bz};
+                const VoxelBox reached{q - VoxelIndex{2, 2, 2}, q + VoxelIndex{3 + 9 + 2, 3 + 6 + 2, 3 + 5 + 2}};
+                const bool reaches = !intersection(reached, freed.front()).empty() && q.x < 200 && q.y < 20;
+                const std::uint32_t bit = state.is_reopened(bx, by, bz) ? state.reopened(bx, by, bz, j) >> x & 1 : 0;
+                if (reaches) {
+                    EXPECT_EQ(bit, 1u) << q.x << ' ' << q.y << ' ' << q.z;
+                }
+                reopened += bit;
+                EXPECT_EQ(state.open_pair(bx, by, bz).bound[j][x] == kReopened, bit == 1);
+            }
+        }
+        EXPECT_EQ(state.least_bound(bx, by, bz), reopened > 0 ? 0u : 5u);
+    });
+    EXPECT_TRUE(state.is_reopened(2, 0, 2));
+    EXPECT_FALSE(state.is_reopened(0, 0, 0));
+    // What was not admitted may be.
+    state.note_refused({3, 2, 1});
+    state.reopen(BitGrid({52, 7, 4}));
+    EXPECT_TRUE(state.is_fresh(0, 0, 0));
+    EXPECT_FALSE(state.is_fresh(2, 0, 0));
 }
 
 /// A tray that something small comes into, and what is kept of a shape in it.

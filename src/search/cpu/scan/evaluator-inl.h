@@ -271,6 +271,7 @@ class Evaluator {
             const VoxelIndex q{kBrickX * bx + found.x, kBrickY * by + found.y, z};
             const bool exact = found.sum != kSumLimit;  // else each for itself: it is more than lanes hold
             if (!Offer(q, exact ? found.sum : proximity_at(context_.tables, t_.runs.solid, q))) {
+                t_.state.note_refused(q);
                 free[found.y] &= ~(std::uint64_t{1} << found.x);
             } else if (exact) {
                 break;

@@ -125,6 +125,7 @@ class Pass {
         const std::uint32_t limit = limits_.reach();
         const bool fresh = state_.is_fresh(bx, by, bz);
         OpenPair* open = fresh ? nullptr : &state_.open_pair(bx, by, bz);
+        if (!fresh && state_.is_reopened(bx, by, bz)) LookAtReopened(bx, by, bz, *open);
         std::uint32_t within[kBlocksY], uncrowded[kBlocksY];
         std::uint32_t any = 0, bound = kDead;  // of all blocks, if none is within the limit
         for (int j = 0; j < kBlocksY; ++j) {
@@ -197,6 +198,38 @@ class Pass {
                 if (survivor.bound <= limit) survivors_.push_back(survivor);
             }
         }
+    }
+
+    /// Finds out anew what look-ups leave of an open pair's reopened blocks.
+    void LookAtReopened(int bx, int by, int bz, OpenPair& open) {
+        std::uint32_t blocks[kBlocksY];
+        for (int j = 0; j < kBlocksY; ++j) {
+            blocks[j] = state_.reopened(bx, by, bz, j);
+        }
+        alignas(64) BrickWords live[kPair];
+        std::size_t pruned[kPair];
+        const bool any = pruner_.Prune(bx, by, bz, state_.layers(bz), blocks, live, pruned);
+        for (int i = 0; i < kPair; ++i) {
+            for (int j = 0; j < kBlocksY; ++j) {
+                const std::uint32_t here = blocks[j] >> (kBlocksX * i) & 0xFFFFu;
+                if (here == 0) continue;
+                const std::uint64_t positions = widened(here);
+                std::uint64_t bits = 0;
+                for (int z = 0; z < kBrickZ; ++z) {
+                    for (int k = kBrickY * z + kBlock * j; k < kBrickY * z + kBlock * (j + 1); ++k) {
+                        open.live[i][k] = (open.live[i][k] & ~positions) | (any ? live[i][k] & positions : 0);
+                        bits |= open.live[i][k];
+                    }
+                }
+                const std::uint32_t left = every_fourth(any_of_block(bits));
+                std::uint32_t* bound = open.bound[j] + i * kBlocksX;
+                for (std::uint32_t k = here; k != 0; k &= k - 1) {
+                    const int x = std::countr_zero(k);
+                    bound[x] = left >> x & 1 ? 0 : kDead;
+                }
+            }
+        }
+        state_.note_looked_at(bx, by, bz);
     }
 
     /// Opens a fresh pair with what look-ups leave of its blocks that have `uncrowded`; null if that is nothing.

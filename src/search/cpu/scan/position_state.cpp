@@ -1,10 +1,12 @@
 #include "search/cpu/scan/position_state.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "core/checked.hpp"
 #include "search/cpu/tables/block_bits.hpp"
+#include "search/cpu/tuning.hpp"
 
 namespace spectralpack {
 namespace {
@@ -22,6 +24,8 @@ PositionState::PositionState(const Extent& count, bool keeps)
     : count_(count), bricks_(brick_count(count)), pairs_(pairs_along_x(bricks_)), keeps_(keeps) {
     const auto pairs = static_cast<std::size_t>(pair_count(bricks_)), layers = static_cast<std::size_t>(bricks_.z);
     place_.assign(pairs, kFresh);
+    slot_.assign(keeps ? pairs : 0, kNoSlot);
+    marks_.assign(keeps ? pairs : 0, 0);
     least_.assign(pairs, 0);
     opened_.assign(layers, 0);
     dead_layers_.assign(layers, 0);
@@ -39,9 +43,13 @@ void PositionState::candidates(int bx, int by, const std::uint32_t (&alive)[kBlo
     if (rows < kBrickY) std::fill(tile + rows, tile + kBrickY, std::uint64_t{0});
 }
 
-OpenPair& PositionState::open(int bx, int by, int bz) {
-    place_[pair(bx, by, bz)] = opened_[static_cast<std::size_t>(bz)]++;
-    return open_pair(bx, by, bz);
+OpenPair& PositionState::open(int bx, int by, int bz) { return open_at(pair(bx, by, bz), bz); }
+
+/// A pair that has been open before takes the place that it had.
+OpenPair& PositionState::open_at(std::size_t pair, int bz) {
+    if (slot_[pair] == kNoSlot) slot_[pair] = opened_[static_cast<std::size_t>(bz)]++;
+    place_[pair] = slot_[pair];
+    return open_[place_in(bz) + static_cast<std::size_t>(place_[pair])];
 }
 
 void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
@@ -58,8 +66,108 @@ void PositionState::leave_only(const std::vector<VoxelBox>& positions) {
         }
     }
     for (std::size_t i = 0; i < left.size(); ++i) {
-        if (!left[i] && place_[i] == kFresh) close(i);
+        if (left[i] || place_[i] != kFresh) continue;
+        close(i);
+        left_only_ = true;
     }
+}
+
+template <class Visit>
+void PositionState::for_each_pair_of(const BitGrid& blocks, const Visit& visit) const {
+    static_assert(kPair * kBlocksX == 32 && TrayTables::kBlock == kBrickZ);
+    const int rows = ceil_div(count_.y, TrayTables::kBlock);
+    for (int bz = 0; bz < bricks_.z; ++bz) {
+        for (int by = 0; by < bricks_.y; ++by) {
+            for (int px = 0; px < pairs_; ++px) {
+                std::uint32_t of_rows[kBlocksY] = {};
+                std::uint32_t any = 0;
+                const std::size_t i = pair(kPair * px, by, bz);
+                for (int j = 0; j < std::min(kBlocksY, rows - kBlocksY * by); ++j) {
+                    const BitGrid::Word word = blocks.row(kBlocksY * by + j, bz)[px / 2];
+                    of_rows[j] = static_cast<std::uint32_t>(word >> (32 * (px % 2))) & blocks_in(i, j);
+                    any |= of_rows[j];
+                }
+                if (any != 0) visit(i, bz, of_rows);
+            }
+        }
+    }
+}
+
+std::uint32_t PositionState::blocks_in(std::size_t pair, int row) const {
+    const auto pairs = static_cast<std::size_t>(pairs_);
+    const int px = static_cast<int>(pair % pairs);
+    const int by = static_cast<int>(pair / pairs % static_cast<std::size_t>(bricks_.y));
+    if (kBrickY * by + TrayTables::kBlock * row >= count_.y) return 0;
+    const int blocks = ceil_div(count_.x, TrayTables::kBlock) - kPair * kBlocksX * px;
+    return blocks >= 32 ? ~std::uint32_t{0} : (std::uint32_t{1} << blocks) - 1;
+}
+
+void PositionState::reopen(const BitGrid& blocks) {
+    if (count_.empty()) return;
+    std::int64_t reopened = 0;
+    for_each_pair_of(blocks, [&](std::size_t, int, const auto& of_rows) {
+        for (const std::uint32_t row : of_rows) {
+            reopened += std::popcount(row);
+        }
+    });
+    const std::int64_t all =
+        checked_product({ceil_div(count_.x, TrayTables::kBlock), ceil_div(count_.y, TrayTables::kBlock), bricks_.z});
+    if (left_only_ || reopened * tuning::kPartsReopened >= all) {
+        std::ranges::fill(place_, kFresh);
+        std::ranges::fill(slot_, kNoSlot);
+        std::ranges::fill(least_, 0u);
+        std::ranges::fill(marks_, std::uint8_t{0});
+        std::ranges::fill(opened_, 0);
+        std::ranges::fill(dead_layers_, std::uint8_t{0});
+        left_only_ = false;
+        return;
+    }
+    for_each_pair_of(blocks, [&](std::size_t i, int bz, const auto& of_rows) { reopen(i, bz, of_rows); });
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        if ((marks_[i] & kHasRefused) != 0) make_fresh(i, static_cast<int>(i / place_in(1)));
+    }
+}
+
+void PositionState::reopen(std::size_t pair, int bz, const std::uint32_t (&blocks)[kBlocksY]) {
+    int count = 0, of = 0;
+    for (int j = 0; j < kBlocksY; ++j) {
+        count += std::popcount(blocks[j]);
+        of += std::popcount(blocks_in(pair, j));
+    }
+    if (count * tuning::kPartsReopened >= of || !keeps_ || place_[pair] == kFresh) {
+        make_fresh(pair, bz);
+        return;
+    }
+    const bool was_dead = place_[pair] == kNothing;
+    OpenPair& open = open_at(pair, bz);
+    if (was_dead) {
+        std::fill_n(&open.live[0][0], kPair * kBrickY * kBrickZ, std::uint64_t{0});
+        std::fill_n(&open.bound[0][0], kBlocksY * kPair * kBlocksX, kDead);
+    }
+    for (int j = 0; j < kBlocksY; ++j) {
+        for (std::uint32_t left = blocks[j]; left != 0; left &= left - 1) {
+            open.bound[j][std::countr_zero(left)] = kReopened;
+        }
+    }
+    marks_[pair] |= kHasReopened;
+    least_[pair] = 0;
+    dead_layers_[static_cast<std::size_t>(bz)] = 0;
+}
+
+void PositionState::make_fresh(std::size_t pair, int bz) {
+    place_[pair] = kFresh;
+    least_[pair] = 0;
+    if (keeps_) marks_[pair] = 0;
+    dead_layers_[static_cast<std::size_t>(bz)] = 0;
+}
+
+std::uint32_t PositionState::reopened(int bx, int by, int bz, int row) {
+    std::uint32_t blocks = 0;
+    const auto& bounds = open_pair(bx, by, bz).bound[row];
+    for (int x = 0; x < kPair * kBlocksX; ++x) {
+        if (bounds[x] == kReopened) blocks |= std::uint32_t{1} << x;
+    }
+    return blocks;
 }
 
 bool PositionState::all_dead() const {
@@ -72,7 +180,7 @@ void PositionState::look_for_dead_layers(int bz) {
     const std::size_t first = place_in(bz), end = place_in(bz + 1);
     std::uint64_t live[kBrickZ] = {};
     for (std::size_t i = first; i < end; ++i) {
-        if (place_[i] == kFresh) return;
+        if (place_[i] == kFresh || (marks_[i] & kHasReopened) != 0) return;
         if (place_[i] == kNothing) continue;
         for (const BrickWords& words : open_[first + static_cast<std::size_t>(place_[i])].live) {
             for (int k = 0; k < kBrickY * kBrickZ; ++k) {
@@ -88,42 +196,24 @@ void PositionState::look_for_dead_layers(int bz) {
     dead_layers_[layer] = dead;
 }
 
-/// The blocks from which a shape of `extent` reaches into `changed`.
-VoxelBox PositionState::blocks_reaching(const VoxelBox& changed, const Extent& extent) const {
-    if (changed.empty()) return {};
-    // Position q meets the box where q < hi and q + extent > lo.
-    VoxelBox box =
-        intersection({changed.lo - VoxelIndex{extent.x - 1, extent.y - 1, extent.z - 1}, changed.hi}, whole(count_));
-    if (box.empty()) return {};
-    for (int axis = 0; axis < 3; ++axis) {
-        box.lo[axis] /= TrayTables::kBlock;
-        box.hi[axis] = ceil_div(box.hi[axis], TrayTables::kBlock);
-    }
-    return box;
-}
-
-void PositionState::forget(const VoxelBox& changed, const Extent& extent) {
-    const VoxelBox blocks = blocks_reaching(changed, extent);
-    for (int z = blocks.lo.z; z < blocks.hi.z; ++z) {
-        for (int y = blocks.lo.y; y < blocks.hi.y; ++y) {
-            const int by = y / kBlocksY;
-            for (int bx = blocks.lo.x / kBlocksX / kPair * kPair; bx * kBlocksX < blocks.hi.x; bx += kPair) {
-                if (!is_dead(bx, by, z)) set_least_bound(bx, by, z, 0);
-                if (!is_open(bx, by, z)) continue;
-                const int first = bx * kBlocksX;
-                std::uint32_t* row = open_pair(bx, by, z).bound[y % kBlocksY];
-                const int end = std::min(blocks.hi.x, first + kPair * kBlocksX);
-                for (int x = std::max(blocks.lo.x, first); x < end; ++x) {
-                    std::uint32_t& bound = row[x - first];
-                    if (bound != kDead) bound = 0;
-                }
+void PositionState::forget(const BitGrid& blocks) {
+    for_each_pair_of(blocks, [&](std::size_t i, int bz, const auto& of_rows) {
+        if (place_[i] == kNothing) return;
+        least_[i] = 0;
+        if (place_[i] == kFresh || !keeps_) return;
+        OpenPair& open = open_[place_in(bz) + static_cast<std::size_t>(place_[i])];
+        for (int j = 0; j < kBlocksY; ++j) {
+            for (std::uint32_t left = of_rows[j]; left != 0; left &= left - 1) {
+                std::uint32_t& bound = open.bound[j][std::countr_zero(left)];
+                if (bound < kReopened) bound = 0;
             }
         }
-    }
+    });
 }
 
 std::int64_t PositionState::bytes_for(const Extent& count, bool keeps) {
-    const std::size_t of_pair = sizeof(std::int32_t) + sizeof(std::uint32_t) + (keeps ? sizeof(OpenPair) : 0);
+    const std::size_t kept = keeps ? sizeof(std::int32_t) + sizeof(std::uint8_t) + sizeof(OpenPair) : 0;
+    const std::size_t of_pair = sizeof(std::int32_t) + sizeof(std::uint32_t) + kept;
     return pair_count(brick_count(count)) * static_cast<std::int64_t>(of_pair);
 }
 

@@ -3,10 +3,11 @@
 /// tray, so that further copies only look at what could have changed.
 ///
 /// Positions lie in bricks of 64 x 8 x 4 (a tile for each of 4 layers) and blocks of 4 x 4 x 4.
-/// Invariants, as long as objects are only added:
+/// Invariants, as objects are added, and after forget() and reopen() of what came and went:
 ///   live: a clear bit is a position that collides or is not admitted. A set bit may or may not be free.
 ///   bound: rho(q) + rise(q) >= bound for every free position q of the block, as of `version`, the rise being that of
-///   its layer (layer_limits.hpp); kDead: none of the block is free, for good.
+///   its layer (layer_limits.hpp); kDead: none of the block is free; kReopened: nothing is known of the block, whatever
+///   its live bits say.
 /// Forgetting any of this costs time, never the answer.
 
 #include <algorithm>
@@ -25,7 +26,7 @@ inline constexpr int kBrickX = 64, kBrickY = 8, kBrickZ = 4;
 inline constexpr int kBlocksX = kBrickX / TrayTables::kBlock;  ///< blocks of a brick along x
 inline constexpr int kBlocksY = kBrickY / TrayTables::kBlock;
 inline constexpr int kPair = 2;  ///< bricks
-inline constexpr std::uint32_t kDead = 0xFFFFFFFFu;
+inline constexpr std::uint32_t kDead = 0xFFFFFFFFu, kReopened = 0xFFFFFFFEu;
 /// A brick's 4 tiles of 8 words.
 using BrickWords = std::uint64_t[kBrickY * kBrickZ];
 
@@ -75,8 +76,24 @@ class PositionState {
     std::uint32_t least_bound(int bx, int by, int bz) const { return least_[pair(bx, by, bz)]; }
     void set_least_bound(int bx, int by, int bz, std::uint32_t least) { least_[pair(bx, by, bz)] = least; }
 
-    /// All positions but those in one of these boxes are blocked, for good: what is fresh of them dies.
+    /// All positions but those in one of these boxes are blocked, or not admitted: what is fresh of them dies.
     void leave_only(const std::vector<VoxelBox>& positions);
+    /// Objects are gone from all that the shape at positions of other blocks than `blocks` could meet: nothing is known
+    /// of these any more. What bounds say of the others holds, since phi only rose. Nor is anything known of pairs with
+    /// positions that were not admitted, which may be now.
+    void reopen(const BitGrid& blocks);
+    /// True where blocks of an open pair are reopened.
+    bool is_reopened(int bx, int by, int bz) const { return keeps_ && (marks_[pair(bx, by, bz)] & kHasReopened) != 0; }
+    /// Which blocks of a row are (bits along x).
+    std::uint32_t reopened(int bx, int by, int bz, int row);
+    /// None are any more.
+    void note_looked_at(int bx, int by, int bz) {
+        marks_[pair(bx, by, bz)] &= static_cast<std::uint8_t>(~kHasReopened);
+    }
+    /// A position was not admitted. Those of different brick layers may be noted by different threads at once.
+    void note_refused(const VoxelIndex& q) {
+        if (keeps_) marks_[pair(q.x / kBrickX, q.y / kBrickY, q.z / kBrickZ)] |= kHasRefused;
+    }
     bool all_dead() const;
 
     /// Layers (bit i: the i-th) of brick layer bz in which nothing is live any more, as far as anybody looked.
@@ -86,9 +103,9 @@ class PositionState {
     /// Looks, less often where it was in vain.
     void look_for_dead_layers(int bz);
 
-    /// phi fell within `changed`: what blocks that reach into it with a shape of `extent`, and their pairs, are bounded
-    /// by becomes 0.
-    void forget(const VoxelBox& changed, const Extent& extent);
+    /// phi may have fallen where the shape reaches from `blocks`: what these, and their pairs, are bounded by becomes
+    /// 0.
+    void forget(const BitGrid& blocks);
 
     /// Bytes that one takes at most: pages that nothing is written to are counted too.
     static std::int64_t bytes_for(const Extent& count, bool keeps);
@@ -103,23 +120,33 @@ class PositionState {
                static_cast<std::size_t>(bx / kPair);
     }
 
-    VoxelBox blocks_reaching(const VoxelBox& changed, const Extent& extent) const;
-
+    /// Calls visit(pair, brick layer, which blocks of each row) for the pairs that hold any of `blocks`.
+    template <class Visit>
+    void for_each_pair_of(const BitGrid& blocks, const Visit& visit) const;
+    /// The blocks of a row of a pair in which there are positions.
+    std::uint32_t blocks_in(std::size_t pair, int row) const;
+    void reopen(std::size_t pair, int bz, const std::uint32_t (&blocks)[kBlocksY]);
+    void make_fresh(std::size_t pair, int bz);
+    OpenPair& open_at(std::size_t pair, int bz);
     void close(std::size_t pair) {
         place_[pair] = kNothing;
         least_[pair] = kDead;
     }
 
-    static constexpr std::int32_t kFresh = -1, kNothing = -2;
+    static constexpr std::uint8_t kHasRefused = 1, kHasReopened = 2;
+    static constexpr std::int32_t kFresh = -1, kNothing = -2, kNoSlot = -1;
 
     Extent count_, bricks_;
     int pairs_ = 0;  // along x
     bool keeps_ = true;
+    bool left_only_ = false;  // some were closed by leave_only() and may be admitted once objects go
     // Pairs lie in the order in which they were opened, one brick layer's after the other's: what never is takes no
     // memory from the system and no place in caches.
     std::unique_ptr<OpenPair[]> open_;
     std::vector<std::int32_t> place_;        // of each pair, which one of its layer's open ones it is; kFresh, kNothing
+    std::vector<std::int32_t> slot_;         // likewise, which one it is once it is open, or was before it was reopened
     std::vector<std::uint32_t> least_;       // likewise, least_bound()
+    std::vector<std::uint8_t> marks_;        // likewise
     std::vector<std::int32_t> opened_;       // by brick layer
     std::vector<std::uint8_t> dead_layers_;  // likewise
     std::vector<Patience> looks_;            // for dead layers, likewise

@@ -34,11 +34,10 @@ void turn_runs(const OrientationRuns& runs, const AxisTurn& turn, const Extent& 
 /// Cells of the solid whose runs these are, of extents `solid`; `depths`: from before it was turned.
 void add_cells(OrientationRuns& runs, const AxisTurn& turn, const Extent& solid, const Depths& depths,
                const TrayTables& tables) {
-    const int most_phi = tables.phi().most();
-    if (!tables.large() && most_phi <= tuning::kMostPhiOfCrowds) return;
+    if (!tables.large() && tables.phi().most() <= tuning::kMostPhiOfCrowds) return;
     const TurnedDepths here(depths, turn, solid);
     const auto cells = [&](int edge, std::size_t most) {
-        return list_cells(runs.solid, solid, tables.minima(), most_phi, edge, most, here);
+        return list_cells(runs.solid, solid, tables.minima(), tables.phi().most_ever(), edge, most, here);
     };
     runs.cells = cells(2 * TrayTables::kBlock, tuning::kMostCells);
     if (tables.large() && runs.solid.runs.size() >= tuning::kRunsWorthSmallCells) {

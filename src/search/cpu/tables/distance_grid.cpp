@@ -13,6 +13,15 @@ namespace {
 
 constexpr int kLanes = 32;  // of 16 bits, of the widest vectors
 
+/// [first, last) of a row is occupied: distances around it, within [lo, hi). [first, last) grows to what changed.
+void lower_around(std::uint16_t* row, int& first, int& last, int lo, int hi) {
+    std::fill(row + first, row + last, std::uint16_t{0});
+    for (std::uint16_t d = 1; first > lo && row[first - 1] > d; ++d)
+        row[--first] = d;
+    for (std::uint16_t d = 1; last < hi && row[last] > d; ++d)
+        row[last++] = d;
+}
+
 /// Distance along x of one row to the occupied voxels of a solid's row; [lo, hi) grows to what
 /// changed.
 void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const VoxelIndex& at, int y, int z, int& lo,
@@ -26,11 +35,7 @@ void lower_along_x(std::uint16_t* row, int nx, const BitGrid& solid, const Voxel
             int first = std::max(0, at.x + 64 * w + bit);
             int last = std::min(nx, at.x + 64 * w + bit + length);
             if (first >= last) continue;
-            std::fill(row + first, row + last, std::uint16_t{0});
-            for (std::uint16_t d = 1; first > 0 && row[first - 1] > d; ++d)
-                row[--first] = d;
-            for (std::uint16_t d = 1; last < nx && row[last] > d; ++d)
-                row[last++] = d;
+            lower_around(row, first, last, 0, nx);
             lo = std::min(lo, first);
             hi = std::max(hi, last);
         }
@@ -50,15 +55,51 @@ int sweep(int first, int last, int step, int count, const RowLower& lower) {
     return i;
 }
 
+/// Distance along x of [lo, hi) of a row to what is set of a row of bits there.
+void lower_along_x(std::uint16_t* row, const BitGrid::Word* bits, int lo, int hi) {
+    for (int w = lo / 64; w <= (hi - 1) / 64; ++w) {
+        for (BitGrid::Word word = bits[w]; word != 0;) {
+            const int bit = std::countr_zero(word);
+            const int length = std::countr_one(word >> bit);
+            word = bit + length < 64 ? word & (~BitGrid::Word{0} << (bit + length)) : 0;
+            int first = std::max(lo, 64 * w + bit), last = std::min(hi, 64 * w + bit + length);
+            if (first < last) lower_around(row, first, last, lo, hi);
+        }
+    }
+}
+
+/// How far v lies beyond [lo, hi).
+int beyond(int v, int lo, int hi) { return std::max({0, lo - v, v - (hi - 1)}); }
+
+/// Boxes that hold all of `boxes`, none of which meet or touch.
+std::vector<VoxelBox> apart(std::vector<VoxelBox> boxes) {
+    for (std::size_t i = 0; i < boxes.size();) {
+        const VoxelBox around{boxes[i].lo - VoxelIndex{1, 1, 1}, boxes[i].hi + VoxelIndex{1, 1, 1}};
+        const auto near = std::find_if(boxes.begin() + static_cast<std::ptrdiff_t>(i) + 1, boxes.end(),
+                                       [&](const VoxelBox& box) { return !intersection(around, box).empty(); });
+        if (near == boxes.end()) {
+            ++i;
+            continue;
+        }
+        boxes[i] = hull(boxes[i], *near);
+        boxes.erase(near);
+        i = 0;  // it may have come near to one before it
+    }
+    return boxes;
+}
+
 }  // namespace
 
 DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
-    : extent_(extent), ceiling_(ceiling), stride_(ceil_div(extent.x, kLanes) * kLanes), most_above_(from_sides()) {
-    if (from_sides() >= std::numeric_limits<std::uint16_t>::max()) {
+    : extent_(extent), ceiling_(ceiling), stride_(ceil_div(extent.x, kLanes) * kLanes), most_above_(most_ever()) {
+    if (most_ever() >= std::numeric_limits<std::uint16_t>::max()) {
         throw ResourceError("the tray is too wide for this engine");
     }
     values_ = ZeroedVector<std::uint16_t>(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})));
     most_of_row_.assign(row_number(0, extent.z), 0);
+    for (int x = 0; x < extent.x; ++x) {
+        sides_.push_back(static_cast<std::uint16_t>(std::min(x + 1, extent.x - x)));
+    }
 }
 
 /// Distance to what lies above and below the grid.
@@ -66,13 +107,11 @@ int DistanceGrid::from_floor_and_ceiling(int z) const {
     return ceiling_ == Ceiling::closed ? std::min(z + 1, extent_.z - z) : z + 1;
 }
 
-/// What a row holds where there is no object.
-void DistanceGrid::fill_row(int y, int z) {
+/// What [lo, hi) of a row holds where there is no object.
+void DistanceGrid::fill_row(int y, int z, int lo, int hi) {
     const int other = std::min({from_floor_and_ceiling(z), y + 1, extent_.y - y});
-    std::uint16_t* values = row(y, z);
-    for (int x = 0; x < extent_.x; ++x) {
-        values[x] = static_cast<std::uint16_t>(std::min({other, x + 1, extent_.x - x}));
-    }
+    kernels().sums<std::uint16_t>().raise_row(row(y, z) + lo, sides_.data() + lo, 0, static_cast<std::uint16_t>(other),
+                                              static_cast<std::size_t>(hi - lo));
 }
 
 void DistanceGrid::note_most_of_row(int y, int z) {
@@ -140,13 +179,142 @@ ChangedLayers DistanceGrid::add(const BitGrid& solid, const VoxelIndex& at, cons
     return changed;
 }
 
+/// 0 where the nearest occupied voxel of none of `face` can lie in `gone`; else how much farther from `gone` a face has
+/// to lie at least. `face` is one voxel thick. phi and the distance from `gone` are 1-Lipschitz: where they differ by
+/// n, they do so by more than n - 2 k all around within k steps, so steps of n / 4 along both axes miss nothing. Once
+/// something is in reach, only what is much more so is looked for.
+int DistanceGrid::in_reach(const VoxelBox& face, const VoxelBox& gone) const {
+    constexpr int kFar = std::numeric_limits<std::uint16_t>::max();
+    constexpr int kCoarse = 4;
+    int farther = 0;
+    const auto step = [&](int difference) { return std::max(farther > 0 ? kCoarse : 1, difference / 4); };
+    for (int z = face.lo.z; z < face.hi.z;) {
+        int least_of_layer = kFar;
+        for (int y = face.lo.y; y < face.hi.y;) {
+            const int other = beyond(y, gone.lo.y, gone.hi.y) + beyond(z, gone.lo.z, gone.hi.z);
+            const std::uint16_t* values = row(y, z);
+            int least_of_row = kFar;
+            for (int x = face.lo.x; x < face.hi.x;) {
+                const int nearer = other + beyond(x, gone.lo.x, gone.hi.x) - values[x];
+                if (nearer <= 0) farther = std::max(farther, -nearer / 2 + 1);
+                least_of_row = std::min(least_of_row, nearer);
+                x += step(nearer);
+            }
+            y += step(least_of_row);
+            least_of_layer = std::min(least_of_layer, least_of_row);
+        }
+        z += step(least_of_layer);
+    }
+    return farther;
+}
+
+/// Grows a box until its faces are out of reach. Then so is what lies outside of them: all voxels on a shortest way to
+/// an occupied one have that as a nearest one, and a way into `gone` goes through a face.
+VoxelBox DistanceGrid::reach_of(const VoxelBox& gone) const {
+    VoxelBox reach = intersection(gone, {{0, 0, 0}, {extent_.x, extent_.y, top_}});
+    if (reach.empty()) return {};
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int end = axis == 0 ? extent_.x : axis == 1 ? extent_.y : top_;
+            VoxelBox low = reach, high = reach;
+            low.hi[axis] = reach.lo[axis] + 1;
+            high.lo[axis] = reach.hi[axis] - 1;
+            const int below = reach.lo[axis] > 0 ? in_reach(low, gone) : 0;
+            const int above = reach.hi[axis] < end ? in_reach(high, gone) : 0;
+            reach.lo[axis] = std::max(0, reach.lo[axis] - below);
+            reach.hi[axis] = std::min(end, reach.hi[axis] + above);
+            grown = grown || below > 0 || above > 0;
+        }
+    }
+    return reach;
+}
+
+/// Makes phi right in `window`, outside of which it is. The sweeps along each axis begin beside the window: phi there
+/// is 1-Lipschitz, so the sweeps along the axes before it would not have lowered it.
+void DistanceGrid::recompute(const VoxelBox& window, const std::vector<const BitGrid*>& occupied,
+                             const Workers& workers, ChangedLayers& changed) {
+    const VoxelIndex lo = window.lo, hi = window.hi;
+    const auto width = static_cast<std::size_t>(hi.x - lo.x);
+    std::vector<std::uint16_t> before(width * static_cast<std::size_t>(hi.y - lo.y) *
+                                      static_cast<std::size_t>(hi.z - lo.z));
+    const auto before_of = [&](int y, int z) {
+        const int row = (z - lo.z) * (hi.y - lo.y) + y - lo.y;
+        return before.data() + static_cast<std::size_t>(row) * width;
+    };
+    const auto lower = [&](int y, int z, int from_y, int from_z) {
+        kernels().lower_row(row(y, z) + lo.x, row(from_y, from_z) + lo.x, width);
+    };
+    workers.for_ranges(hi.z - lo.z, 4, [&](std::int64_t begin, std::int64_t end) {
+        for (int z = lo.z + static_cast<int>(begin); z < lo.z + static_cast<int>(end); ++z) {
+            for (int y = lo.y; y < hi.y; ++y) {
+                std::uint16_t* values = row(y, z);
+                std::copy(values + lo.x, values + hi.x, before_of(y, z));
+                fill_row(y, z, lo.x, hi.x);
+                for (const BitGrid* grid : occupied) {
+                    lower_along_x(values, grid->row(y, z), lo.x, hi.x);
+                }
+                if (lo.x > 0) {
+                    for (int x = lo.x; x < hi.x && values[x] > values[x - 1] + 1; ++x)
+                        values[x] = static_cast<std::uint16_t>(values[x - 1] + 1);
+                }
+                if (hi.x < extent_.x) {
+                    for (int x = hi.x - 1; x >= lo.x && values[x] > values[x + 1] + 1; --x)
+                        values[x] = static_cast<std::uint16_t>(values[x + 1] + 1);
+                }
+            }
+            for (int y = std::max(1, lo.y); y < hi.y; ++y) {
+                lower(y, z, y - 1, z);
+            }
+            for (int y = std::min(extent_.y - 1, hi.y) - 1; y >= lo.y; --y) {
+                lower(y, z, y + 1, z);
+            }
+        }
+    });
+    std::mutex mutex;
+    workers.for_ranges(hi.y - lo.y, 8, [&](std::int64_t begin, std::int64_t end) {
+        const int first = lo.y + static_cast<int>(begin), last = lo.y + static_cast<int>(end);
+        for (int z = std::max(1, lo.z); z < hi.z; ++z) {
+            for (int y = first; y < last; ++y) {
+                lower(y, z, y, z - 1);
+            }
+        }
+        ChangedLayers here(extent_.z);
+        for (int z = hi.z - 1; z >= lo.z; --z) {
+            for (int y = first; y < last; ++y) {
+                if (z + 1 < top_) lower(y, z, y, z + 1);
+                const std::uint16_t *was = before_of(y, z), *is = row(y, z) + lo.x;
+                const auto from = std::mismatch(was, was + width, is).first - was;
+                if (from == static_cast<std::ptrdiff_t>(width)) continue;
+                auto to = static_cast<std::ptrdiff_t>(width);
+                while (was[to - 1] == is[to - 1])
+                    --to;
+                here.add({{lo.x + static_cast<int>(from), y, z}, {lo.x + static_cast<int>(to), y + 1, z + 1}});
+                note_most_of_row(y, z);
+            }
+        }
+        const std::lock_guard lock(mutex);
+        changed.add(here);
+    });
+}
+
+ChangedLayers DistanceGrid::remove(const std::vector<VoxelBox>& reaches, const std::vector<const BitGrid*>& occupied,
+                                   const Workers& workers) {
+    ChangedLayers changed(extent_.z);
+    for (const VoxelBox& window : apart(reaches)) {
+        if (!window.empty()) recompute(window, occupied, workers, changed);
+    }
+    note_most();
+    return changed;
+}
+
 void DistanceGrid::raise(int top, const Workers& workers) {
     top = std::min(top, extent_.z);
     if (top <= top_) return;
     workers.for_ranges(extent_.y, 4, [&](std::int64_t begin, std::int64_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
             for (int z = top_; z < top; ++z) {
-                fill_row(y, z);
+                fill_row(y, z, 0, extent_.x);
                 if (z > 0) kernels().lower_row(row(y, z), row(y, z - 1), static_cast<std::size_t>(stride_));
                 note_most_of_row(y, z);
             }
@@ -156,7 +324,7 @@ void DistanceGrid::raise(int top, const Workers& workers) {
     note_most();
     most_above_ = 0;
     for (int z = top; z < extent_.z; ++z) {
-        most_above_ = std::max(most_above_, std::min(from_sides(), from_floor_and_ceiling(z)));
+        most_above_ = std::max(most_above_, std::min(most_ever(), from_floor_and_ceiling(z)));
     }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added.
+/// phi of Omega_place (equation 3, Manhattan, appendix A.1), kept up to date as objects are added and removed.
 ///
 /// Invariant: below layer top(), at(x, y, z) = Manhattan distance in voxels to the nearest occupied voxel, everything
 /// outside the grid included (above it only under a closed ceiling). From top() on nothing is known. It never exceeds
@@ -30,6 +30,15 @@ class DistanceGrid {
     /// it. Precondition: the object lies below top().
     ChangedLayers add(const BitGrid& solid, const VoxelIndex& at, const Workers& workers);
 
+    /// A box outside of which nothing changes when what lies in `gone` goes, nor has its nearest occupied voxel there;
+    /// below top(). O(its surface).
+    VoxelBox reach_of(const VoxelBox& gone) const;
+    /// Takes in that objects went: `reaches` are those of their boxes, before that, and `occupied` together all that is
+    /// occupied now, of the grid's extent. Returns where something changed. O(voxels of the boxes; those that meet or
+    /// touch count as one).
+    ChangedLayers remove(const std::vector<VoxelBox>& reaches, const std::vector<const BitGrid*>& occupied,
+                         const Workers& workers);
+
     /// Makes the values right below `top`, too: as all objects lie below top(), from the walls and in one sweep up from
     /// there. O(voxels in between).
     void raise(int top, const Workers& workers);
@@ -43,6 +52,8 @@ class DistanceGrid {
 
     /// No value is above it, nor will be when top() is raised; with all layers below top() the greatest.
     int most() const { return std::max(most_, most_above_); }
+    /// No value is ever above it, whatever is added or removed: that of the middle between the nearer side walls.
+    int most_ever() const { return (std::min(extent_.x, extent_.y) + 1) / 2; }
 
     std::int64_t bytes() const { return static_cast<std::int64_t>((values_.size() + most_of_row_.size()) * 2); }
 
@@ -52,9 +63,11 @@ class DistanceGrid {
     }
     std::size_t offset(int y, int z) const { return row_number(y, z) * static_cast<std::size_t>(stride_); }
 
-    int from_sides() const { return (std::min(extent_.x, extent_.y) + 1) / 2; }  ///< the greatest distance to them
     int from_floor_and_ceiling(int z) const;
-    void fill_row(int y, int z);
+    void fill_row(int y, int z, int lo, int hi);
+    int in_reach(const VoxelBox& face, const VoxelBox& gone) const;
+    void recompute(const VoxelBox& window, const std::vector<const BitGrid*>& occupied, const Workers& workers,
+                   ChangedLayers& changed);
     void note_most_of_row(int y, int z);
     void note_most();
 
@@ -66,6 +79,7 @@ class DistanceGrid {
     int most_above_ = 0;  // of what there may be above
     ZeroedVector<std::uint16_t> values_;
     std::vector<std::uint16_t> most_of_row_;
+    std::vector<std::uint16_t> sides_;  // distances along x to the nearer side wall
 };
 
 }  // namespace spectralpack

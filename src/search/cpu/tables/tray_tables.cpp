@@ -1,6 +1,7 @@
 #include "search/cpu/tables/tray_tables.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "search/cpu/tuning.hpp"
 
@@ -66,11 +67,14 @@ int layers_standing(const Tray& tray) {
     return std::min(top, tray.extent().z);
 }
 
-bool any_removed(const Tray& tray, std::uint64_t since) {
-    for (std::uint64_t v = since; v < tray.version(); ++v) {
-        if (!tray.changes()[v].added) return true;
+/// All that is occupied of Omega_place.
+std::vector<const BitGrid*> occupied_grids(const Tray& tray) {
+    std::vector<const BitGrid*> grids;
+    for (int c = 0; c < tray.gap_classes(); ++c) {
+        grids.push_back(&tray.occupied(c));
     }
-    return false;
+    if (!tray.blocked().extent().empty()) grids.push_back(&tray.blocked());
+    return grids;
 }
 
 }  // namespace
@@ -79,10 +83,22 @@ BitLayout bit_layout(const Extent& tray, int margin, int detail, int gap_classes
     return {tray, margin, detail, gap_classes, (detail > 1 ? gap_classes : 0) + (walls ? 1 : 0)};
 }
 
+TrayDifference difference(const Tray& tray, std::uint64_t since, ObjectId objects) {
+    TrayDifference result;
+    for (std::uint64_t v = since; v < tray.version(); ++v) {
+        const TrayChange& change = tray.changes()[v];
+        if (change.added && tray.find(change.id)) result.added.push_back(change.id);
+        if (!change.added && change.id < objects) result.removed.push_back(change.id);
+    }
+    return result;
+}
+
+/// A class that had objects once counts as occupied from then on: lists need not change each time its last one comes
+/// and goes.
 void TrayTables::note_occupied(const Tray& tray) {
-    class_used_.clear();
+    class_used_.resize(static_cast<std::size_t>(tray.gap_classes()), false);
     for (int c = 0; c < tray.gap_classes(); ++c) {
-        class_used_.push_back(!tray.occupied(c).none());
+        if (!tray.occupied(c).none()) class_used_[static_cast<std::size_t>(c)] = true;
     }
     walls_ = !tray.blocked().none();
 }
@@ -107,9 +123,6 @@ void TrayTables::rebuild_phi(const Tray& tray, const Workers& workers) {
     all.add({{0, 0, 0}, {n.x, n.y, phi_.top()}});
     note(all);
     update_from_phi(all.hull(), workers);
-    ++epoch_;
-    epoch_start_ = tray.version();
-    changes_.clear();
 }
 
 void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
@@ -138,28 +151,40 @@ void TrayTables::rebuild(const Tray& tray, int margin, const Workers& workers) {
         }
     });
     instance_ = tray.instance();
+    class_used_.clear();
+    ++epoch_;
+    cells_ = {};
 }
 
-void TrayTables::follow_bits(const Tray& tray, const Workers& workers) {
-    for (std::uint64_t v = version_; v < tray.version(); ++v) {
-        const TrayObject& object = tray.object(tray.changes()[v].id);
-        refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
+void TrayTables::follow_bits(const Tray& tray, const TrayDifference& changed, const Workers& workers) {
+    for (const std::vector<ObjectId>* ids : {&changed.added, &changed.removed}) {
+        for (const ObjectId id : *ids) {
+            const TrayObject& object = tray.object(id);
+            refresh_class(bits_, crowd_, tray, object.gap_class, object.box(), workers);
+        }
     }
 }
 
-void TrayTables::follow_phi(const Tray& tray, const Workers& workers) {
-    if (any_removed(tray, version_)) {
-        rebuild_phi(tray, workers);
-        return;
-    }
+void TrayTables::follow_phi(const Tray& tray, const TrayDifference& changed, const Workers& workers) {
     VoxelBox all;
-    for (std::uint64_t v = version_; v < tray.version(); ++v) {
-        const TrayObject& object = tray.object(tray.changes()[v].id);
+    // Before what went is taken out: additions stop where they lower nothing, which takes phi to be right everywhere.
+    for (const ObjectId id : changed.added) {
+        const TrayObject& object = tray.object(id);
         raise_phi(object.box().hi.z, workers);
-        const ChangedLayers changed = phi_.add(*object.solid, object.position, workers);
-        changes_.push_back(changed.hull());
-        note(changed);
-        all = hull(all, changed.hull());
+        const ChangedLayers lowered = phi_.add(*object.solid, object.position, workers);
+        note(lowered);
+        cells_.add(id, object.box(), lowered.hull());
+        all = hull(all, lowered.hull());
+    }
+    if (!changed.removed.empty()) {
+        std::vector<VoxelBox> reaches;
+        for (const ObjectId id : changed.removed) {
+            reaches.push_back(phi_.reach_of(tray.object(id).box()));
+        }
+        const ChangedLayers raised = phi_.remove(reaches, occupied_grids(tray), workers);
+        note(raised);
+        all = hull(all, raised.hull());
+        cells_.remove(changed.removed, reaches);
     }
     update_from_phi(all, workers);
 }
@@ -215,30 +240,35 @@ void TrayTables::raise(int top, const Workers& workers) {
     if (quads_follow_) follow_quads(workers);
 }
 
+int TrayTables::phi_bound() const {
+    if (in_bytes_) return SumTables<std::uint8_t>::kMostPooled;
+    constexpr unsigned kLeast = SumTables<std::uint16_t>::kMostPooled;
+    return static_cast<int>(std::bit_ceil(std::max(kLeast, static_cast<unsigned>(phi_.most()))));
+}
+
 bool TrayTables::starts_afresh(const Tray& tray, int margin) const {
-    return tray.instance() != instance_ || margin > bits_.margin() || tray.version() < version_ ||
-           tray.version() - version_ > tuning::kRebuildAfter;
+    return tray.instance() != instance_ || margin > bits_.margin() || tray.version() < version_;
 }
 
 void TrayTables::follow(const Tray& tray, int margin, const Workers& workers) {
-    const bool afresh = starts_afresh(tray, margin);
+    bool afresh = starts_afresh(tray, margin);
+    TrayDifference changed;
+    if (!afresh) {
+        changed = difference(tray, version_, objects_);
+        afresh = changed.size() > tuning::kRebuildAfter;
+    }
     if (afresh) {
         rebuild(tray, std::max(margin, bits_.margin()), workers);
-    } else if (tray.version() > version_) {
-        workers.for_each(2, [&](std::int64_t i) { i == 0 ? follow_bits(tray, workers) : follow_phi(tray, workers); });
+    } else if (changed.size() > 0) {
+        workers.for_each(2, [&](std::int64_t i) {
+            i == 0 ? follow_bits(tray, changed, workers) : follow_phi(tray, changed, workers);
+        });
     } else {
         choose_sums(workers);
     }
     if (version_ != tray.version() || afresh) note_occupied(tray);
     version_ = tray.version();
-}
-
-VoxelBox TrayTables::changed_since(std::uint64_t since) const {
-    VoxelBox changed;
-    for (std::uint64_t v = std::max(since, epoch_start_); v < version_; ++v) {
-        changed = hull(changed, changes_[v - epoch_start_]);
-    }
-    return changed;
+    objects_ = tray.object_count();
 }
 
 std::int64_t TrayTables::bytes() const {

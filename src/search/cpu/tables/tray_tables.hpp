@@ -13,6 +13,7 @@
 #include "search/cpu/tables/block_minima.hpp"
 #include "search/cpu/tables/crowd_tables.hpp"
 #include "search/cpu/tables/distance_grid.hpp"
+#include "search/cpu/tables/object_cells.hpp"
 #include "search/cpu/tables/sum_tables.hpp"
 #include "search/tray.hpp"
 
@@ -38,6 +39,16 @@ struct Sums {
     }
     std::int64_t bytes() const { return exact.bytes() + coarse.bytes(); }
 };
+
+/// What makes a tray differ from an earlier version of it: what was added since and stands, and what stood then and is
+/// gone. What came and went meanwhile is neither.
+struct TrayDifference {
+    std::vector<ObjectId> added, removed;
+    std::size_t size() const { return added.size() + removed.size(); }
+};
+
+/// `objects`: Tray::object_count() at the version `since`.
+TrayDifference difference(const Tray& tray, std::uint64_t since, ObjectId objects);
 
 class TrayTables {
   public:
@@ -85,7 +96,7 @@ class TrayTables {
     /// True when copies share no voxel of dx (s = 1): as every A+g holds its A, the bounds here take that for granted.
     bool disjoint() const { return disjoint_; }
 
-    /// True when objects of the class stand in the tray.
+    /// True when objects of the class stand in the tray, or have stood there in this epoch.
     bool occupied(int gap_class) const { return class_used_[static_cast<std::size_t>(gap_class)]; }
     int occupied_classes() const { return static_cast<int>(std::ranges::count(class_used_, true)); }
     /// True when the container mask or a keep-out holds anything.
@@ -95,11 +106,13 @@ class TrayTables {
     int coarse_layer(int gap_class) const { return static_cast<int>(class_used_.size()) + gap_class; }
     int wall_layer() const { return bits_.layers() - 1; }
 
-    /// Grows whenever what was derived before is void (a new tray, an object removed).
+    /// Grows whenever what was derived before is void: a new tray, a fresh start.
     std::uint64_t epoch() const { return epoch_; }
     std::uint64_t version() const { return version_; }
-    /// Where phi changed since version `since` of this epoch: a box outside of which it is as it was.
-    VoxelBox changed_since(std::uint64_t since) const;
+    /// Boxes outside of which no phi is less than it was in this epoch when the tray had had `objects` objects.
+    std::vector<VoxelBox> fallen_since(ObjectId objects) { return cells_.of_newer(objects, phi_); }
+    /// No phi is above it. It moves in powers of two, so that what is made for it serves as phi falls and rises.
+    int phi_bound() const;
 
     std::int64_t bytes() const;
 
@@ -107,8 +120,8 @@ class TrayTables {
     bool starts_afresh(const Tray& tray, int margin) const;
     void rebuild(const Tray& tray, int margin, const Workers& workers);
     void rebuild_phi(const Tray& tray, const Workers& workers);
-    void follow_bits(const Tray& tray, const Workers& workers);
-    void follow_phi(const Tray& tray, const Workers& workers);
+    void follow_bits(const Tray& tray, const TrayDifference& changed, const Workers& workers);
+    void follow_phi(const Tray& tray, const TrayDifference& changed, const Workers& workers);
     void raise_phi(int top, const Workers& workers);
     void note(const ChangedLayers& changed);
     void update_from_phi(const VoxelBox& changed, const Workers& workers);
@@ -134,8 +147,8 @@ class TrayTables {
     std::vector<bool> class_used_;
     bool walls_ = false;
     std::uint64_t instance_ = 0, version_ = 0, epoch_ = 0;
-    std::uint64_t epoch_start_ = 0;  // version at which the epoch began
-    std::vector<VoxelBox> changes_;  // one for each version since then
+    ObjectId objects_ = 0;  // that the tray had had at that version
+    ObjectCells cells_;
 };
 
 }  // namespace spectralpack
