@@ -236,6 +236,18 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     return bytes;
 }
 
+bool improves(const PackOptions& options) { return options.improve || options.improve_steps > 0; }
+
+double parts_to_pack(const LoadedJob& loaded) {
+    double parts = 0;
+    for (std::size_t i = 0; i < loaded.parts.size(); ++i) {
+        if (copies_to_pack(loaded, i) > 0) ++parts;
+    }
+    return parts;
+}
+
+constexpr std::int64_t kMostAnswers = std::int64_t{512} << 20;  // bytes of what links were found out (UnlinkedSearch)
+
 Extent with_layers(Extent grid, int layers) {
     grid.z = layers;
     return grid;
@@ -265,8 +277,13 @@ void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_
         // Where what walks or links take is kept as well, the maps of the part asked about last will do, which engines
         // keep in any case: its copies come one after the other, but in a fill.
         const double per_voxel = options.interlock == Interlock::off || options.fill ? kCacheUnasked : 0;
-        const double wanted =
+        double wanted =
             per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
+        // Improving asks about all parts in turn, over and over.
+        if (improves(options)) {
+            const auto maps = part_memory(plan.engine, engine_need(options.voxel, plan.grid, plan, options));
+            wanted = std::max(wanted, static_cast<double>(maps) * parts_to_pack(loaded));
+        }
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
     if (plan.engine == EngineKind::reference) plan.cache = 0;  // it keeps nothing
@@ -277,6 +294,7 @@ void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_
     plan.keeps_all = parts_memory(options.voxel, options.detail, plan, loaded, true) -
                          parts_memory(options.voxel, options.detail, plan, loaded) <=
                      spare / 2;
+    if (improves(options)) plan.answers = std::min(kMostAnswers, std::max<std::int64_t>(0, spare) / 4);
     if (options.trays != 1) {
         plan.keep = std::max<std::int64_t>(0, spare) / 2;
     }

@@ -80,6 +80,7 @@ PackingJob packing_job(const JobSource& source, Listener& listener, const Worker
     job.in_shares = options.fill;
     job.room = plan.room;
     job.keep = plan.keep;
+    job.answers = plan.answers;
     job.ahead = plan.ahead;
     job.held = plan.held();
     job.keeps_all = plan.keeps_all;

@@ -34,6 +34,7 @@ struct Plan {
     std::int64_t memory_limit = 0;
     std::int64_t cache = 0;                 ///< bytes left for caches
     std::int64_t keep = 0;                  ///< bytes of voxels that may be held from one tray to the next
+    std::int64_t answers = 0;               ///< bytes of answers about links that improving may keep
     int ahead = 1;                          ///< parts whose voxels are made at a time
     int held() const { return 2 * ahead; }  ///< parts whose voxels are held at once: new ones, and some that wait
     bool keeps_all = false;                 ///< there is memory for the voxels of all parts at once

@@ -13,8 +13,7 @@ namespace spectralpack {
 namespace {
 
 constexpr std::int64_t kSettled = 25;  // steps without a better layout: then the best is made to come apart
-constexpr std::int64_t kMostAnswers = std::int64_t{512} << 20;  // bytes
-constexpr double kFair = 2;  // with Goal::fair, copies with boxes at most so many times as large are passed
+constexpr double kFair = 2;            // with Goal::fair, copies with boxes at most so many times as large are passed
 
 /// Less is better, lexicographically.
 struct TrayScore {
@@ -95,7 +94,7 @@ class Improving {
     }
 
     void improve(TrayFiller& filler, const TrayCopies& wanted, FilledTray& tray) {
-        filler.keep_answers(std::min(kMostAnswers, job_.keep / 2));
+        filler.keep_answers(job_.answers);
         StartedTray started = filler.start(wanted);
         std::map<int, std::shared_ptr<const Shape>> shapes;
         const auto shape_of = [&](int part) -> const Shape& {

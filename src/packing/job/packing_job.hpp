@@ -39,11 +39,12 @@ struct PackingJob {
     bool choose_heights = false;  ///< height counts at the top in trays that hold all that is left: HeightChoice
     /// One tray is filled with as many copies as fit, in shares (pack_in_shares()), whatever `copies` says of numbers.
     bool in_shares = false;
-    Vec3 room;               ///< for the copies' boxes, mm: as make_shape() has it
-    std::int64_t keep = 0;   ///< bytes of voxels that may be held from one tray to the next
-    int ahead = 1;           ///< parts whose voxels are made at a time
-    int held = 1;            ///< parts whose voxels are held at once
-    bool keeps_all = false;  ///< there is room for the voxels of all parts at once
+    Vec3 room;                 ///< for the copies' boxes, mm: as make_shape() has it
+    std::int64_t keep = 0;     ///< bytes of voxels that may be held from one tray to the next
+    std::int64_t answers = 0;  ///< bytes that answers about links may take while a packing is improved
+    int ahead = 1;             ///< parts whose voxels are made at a time
+    int held = 1;              ///< parts whose voxels are held at once
+    bool keeps_all = false;    ///< there is room for the voxels of all parts at once
     /// Placements that a second engine has answered alike so far; null: none looks at them.
     std::function<std::int64_t()> verified;
 };
