@@ -6,14 +6,14 @@
 ///
 ///   search_bench DATA SET [--voxel MM] [--detail S] [--gap MM] [--tray XxYxZ] [--penalty auto|P] [--threads N]
 ///                [--cache BYTES] [--most COPIES] [--plain SAMPLES] [--gpu SAMPLES] [--free SAMPLES] [--undo ROUNDS]
-///                [--distinct] [--trace]
+///                [--out LEAST-MOST] [--distinct] [--trace]
 ///
 /// --gpu times the plain method on a GPU instead, all orientations of a copy at a time (gpu_plain.hpp); without the
 /// distance field, which the CPU makes for it.
 ///
 /// --free asks, once all is packed, where each copy could be if it were not where it is (free_queries.hpp).
 ///
-/// --undo takes the last copies out and places them anew, again and again (undo_rounds.hpp).
+/// --undo takes the last copies out, as many as --out says, and places them anew, again and again (undo_rounds.hpp).
 ///
 /// DATA is a folder with sets/SET.csv and meshes/. With --distinct every copy counts as a part of its own. One line of
 /// results on standard output; with --trace one line a copy: its number, part, voxels, milliseconds.
@@ -54,6 +54,7 @@ struct Arguments {
     Vec3 tray{480, 245, 200};
     std::string penalty = "auto";
     int detail = 1, threads = 0, plain_samples = 0, gpu_samples = 0, free_samples = 0, undo_rounds = 0, most = 0;
+    CopiesOut out;
     std::int64_t cache = CpuOptions{}.cache_memory;
     bool distinct = false, trace = false;
 };
@@ -97,6 +98,8 @@ Arguments parse(int count, char** words) {
             result.free_samples = std::atoi(value);
         else if (option == "--undo")
             result.undo_rounds = std::atoi(value);
+        else if (option == "--out")
+            std::sscanf(value, "%d-%d", &result.out.least, &result.out.most);
         else if (option == "--tray") {
             std::sscanf(value, "%lfx%lfx%lf", &result.tray.x, &result.tray.y, &result.tray.z);
         } else
@@ -273,7 +276,7 @@ Packed pack(const Question& question, const Arguments& arguments, const Plain& p
             if (!shape) shape = make(copy.part, workers);
             return *shape;
         };
-        packed.undo = repack_last(tray, result.placed, context, shape_of, arguments.undo_rounds);
+        packed.undo = repack_last(tray, result.placed, context, shape_of, arguments.undo_rounds, arguments.out);
     }
     return packed;
 }

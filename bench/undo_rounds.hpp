@@ -15,6 +15,11 @@
 
 namespace spectralpack {
 
+/// How many copies are taken out in a round.
+struct CopiesOut {
+    int least = 10, most = 50;
+};
+
 /// Of the processor, on all threads.
 struct UndoRounds {
     QueryTimes first;  ///< searches right after some were taken out
@@ -31,15 +36,17 @@ struct UndoRounds {
     }
 };
 
-/// Takes 10 to 50 copies out of `tray`, and places those that find a place by `context`, `rounds` times. `placed` are
-/// all that stand in it, in their order.
+/// Takes the last copies, as many as `counts` says, out of `tray`, and places those that find a place by `context`,
+/// `rounds` times. `placed` are all that stand in it, in their order.
 inline UndoRounds repack_last(Tray& tray, std::vector<PlacedCopy> placed, const TrayContext& context,
-                              const std::function<const Shape&(const Copy&)>& shape_of, int rounds) {
+                              const std::function<const Shape&(const Copy&)>& shape_of, int rounds,
+                              const CopiesOut& counts) {
     UndoRounds result;
     RandomStream random(1);
     for (int round = 0; round < rounds; ++round) {
         std::vector<Copy> out;
-        for (auto left = 10 + random.below(41); left > 0 && !placed.empty(); --left) {
+        const auto span = static_cast<std::uint64_t>(counts.most - counts.least + 1);
+        for (auto left = counts.least + static_cast<int>(random.below(span)); left > 0 && !placed.empty(); --left) {
             tray.remove(placed.back().object);
             out.push_back(placed.back().copy);
             placed.pop_back();

@@ -14,13 +14,41 @@ bool same_heights(const CostModel& a, const CostModel& b) {
     return a.height_penalty == b.height_penalty && a.height_at == b.height_at;
 }
 
-/// The boxes of what stood when the entry was last brought up to date, and is gone.
-std::vector<VoxelBox> freed_since(const Tray& tray, const ShapeCache::Entry& entry) {
-    std::vector<VoxelBox> boxes;
+/// Reopens what may be free since objects went that stood when the entry was last brought up to date. Returns of which
+/// orientations anything is still known.
+std::vector<std::size_t> reopen_freed(const Shape& shape, const Tray& tray, const TrayTables& tables,
+                                      const Workers& workers, ShapeCache::Entry& entry) {
+    std::vector<VoxelBox> freed;
     for (const ObjectId id : difference(tray, entry.version, entry.objects).removed) {
-        boxes.push_back(tray.object(id).box());
+        freed.push_back(tray.object(id).box());
     }
-    return boxes;
+    std::vector<std::uint8_t> knows(entry.states.size(), 1);
+    const BitGrid blocks = blocks_of(freed, tables.bits().margin(), tray.extent());
+    if (!freed.empty()) {
+        workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
+            const auto k = static_cast<std::size_t>(i);
+            knows[k] = entry.states[k].reopen(blocks_reaching(blocks, shape.orientations[k].solid.extent()));
+        });
+    }
+    std::vector<std::size_t> known;
+    for (std::size_t k = 0; k < knows.size(); ++k) {
+        if (knows[k] != 0) known.push_back(k);
+    }
+    return known;
+}
+
+/// Forgets bounds of the `known` orientations where phi may have fallen since then; all of them where layers do not
+/// cost what they did.
+void forget_fallen(const Shape& shape, const Tray& tray, TrayTables& tables, bool same_heights, const Workers& workers,
+                   const std::vector<std::size_t>& known, ShapeCache::Entry& entry) {
+    const std::vector<VoxelBox> fallen =
+        same_heights ? tables.fallen_since(entry.objects) : std::vector<VoxelBox>{whole(tray.extent())};
+    if (fallen.empty()) return;
+    const BitGrid blocks = blocks_of(fallen, 0, tray.extent());
+    workers.for_each(std::ssize(known), [&](std::int64_t i) {
+        const std::size_t k = known[static_cast<std::size_t>(i)];
+        entry.states[k].forget(blocks_reaching(blocks, shape.orientations[k].solid.extent()));
+    });
 }
 
 }  // namespace
@@ -38,19 +66,9 @@ ShapeCache::Entry& ShapeCache::at(const Shape& shape, const Tray& tray, TrayTabl
     } else {
         Entry& entry = found->second;
         ++entry.hits;
-        const Extent& n = tray.extent();
-        const std::vector<VoxelBox> fallen =
-            same_heights(entry.model, model) ? tables.fallen_since(entry.objects) : std::vector<VoxelBox>{whole(n)};
-        const std::vector<VoxelBox> freed = freed_since(tray, entry);
-        if (!fallen.empty() || !freed.empty()) {
-            const BitGrid fallen_blocks = blocks_of(fallen, 0, n);
-            const BitGrid freed_blocks = blocks_of(freed, tables.bits().margin(), n);
-            workers.for_each(std::ssize(entry.states), [&](std::int64_t i) {
-                const auto k = static_cast<std::size_t>(i);
-                const Extent& extent = shape.orientations[k].solid.extent();
-                if (!freed.empty()) entry.states[k].reopen(blocks_reaching(freed_blocks, extent));
-                if (!fallen.empty()) entry.states[k].forget(blocks_reaching(fallen_blocks, extent));
-            });
+        const std::vector<std::size_t> known = reopen_freed(shape, tray, tables, workers, entry);
+        if (!known.empty()) {
+            forget_fallen(shape, tray, tables, same_heights(entry.model, model), workers, known, entry);
         }
     }
     Entry& entry = found->second;

@@ -102,8 +102,8 @@ std::uint32_t PositionState::blocks_in(std::size_t pair, int row) const {
     return blocks >= 32 ? ~std::uint32_t{0} : (std::uint32_t{1} << blocks) - 1;
 }
 
-void PositionState::reopen(const BitGrid& blocks) {
-    if (count_.empty()) return;
+bool PositionState::reopen(const BitGrid& blocks) {
+    if (count_.empty()) return false;
     std::int64_t reopened = 0;
     for_each_pair_of(blocks, [&](std::size_t, int, const auto& of_rows) {
         for (const std::uint32_t row : of_rows) {
@@ -120,12 +120,13 @@ void PositionState::reopen(const BitGrid& blocks) {
         std::ranges::fill(opened_, 0);
         std::ranges::fill(dead_layers_, std::uint8_t{0});
         left_only_ = false;
-        return;
+        return false;
     }
     for_each_pair_of(blocks, [&](std::size_t i, int bz, const auto& of_rows) { reopen(i, bz, of_rows); });
     for (std::size_t i = 0; i < marks_.size(); ++i) {
         if ((marks_[i] & kHasRefused) != 0) make_fresh(i, static_cast<int>(i / place_in(1)));
     }
+    return true;
 }
 
 void PositionState::reopen(std::size_t pair, int bz, const std::uint32_t (&blocks)[kBlocksY]) {

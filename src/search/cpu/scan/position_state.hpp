@@ -80,8 +80,8 @@ class PositionState {
     void leave_only(const std::vector<VoxelBox>& positions);
     /// Objects are gone from all that the shape at positions of other blocks than `blocks` could meet: nothing is known
     /// of these any more. What bounds say of the others holds, since phi only rose. Nor is anything known of pairs with
-    /// positions that were not admitted, which may be now.
-    void reopen(const BitGrid& blocks);
+    /// positions that were not admitted, which may be now. False: nothing is known of any position.
+    bool reopen(const BitGrid& blocks);
     /// True where blocks of an open pair are reopened.
     bool is_reopened(int bx, int by, int bz) const { return keeps_ && (marks_[pair(bx, by, bz)] & kHasReopened) != 0; }
     /// Which blocks of a row are (bits along x).
