@@ -46,6 +46,22 @@ void check_together(const Job& job) {
         if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
         if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it tries bases instead");
     }
+    if (options.improve || options.improve_steps > 0) {
+        const std::string improve = options.improve ? "--improve" : "--improve-steps";
+        if (options.fill) refuse(improve, "--fill", "what is placed there follows the parts' shares");
+        if (options.minimise == Minimise::box) refuse(improve, "--minimise box", "it tries bases instead");
+        if (options.interlock == Interlock::place) {
+            refuse(improve, "--interlock place",
+                   "copies are shifted afterwards; --interlock post sees that all come out");
+        }
+        if (options.improve == 0 && !options.time_limit) {
+            throw UsageError(
+                "--improve rest uses what --time-limit leaves, and there is none; say how long: --improve 60");
+        }
+        if (options.improve && options.improve_steps == 0 && !job.enough_improved) {
+            throw UsageError("to improve for some time somebody has to hold the clock: Job::enough_improved");
+        }
+    }
     if (options.beam > 1 && (options.max_density || options.max_layer_fill)) {
         refuse("--beam", options.max_density ? "--max-density" : "--max-layer-fill",
                "it keeps no account of what is full; use --restarts");

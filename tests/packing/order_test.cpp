@@ -82,5 +82,32 @@ TEST(HeightPenalty, IsSmallOnlyWhereTheBoxesOverfillTheContainer) {
     EXPECT_EQ(automatic_height_penalty(kParts, 100.0 / 1.2 - 0.1), 4);
 }
 
+TEST(Order, ServesTheGoal) {
+    const std::vector<PartSize> parts{{.part = 0, .count = 1, .box_volume = 100, .volume = 10, .value = 1},
+                                      {.part = 1, .count = 1, .box_volume = 50, .volume = 40, .value = 30},
+                                      {.part = 2, .count = 2, .box_volume = 10, .volume = 9, .value = 4},
+                                      {
+                                          .part = 3,
+                                          .count = 1,
+                                          .box_volume = 20,
+                                          .volume = 8,
+                                          .value = 0,
+                                      }};
+    const auto order = [&](Goal goal) {
+        std::vector<int> by_part;
+        for (const Copy& copy : order_copies(parts, goal)) {
+            by_part.push_back(copy.part);
+        }
+        return by_part;
+    };
+    EXPECT_EQ(order(Goal::fair), (std::vector<int>{0, 1, 3, 2, 2}));
+    EXPECT_EQ(order(Goal::volume), (std::vector<int>{1, 0, 2, 2, 3}));
+    EXPECT_EQ(order(Goal::copies), (std::vector<int>{2, 2, 3, 1, 0}));
+    EXPECT_EQ(order(Goal::value), (std::vector<int>{1, 2, 2, 0, 3}));
+    std::vector<PartSize> urgent = parts;
+    urgent[3].priority = 1;
+    EXPECT_EQ(order_copies(urgent, Goal::volume).front().part, 3);
+}
+
 }  // namespace
 }  // namespace spectralpack

@@ -1,0 +1,195 @@
+/// Improving through the public face: what comes of it is whole, sound, better, and the same again.
+
+#include <gtest/gtest.h>
+#include <spectralpack/spectralpack.hpp>
+
+#include <map>
+
+#include "support/shapes.hpp"
+
+namespace spectralpack {
+namespace {
+
+Job job_of(int count, const Vec3& tray) {
+    Job job;
+    job.parts = {{.name = "ring", .mesh = test::torus_mesh(12, 2), .count = count},
+                 {.name = "bracket", .mesh = test::bracket(), .count = count, .scale = 2},
+                 {.name = "cube", .mesh = test::cube_mesh(9), .count = count},
+                 {.name = "bar", .mesh = test::box_mesh({0, 0, 0}, {31, 5, 4}), .count = count}};
+    job.options.tray = tray;
+    job.options.voxel = 2;
+    job.options.gap = 0.5;
+    job.options.threads = 2;
+    return job;
+}
+
+void expect_sound(const PackResult& result) {
+    EXPECT_FALSE(result.failure);
+    const CheckReport report = check({result.packing, result.meshes});
+    EXPECT_TRUE(report.ok()) << (report.ok() ? "" : report.findings.front().message);
+    for (const TrayPacking& tray : result.packing.trays) {
+        EXPECT_TRUE(tray.disassembly && tray.disassembly->complete);
+    }
+    EXPECT_GE(result.packing.metrics.min_gap.value_or(1), 0.5 - 1e-6);
+}
+
+double placed_value(const Packing& packing) {
+    double sum = 0;
+    for (const Placement& placement : packing.trays.front().placements) {
+        sum += packing.parts[static_cast<std::size_t>(placement.part)].value;
+    }
+    return sum;
+}
+
+TEST(Improve, ALowerPackingOfAll) {
+    Job job = job_of(5, {44, 40, 0});
+    job.options.open_height = true;
+    const PackResult first = pack(job);
+    job.options.improve_steps = 60;
+    const PackResult improved = pack(job);
+    expect_sound(improved);
+    EXPECT_EQ(improved.packing.metrics.placed, 20);
+    const std::optional<Improved>& record = improved.packing.metrics.improvement;
+    ASSERT_TRUE(record);
+    EXPECT_EQ(record->what, Improves::height);
+    EXPECT_EQ(record->steps, 60);
+    EXPECT_NEAR(record->before, first.packing.trays.front().height, 1e-9);
+    EXPECT_NEAR(record->now, improved.packing.trays.front().height, 1e-9);
+    EXPECT_LT(record->now, record->before - 0.5) << "nothing was gained: the test tells little";
+}
+
+TEST(Improve, TheSameStepsGiveTheSamePackingOnAnyNumberOfThreads) {
+    Job job = job_of(4, {44, 40, 0});
+    job.options.open_height = true;
+    job.options.improve_steps = 25;
+    const PackResult two = pack(job);
+    job.options.threads = 1;
+    const PackResult one = pack(job);
+    EXPECT_EQ(one.packing.metrics.improvement->now, two.packing.metrics.improvement->now);
+    const auto& a = one.packing.trays.front().placements;
+    const auto& b = two.packing.trays.front().placements;
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].part, b[i].part);
+        EXPECT_EQ(a[i].transform, b[i].transform);
+    }
+    EXPECT_EQ(one.packing.input_hash, two.packing.input_hash);
+    job.options.improve_steps = 26;
+    EXPECT_NE(pack(job).packing.input_hash, one.packing.input_hash);
+}
+
+TEST(Improve, EachGoalGetsMostOfWhatItAsksFor) {
+    Job job = job_of(12, {44, 40, 30});
+    job.parts[0].value = 50;
+    job.options.improve_steps = 12;
+    std::map<Goal, PackResult> results;
+    for (const Goal goal : {Goal::fair, Goal::volume, Goal::copies, Goal::value}) {
+        job.options.goal = goal;
+        results[goal] = pack(job);
+        expect_sound(results[goal]);
+        EXPECT_FALSE(results[goal].packing.unplaced.empty()) << "the tray holds all: goals do not matter";
+        const Improved& record = *results[goal].packing.metrics.improvement;
+        EXPECT_GE(record.now, record.before);
+    }
+    const auto& fair = results[Goal::fair].packing;
+    EXPECT_GT(results[Goal::volume].packing.metrics.density, fair.metrics.density);
+    EXPECT_GT(results[Goal::copies].packing.metrics.placed, fair.metrics.placed);
+    EXPECT_GT(placed_value(results[Goal::value].packing), placed_value(fair));
+    EXPECT_EQ(results[Goal::copies].packing.metrics.improvement->what, Improves::copies);
+}
+
+TEST(Improve, TheGoalDecidesTheFirstPackingToo) {
+    Job job = job_of(12, {44, 40, 30});
+    const auto placed = [&](Goal goal) {
+        job.options.goal = goal;
+        return pack(job).packing.metrics.placed;
+    };
+    EXPECT_GT(placed(Goal::copies), placed(Goal::fair));
+}
+
+TEST(Improve, SeveralTraysLeaveLessToTheLast) {
+    Job job = job_of(9, {60, 50, 40});
+    job.options.trays = 0;
+    job.options.improve_steps = 8;
+    const PackResult result = pack(job);
+    expect_sound(result);
+    EXPECT_EQ(result.packing.metrics.placed, 36);
+    const Improved& record = *result.packing.metrics.improvement;
+    EXPECT_EQ(record.what, Improves::trays);
+    EXPECT_LE(record.now, record.before);
+    const double last = result.packing.trays.back().density;
+    EXPECT_NEAR(record.now, static_cast<double>(result.packing.trays.size()) - 1 + last, 1e-9);
+}
+
+TEST(Improve, FixedCopiesStayAndCapsHold) {
+    Job job = job_of(2, {60, 50, 60});
+    const PackResult build = pack(job);
+    Job more = job_of(3, {60, 50, 60});
+    more.onto = Scene{build.packing, build.meshes};
+    more.options.max_layer_fill = 0.5;
+    more.options.improve_steps = 10;
+    const PackResult result = pack(more);
+    EXPECT_FALSE(result.failure);
+    EXPECT_TRUE(check({result.packing, result.meshes}).ok());
+    int before = 0;
+    for (const Placement& placement : result.packing.trays.front().placements) {
+        before += placement.before ? 1 : 0;
+    }
+    EXPECT_EQ(before, 8);
+    for (const double area : result.packing.trays.front().layers.area) {
+        EXPECT_LE(area, 0.5 * 60 * 50 + 1e-6);
+    }
+}
+
+/// Ends improving after so many steps, as a clock would.
+struct Ender : Listener {
+    int left = 4;
+    StopSource source;
+    std::vector<double> now;
+    void on_progress(const Progress& progress) override {
+        if (progress.phase != Phase::improve) return;
+        ASSERT_TRUE(progress.improved);
+        now.push_back(progress.improved->now);
+        if (left-- == 0) source.request(StopReason::time_limit);
+    }
+};
+
+TEST(Improve, EndsWhenAskedToAndSaysHowManyStepsItTook) {
+    Job job = job_of(5, {44, 40, 0});
+    job.options.open_height = true;
+    job.options.improve = 1000;
+    Ender ender;
+    job.enough_improved = ender.source.token();
+    const PackResult timed = pack(job, {&ender});
+    expect_sound(timed);
+    EXPECT_EQ(timed.stopped, StopReason::none) << "the packing is whole: only improving ended";
+    ASSERT_TRUE(timed.packing.metrics.improvement);
+    const Improved& record = *timed.packing.metrics.improvement;
+    EXPECT_GE(record.steps, 3);
+    EXPECT_LE(record.steps, 6);
+    for (std::size_t i = 1; i < ender.now.size(); ++i) {
+        EXPECT_LE(ender.now[i], ender.now[i - 1]);
+    }
+    job.options.improve.reset();
+    job.enough_improved.reset();
+    job.options.improve_steps = static_cast<int>(record.steps);
+    EXPECT_EQ(pack(job).packing.metrics.improvement->now, record.now) << "the steps do not repeat it";
+}
+
+TEST(Improve, DoesNotGoWithWhatHasAnotherAim) {
+    for (const auto& change :
+         std::vector<void (*)(PackOptions&)>{[](PackOptions& options) { options.fill = true; },
+                                             [](PackOptions& options) { options.interlock = Interlock::place; },
+                                             [](PackOptions& options) { options.minimise = Minimise::box; }}) {
+        Job job = job_of(1, {60, 50, 40});
+        job.options.improve_steps = 3;
+        change(job.options);
+        EXPECT_THROW(pack(job), UsageError);
+    }
+    Job endless = job_of(1, {60, 50, 40});
+    endless.options.improve = 5;
+    EXPECT_THROW(pack(endless), UsageError) << "nobody holds the clock";
+}
+
+}  // namespace
+}  // namespace spectralpack
