@@ -57,7 +57,7 @@ TrayFiller::TrayFiller(FillOptions options, const PackContext& context, PartSurf
         physical_ = physical_walls(options_.container, finest_setup(options_.tray), options_.wall_gap,
                                    context_.workers.stopping_with(enough()));
     }
-    if (options_.refine) walls_ = wall_surfaces(options_.container, options_.wall_gap);
+    if (options_.refine) walls_ = wall_surfaces(options_.container, options_.wall_gap, enough());
     for (const FixedCopy& copy : options_.fixed) {
         trays_with_fixed_ = std::max(trays_with_fixed_, copy.tray + 1);
     }
@@ -168,7 +168,7 @@ bool TrayFiller::fill_one(const TrayCopies& wanted, const std::vector<Copy>& cop
         if (decisions) known = decisions->recall_settled(copy);
         const int orientation = shape.orientations[static_cast<std::size_t>(best.index)].orientation;
         Settled settled = known ? refinement->stand_at(copy, orientation, known->offset, shape.gap_class)
-                                : refinement->settle(copy, shape, best);
+                                : refinement->settle(copy, shape, best, enough());
         if (decisions && !known) decisions->keep(SettledCopy{copy, settled.offset});
         refine_seconds_ += refinement->seconds() - std::exchange(refining, refinement->seconds());
         return settled;
