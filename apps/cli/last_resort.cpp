@@ -42,7 +42,7 @@ void hold_last_resort() { terminate_otherwise = std::set_terminate(end_for_lack_
 
 #ifdef __GLIBC__
 /// Called before the initialisers of all libraries.
-[[gnu::section(".preinit_array"), gnu::used]] void (*const before_all)() = hold_last_resort;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)() = hold_last_resort;
 #endif
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace spectralpack {
 namespace {
 
-constexpr std::size_t kPiece = 16 << 20;  // that a disk reads in a tenth of a second
+constexpr std::size_t kReadAtOnce = 16 << 20;  // that a disk reads in a tenth of a second
 
 struct Descriptor {
     int number;
@@ -61,7 +61,7 @@ FileBytes::FileBytes(const std::filesystem::path& path, const StopToken& stop) {
     }
     while (size_ < size) {
         throw_if_stopped(stop);
-        const ssize_t got = ::read(file.number, bytes_.get() + size_, std::min(size - size_, kPiece));
+        const ssize_t got = ::read(file.number, bytes_.get() + size_, std::min(size - size_, kReadAtOnce));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail(path, errno);
         if (got == 0) break;  // it shrank meanwhile; the parser sees a short file
