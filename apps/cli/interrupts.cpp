@@ -63,6 +63,7 @@ Interrupts::Interrupts(std::optional<double> time_limit_seconds, const TimeShare
     set_timer(kPlaced, at(shares.placing));
     set_timer(kPlanned, at(shares.planning));
     set_timer(kHurry, at(shares.drawing));
+    set_timer(kDrawn, at(shares.drawn));
 }
 
 Interrupts::~Interrupts() {

@@ -18,6 +18,7 @@ struct TimeShares {
     double placing = 1;   ///< then what stands is made to come apart
     double planning = 1;  ///< then files are written
     double drawing = 1;   ///< then pictures are drawn plainly
+    double drawn = 1;     ///< then those that are not done are left out
 };
 
 /// While it lives, signals ask the work to stop; only a third within one second ends the process. SIGHUP counts unless
@@ -47,14 +48,14 @@ class Interrupts {
     void improve_for(double seconds);
     /// For a try beforehand, which takes no longer than so many seconds from now on; stops with all others.
     StopSource& trial(double most_seconds);
-    /// Pictures are drawn plainly from here on. Signals do not request it.
-    StopToken hurry() const { return ends_[kHurry].token(); }
+    /// Signals do not end it.
+    DrawingTime drawing() const { return {ends_[kHurry].token(), ends_[kDrawn].token()}; }
 
     /// From here on files are written: who ends the process cannot say that none was.
     void begin_writing() { writing_ = true; }
 
   private:
-    enum End { kTrial, kHalf, kImproved, kPlaced, kPlanned, kHurry, kEnds };
+    enum End { kTrial, kHalf, kImproved, kPlaced, kPlanned, kHurry, kDrawn, kEnds };
 
     static void handle(int signal, siginfo_t* info, void*);
     void set_timer(End end, Clock::time_point when);

@@ -17,6 +17,7 @@
 
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "last_resort.hpp"
 #include "misspelt.hpp"
 #include "standard_output.hpp"
 #include "text.hpp"
@@ -94,6 +95,7 @@ int told(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    begin_main();
     hold_standard_streams();
     use_one_heap();
     signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond its limit is an error where it is written, as a full disk is

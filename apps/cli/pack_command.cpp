@@ -211,7 +211,7 @@ int run_job(const Job& job, const JobSettings& settings, const JournalOptions& j
         if (status == kDone) status = status_without_copies(result);
     } else {
         interrupts.begin_writing();
-        if (!display.outputs().write(scene, interrupts.hurry(), facts)) status = kOutOfResources;
+        if (!display.outputs().write(scene, interrupts.drawing(), facts)) status = kOutOfResources;
     }
     settle_journal(result, status != kOutOfResources, display);
     display.end();

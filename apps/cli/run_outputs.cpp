@@ -57,11 +57,12 @@ void RunOutputs::write_trays(const Scene& finished) {
     }
 }
 
-bool RunOutputs::write(const Scene& scene, const StopToken& hurry, RunFacts& facts) {
+bool RunOutputs::write(const Scene& scene, const DrawingTime& time, RunFacts& facts) {
     bool all = true;
     std::int64_t done = 0;
     const auto total = static_cast<std::int64_t>(settings_.outputs.size() + settings_.reports.size());
     const int threads = settings_.options.threads;
+    const std::size_t trays = scene.packing.trays.size();
     const auto tell = [&] {
         ++done;
         display_.on_progress({Phase::write, done, total, 0, static_cast<double>(done) / static_cast<double>(total)});
@@ -71,7 +72,15 @@ bool RunOutputs::write(const Scene& scene, const StopToken& hurry, RunFacts& fac
     for (const std::string& output : outputs) {
         all &= attempt(output, [&] {
             WrittenFile written{output, {}};
-            const auto files = write_output(scene, output, threads, hurry);
+            const auto files = write_output(scene, output, threads, time);
+            if (files.empty()) {
+                display_.on_warning(output + " is left out for time; 'spectralpack render' draws it from a .json");
+                return;
+            }
+            if (is_picture(output) && trays > 1 && files.size() <= trays) {
+                display_.on_warning(fmt::format("{} of {} trays' own pictures of {} are left out for time",
+                                                trays + 1 - files.size(), trays, output));
+            }
             for (std::size_t i = 1; i < files.size(); ++i) {
                 written.trays.push_back(files[i].string());
             }
@@ -84,7 +93,11 @@ bool RunOutputs::write(const Scene& scene, const StopToken& hurry, RunFacts& fac
     }
     for (const std::string& report : settings_.reports) {
         all &= attempt(report, [&] {
-            write_report(scene, report, report_details(), threads, hurry);
+            const int left_out = write_report(scene, report, report_details(), threads, time);
+            if (left_out > 0) {
+                display_.on_warning(fmt::format("{} picture{} of {} {} left out for time", left_out,
+                                                left_out == 1 ? "" : "s", report, left_out == 1 ? "is" : "are"));
+            }
             facts.reports.push_back(report);
         });
         tell();

@@ -23,9 +23,8 @@ class RunOutputs {
     void write_trays(const Scene& finished);
 
     /// Writes every output and report; one that fails does not keep the others from being written. False: one did. What
-    /// write_trays() wrote and the packing no longer has is removed.
-    /// Once `hurry` is requested pictures are drawn plainly.
-    bool write(const Scene& scene, const StopToken& hurry, RunFacts& facts);
+    /// write_trays() wrote and the packing no longer has is removed. Pictures that are left out for time are named.
+    bool write(const Scene& scene, const DrawingTime& time, RunFacts& facts);
 
   private:
     template <class Write>

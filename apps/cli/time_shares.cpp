@@ -11,6 +11,8 @@ constexpr double kWriting = 0.07, kDrawing = 0.2, kPlanning = 0.3;
 constexpr double kMostWriting = 10, kMostDrawing = 60;
 // Drawn plainly, pictures still take so many seconds; for that a third is kept at most.
 constexpr double kLeastDrawing = 2.5, kMostOfAll = 0.33;
+// A picture that is nearly done at the end is worth so many seconds more.
+constexpr double kOver = 0.3;
 
 }  // namespace
 
@@ -29,6 +31,7 @@ TimeShares time_shares(const JobSettings& settings) {
     shares.planning = 1 - writing;
     shares.placing = (plans ? 1 - kPlanning : 1) * shares.planning;
     shares.drawing = 1 - 0.75 * writing;
+    if (limit > 0) shares.drawn = 1 + kOver / limit;
     return shares;
 }
 

@@ -13,7 +13,7 @@
 #include "spectralpack/job.hpp"
 #include "spectralpack/job_settings.hpp"
 #include "spectralpack/packing.hpp"
-#include "spectralpack/stop.hpp"
+#include "spectralpack/render.hpp"
 
 namespace spectralpack {
 
@@ -64,10 +64,10 @@ const char* output_endings();
 
 /// Writes the packing as its ending says: .json .3mf .stl .csv .png. Each file whole or not at all. Of several trays,
 /// a .json holds all; the others are one file for each tray ("build-1.3mf" for "build.3mf", counted from 1) and the one
-/// named, which shows all side by side. Returns what was written. Once `hurry` is requested, pictures are drawn
-/// plainly, without shadows.
+/// named, which shows all side by side. Returns what was written: less than that, or nothing, where pictures are left
+/// out for time.
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads,
-                                                const StopToken& hurry = {});
+                                                const DrawingTime& time = {});
 
 /// The file of one tray (from 0) of several, as write_output() names it; a .json holds all trays of the scene. For
 /// trays that are finished while others are still packed. Returns what was written.
@@ -99,8 +99,9 @@ struct ReportDetails {
 };
 
 /// A report for people: the operator's sheet, A4 pages with pictures, part list, top views and the order of removal
-/// (.html, all in one file), or a table of the parts (.csv). Whole or not at all. `hurry`: as write_output() has it.
-void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads,
-                  const StopToken& hurry = {});
+/// (.html, all in one file), or a table of the parts (.csv). Whole or not at all. Returns how many of its pictures are
+/// left out for time.
+int write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads,
+                 const DrawingTime& time = {});
 
 }  // namespace spectralpack

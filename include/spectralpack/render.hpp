@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "spectralpack/packing.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -20,6 +21,12 @@ struct Image {
 struct Section {
     int axis = 2;   ///< 0 to 2: the plane stands across x, y or z
     double at = 0;  ///< mm from the container's lower corner
+};
+
+/// How long pictures may take that belong to a run's files.
+struct DrawingTime {
+    StopToken hurry = {};  ///< once requested, they are drawn plainly, without shadows
+    StopToken over = {};   ///< once requested, what is not drawn is left out
 };
 
 struct RenderOptions {

@@ -21,7 +21,7 @@ Estimate estimate_of(const Job& job, const Control& control) {
     check_options(options);
     check_together(job);
     const Workers workers = Workers(options.threads).stopping_with(control.stop);
-    const Container container = container_of(job, listener);
+    const Container container = container_of(job, listener, control.stop);
     warn_of_keep_outs(container, listener);
     options.tray = container.size;
     const LoadedJob loaded = load_parts(job, workers, listener);

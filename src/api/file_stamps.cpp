@@ -24,9 +24,9 @@ std::optional<FileState> state_of(const std::string& file) {
 }
 
 /// Of what is in a file; none where it cannot be read.
-std::optional<FileHash> hash_of(const std::string& file) {
+std::optional<FileHash> hash_of(const std::string& file, const StopToken& stop = {}) {
     try {
-        const FileBytes bytes(file);
+        const FileBytes bytes(file, stop);
         const XXH128_hash_t hash = XXH3_128bits(bytes.view().data(), bytes.view().size());
         return FileHash{hash.high64, hash.low64};
     } catch (const Error&) {
@@ -43,7 +43,7 @@ FileStamps::FileStamps(const Job& job, const Workers& workers) {
     workers.for_each(static_cast<std::int64_t>(stamps_.size()), [&](std::int64_t i) {
         Stamp& stamp = stamps_[static_cast<std::size_t>(i)];
         stamp.state = state_of(stamp.file);
-        stamp.hash = hash_of(stamp.file);
+        stamp.hash = hash_of(stamp.file, workers.stop());
     });
 }
 

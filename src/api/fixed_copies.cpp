@@ -80,13 +80,13 @@ double scale_of(const MeshSource& source, const Mat3& linear) {
     return scale;
 }
 
-void add_fixed(const Job& job, LoadedJob& loaded) {
+void add_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop) {
     std::map<std::string, std::vector<LoadedMesh>> files;
     std::map<std::tuple<std::string, double, double, std::string>, std::size_t> index;
     for (const FixedSource& source : job.fixed) {
         const double unit = source.mesh.unit.value_or(job.unit);
         const auto [file, fresh] = files.try_emplace(source.mesh.file);
-        if (fresh) file->second = read_meshes(source.mesh.file, unit);
+        if (fresh) file->second = read_meshes(source.mesh.file, unit, stop);
         if (file->second.size() != 1) {
             throw InputError(source.mesh.file, source.mesh.place,
                              "holds " + std::to_string(file->second.size()) + " objects; a fixed copy is one");
@@ -118,9 +118,9 @@ void add_fixed(const Job& job, LoadedJob& loaded) {
 
 }  // namespace
 
-void load_fixed(const Job& job, LoadedJob& loaded) {
+void load_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop) {
     if (job.onto) add_onto(*job.onto, loaded);
-    add_fixed(job, loaded);
+    add_fixed(job, loaded, stop);
     loaded.fixed_parts = loaded.parts.size();
 }
 

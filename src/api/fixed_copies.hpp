@@ -7,8 +7,8 @@
 namespace spectralpack {
 
 /// Adds the parts and copies of job.onto and job.fixed to `loaded`, which has no parts yet. Throws InputError for files
-/// that cannot be used and for transforms that are not a rotation times a scale.
-void load_fixed(const Job& job, LoadedJob& loaded);
+/// that cannot be used and for transforms that are not a rotation times a scale, Stopped once `stop` is requested.
+void load_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop);
 
 /// The fixed copies of every tray; `trays` of them at least.
 std::vector<TrayPacking> fixed_trays(const LoadedJob& loaded);

@@ -35,12 +35,12 @@ std::string name_of(const Part& part) {
     return stem.empty() ? label_of(part) : stem;
 }
 
-InputContent content_of(const Part& part, double unit) {
+InputContent content_of(const Part& part, double unit, const StopToken& stop) {
     if (part.problem) throw InputError(*part.problem);
     InputContent content;
     const std::shared_ptr<const Mesh> mesh = part.mesh.mesh();
     if (mesh) {
-        content.meshes.push_back(adopt_mesh(*mesh, label_of(part), unit));
+        content.meshes.push_back(adopt_mesh(*mesh, label_of(part), unit, stop));
         // What needed no mending stays the caller's: no second copy of it is held.
         if (content.meshes.front().repairs.empty()) {
             content.meshes.front().mesh = {};
@@ -48,7 +48,7 @@ InputContent content_of(const Part& part, double unit) {
             return content;
         }
     } else {
-        content.meshes = read_meshes(part.mesh.file(), unit);
+        content.meshes = read_meshes(part.mesh.file(), unit, stop);
     }
     for (LoadedMesh& loaded : content.meshes) {
         content.shared.push_back(std::make_shared<const Mesh>(std::move(loaded.mesh)));
@@ -114,8 +114,9 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
         workers.for_each(static_cast<std::int64_t>(size), [&](std::int64_t i) {
             const std::size_t input = begin + static_cast<std::size_t>(i);
             try {
-                contents[input] = content_of(*inputs[input], unit_of(*inputs[input]));
+                contents[input] = content_of(*inputs[input], unit_of(*inputs[input]), workers.stop());
                 for (const std::shared_ptr<const Mesh>& mesh : contents[input].shared) {
+                    workers.check();
                     contents[input].volume.push_back(signed_volume(*mesh));
                     contents[input].box_volume.push_back(bounding_box(*mesh).volume());
                 }
@@ -129,7 +130,7 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
     }
 
     LoadedJob result;
-    load_fixed(job, result);
+    load_fixed(job, result, workers.stop());
     for (const InputContent& content : contents) {
         if (content.error) result.unusable.push_back(*content.error);
     }

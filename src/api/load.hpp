@@ -26,7 +26,8 @@ struct LoadedJob {
     std::vector<InputError> unusable;
 };
 
-/// Tells repairs and warnings through the listener, once per file.
+/// Tells repairs and warnings through the listener, once per file. Throws Stopped, in the midst of a mesh too, once the
+/// workers are asked to stop.
 LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener);
 
 /// How many copies of the part are to be packed: none of those that stand fixed.

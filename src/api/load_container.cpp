@@ -28,8 +28,8 @@ std::string point_text(const Vec3& p) {
     return text;
 }
 
-LoadedMesh only_mesh(const std::string& file, const std::string& place, double unit) {
-    std::vector<LoadedMesh> meshes = read_meshes(file, unit);
+LoadedMesh only_mesh(const std::string& file, const std::string& place, double unit, const StopToken& stop) {
+    std::vector<LoadedMesh> meshes = read_meshes(file, unit, stop);
     if (meshes.size() != 1) {
         throw InputError(file, place, "holds " + std::to_string(meshes.size()) + " objects; one is needed here");
     }
@@ -54,13 +54,13 @@ void require_closed(const Mesh& in_file, const StandingMesh& standing, const std
     throw InputError(standing.file, "", cause);
 }
 
-KeepOut load_keep_out(const KeepOutSource& source, double default_unit) {
+KeepOut load_keep_out(const KeepOutSource& source, double default_unit, const StopToken& stop) {
     if (!source.mesh) return {source.box};
     KeepOut keep_out;
-    keep_out.mesh = load_standing_mesh(*source.mesh, default_unit);
+    keep_out.mesh = load_standing_mesh(*source.mesh, default_unit, stop);
     keep_out.box = bounding_box(*keep_out.mesh->surface);
-    if (!is_closed(*keep_out.mesh->surface)) {
-        const LoadedMesh loaded = only_mesh(source.mesh->file, source.mesh->place, default_unit);
+    if (!is_closed(*keep_out.mesh->surface, stop)) {
+        const LoadedMesh loaded = only_mesh(source.mesh->file, source.mesh->place, default_unit, stop);
         require_closed(loaded.mesh, *keep_out.mesh, "a keep-out");
     }
     return keep_out;
@@ -107,19 +107,20 @@ void settle_vessel(const MeshSource& source, const std::optional<ContainerIs>& i
 
 }  // namespace
 
-StandingMesh load_standing_mesh(const MeshSource& source, double default_unit) {
+StandingMesh load_standing_mesh(const MeshSource& source, double default_unit, const StopToken& stop) {
     const double unit = source.unit.value_or(default_unit);
-    const LoadedMesh loaded = only_mesh(source.file, source.place, unit);
+    const LoadedMesh loaded = only_mesh(source.file, source.place, unit, stop);
     StandingMesh standing{source.file, source.transform.value_or(Transform{loaded.unit.value_or(unit) * Mat3{}, {}})};
     standing.surface = std::make_shared<const Mesh>(transformed(loaded.mesh, standing.transform));
     return standing;
 }
 
-Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit, Listener& listener) {
+Container load_container(const ContainerSource& source, const Vec3& tray, double default_unit, Listener& listener,
+                         const StopToken& stop) {
     Container container{tray};
     container.physical = source.physical;
     if (source.mesh) {
-        StandingMesh mesh = load_standing_mesh(*source.mesh, default_unit);
+        StandingMesh mesh = load_standing_mesh(*source.mesh, default_unit, stop);
         require_closed(*mesh.surface, mesh, "a container");
         Box box = bounding_box(*mesh.surface);
         if (!source.mesh->transform) {
@@ -138,13 +139,13 @@ Container load_container(const ContainerSource& source, const Vec3& tray, double
         settle_vessel(*source.mesh, source.is, container, listener);
     }
     for (const KeepOutSource& keep_out : source.keep_out) {
-        container.keep_out.push_back(load_keep_out(keep_out, default_unit));
+        container.keep_out.push_back(load_keep_out(keep_out, default_unit, stop));
     }
     return container;
 }
 
-Container container_of(const Job& job, Listener& listener) {
-    Container container = load_container(job.container, job.options.tray, job.unit, listener);
+Container container_of(const Job& job, Listener& listener, const StopToken& stop) {
+    Container container = load_container(job.container, job.options.tray, job.unit, listener, stop);
     if (job.options.interlock == Interlock::off || opens_at_top(container)) return container;
     if (container.physical) {
         throw InputError(job.container.mesh->file, job.container.mesh->place,

@@ -134,8 +134,8 @@ class JobRun {
     void load() {
         check_options(options_);
         check_together(job_);
-        stamps_ = FileStamps(job_, workers_);
-        container_ = container_of(job_, listener_);
+        stamps_ = FileStamps(job_, preparing_);
+        container_ = container_of(job_, listener_, enough());
         warn_of_keep_outs(container_, listener_);
         options_.tray = container_.size;
         preparing_.check();

@@ -7,6 +7,7 @@
 #include "api/load_container.hpp"
 #include "api/sheet_pictures.hpp"
 #include "core/atomic_file.hpp"
+#include "core/stopped.hpp"
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/report/report.hpp"
@@ -109,7 +110,7 @@ namespace {
 
 /// `first`: the number of its first tray.
 void write_one(const Scene& scene, const std::filesystem::path& path, std::size_t first, int threads,
-               const StopToken& hurry) {
+               const DrawingTime& time) {
     const std::string ending = ending_of(path);
     if (ending == ".json") {
         write_packing(scene.packing, path);
@@ -120,7 +121,7 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
     } else if (ending == ".csv") {
         write_transforms_csv(scene.packing, path, first);
     } else if (ending == ".png") {
-        write_png(render(scene.packing, scene.meshes, {}, Workers(threads), hurry), path);
+        write_png(render(scene.packing, scene.meshes, {}, Workers(threads), time), path);
     } else {
         throw UsageError("cannot tell the kind of " + path.string() + " by its ending: use one of " + output_endings());
     }
@@ -128,10 +129,10 @@ void write_one(const Scene& scene, const std::filesystem::path& path, std::size_
 
 /// `single` is for scenes of one tray of `scene`.
 std::filesystem::path write_tray_file(const Scene& scene, std::size_t tray, const std::filesystem::path& path,
-                                      int threads, const StopToken& hurry, Scene& single) {
+                                      int threads, const DrawingTime& time, Scene& single) {
     single.packing.trays = {scene.packing.trays[tray]};
     std::filesystem::path file = tray_file(path, static_cast<std::int64_t>(tray) + 1);
-    write_one(single, file, tray + 1, threads, hurry);
+    write_one(single, file, tray + 1, threads, time);
     return file;
 }
 
@@ -147,14 +148,18 @@ std::filesystem::path write_tray(const Scene& scene, std::size_t tray, const std
 }
 
 std::vector<std::filesystem::path> write_output(const Scene& scene, const std::filesystem::path& path, int threads,
-                                                const StopToken& hurry) {
-    write_one(scene, path, 1, threads, hurry);
-    std::vector<std::filesystem::path> written{path};
+                                                const DrawingTime& time) {
+    std::vector<std::filesystem::path> written;
     const std::size_t trays = scene.packing.trays.size();
-    if (trays < 2 || !has_tray_files(path)) return written;
-    Scene single = scene;
-    for (std::size_t tray = 0; tray < trays; ++tray) {
-        written.push_back(write_tray_file(scene, tray, path, threads, hurry, single));
+    try {
+        write_one(scene, path, 1, threads, time);
+        written.push_back(path);
+        if (trays < 2 || !has_tray_files(path)) return written;
+        Scene single = scene;
+        for (std::size_t tray = 0; tray < trays; ++tray) {
+            written.push_back(write_tray_file(scene, tray, path, threads, time, single));
+        }
+    } catch (const Stopped&) {  // a picture
     }
     return written;
 }
@@ -164,14 +169,14 @@ bool is_report_file(const std::filesystem::path& path) {
     return ending == ".html" || ending == ".csv";
 }
 
-void write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads,
-                  const StopToken& hurry) {
+int write_report(const Scene& scene, const std::filesystem::path& path, const ReportDetails& details, int threads,
+                 const DrawingTime& time) {
     if (!is_report_file(path)) {
         throw UsageError("cannot tell the kind of report " + path.string() + " by its ending: use .html or .csv");
     }
     if (ending_of(path) == ".csv") {
         replace_file(path, report_csv(scene.packing, details.material_density));
-        return;
+        return 0;
     }
     ReportContents contents;
     contents.job_name = details.job_name.empty() ? path.stem().string() : details.job_name;
@@ -180,8 +185,9 @@ void write_report(const Scene& scene, const std::filesystem::path& path, const R
     contents.material_density = details.material_density;
     if (const Printer* printer = find_printer(scene.packing.options.printer.value_or("")))
         contents.printer = printer->title;
-    add_pictures(scene, contents, Workers(threads), hurry);
+    const int left_out = add_pictures(scene, contents, Workers(threads), time);
     replace_file(path, report_html(scene.packing, contents));
+    return left_out;
 }
 
 Image render(const Scene& scene, const RenderOptions& options, int threads) {

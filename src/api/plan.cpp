@@ -163,6 +163,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
         const PackedPart& part = loaded.parts[i];
         plan.too_large[i] = why_too_large({*loaded.meshes[i], part.to_mm(), part.orientations, *plan.orientations[i]},
                                           plan.room, options, !container.mesh, own_printers);
+        workers.check();
         plan.turned_sizes[i] = sample_sizes(*loaded.meshes[i], loaded.parts[i].to_mm(), *plan.orientations[i]);
     });
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {

@@ -1,7 +1,9 @@
 #include "api/sheet_pictures.hpp"
 
+#include <atomic>
 #include <map>
 
+#include "core/stopped.hpp"
 #include "model/palette.hpp"
 #include "render/marks.hpp"
 #include "render/render.hpp"
@@ -20,10 +22,19 @@ int pixels(double millimetres, double a_millimetre) {
 
 class PictureMaker {
   public:
-    PictureMaker(const Scene& scene, const Workers& workers, const StopToken& hurry)
-        : packing_(scene.packing), meshes_(scene.meshes), workers_(workers), hurry_(hurry) {
-        held_.add(meshes_, workers);
+    PictureMaker(const Scene& scene, const Workers& workers, const DrawingTime& time)
+        : packing_(scene.packing),
+          meshes_(scene.meshes),
+          workers_(workers),
+          drawing_(workers.stopping_with(time.over)),
+          hurry_(time.hurry) {
+        try {
+            held_.add(meshes_, drawing_);
+        } catch (const Stopped&) {  // as all that follows
+        }
     }
+
+    int left_out() const { return left_out_; }
 
     std::vector<std::vector<Box>> boxes() const {
         std::vector<std::vector<Box>> result;
@@ -45,31 +56,45 @@ class PictureMaker {
 
     TrayPictures tray(int index, const TrayLayout& layout, const std::vector<Box>& boxes) {
         TrayPictures pictures;
-        pictures.whole = whole(index, layout);
+        pictures.whole = in_time([&] { return whole(index, layout); });
         for (const Slab& slab : layout.slabs) {
-            pictures.slabs.push_back(top_view(index, layout, slab, boxes));
+            pictures.slabs.push_back(in_time([&] { return top_view(index, layout, slab, boxes); }));
         }
         for (const int step : layout.stages) {
-            pictures.stages.push_back(stage(index, layout, step));
+            pictures.stages.push_back(in_time([&] { return stage(index, layout, step); }));
         }
         return pictures;
     }
 
     /// By part; empty where there is no mesh.
-    std::vector<std::string> thumbs() const {
+    std::vector<std::string> thumbs() {
         std::vector<std::string> result(packing_.parts.size());
         workers_.for_each(static_cast<std::int64_t>(result.size()), [&](std::int64_t i) {
             const auto part = static_cast<std::size_t>(i);
             if (part >= meshes_.size() || !meshes_[part]) return;
-            const Stage stage = set_part_stage(meshes_[part], part_colour(static_cast<int>(i)),
-                                               pixels(kThumbWidth, finer() * kSmallPixels),
-                                               pixels(kThumbHeight, finer() * kSmallPixels));
-            result[part] = encode_png(paint(stage, held_, kSamples, workers_, hurry_).image);
+            result[part] = in_time([&] {
+                const Stage stage = set_part_stage(meshes_[part], part_colour(static_cast<int>(i)),
+                                                   pixels(kThumbWidth, finer() * kSmallPixels),
+                                                   pixels(kThumbHeight, finer() * kSmallPixels));
+                return encode_png(paint(stage, held_, kSamples, drawing_, hurry_).image);
+            });
         });
         return result;
     }
 
   private:
+    /// What `draw` makes; nothing, which is counted, where the time is over.
+    template <class Draw>
+    auto in_time(const Draw& draw) -> decltype(draw()) {
+        try {
+            drawing_.check();
+            return draw();
+        } catch (const Stopped&) {
+            ++left_out_;
+            return {};
+        }
+    }
+
     double finer() const { return hurry_.stopped() ? kHurried : 1; }
     void begin_picture() { pixels_ = finer() * kPixels; }
 
@@ -88,8 +113,8 @@ class PictureMaker {
 
     /// Keep-outs that are boxes get a mesh with their stage.
     Picture picture_of(const Stage& stage) {
-        held_.add(stage.meshes, workers_);
-        return paint(stage, held_, kSamples, workers_, hurry_);
+        held_.add(stage.meshes, drawing_);
+        return paint(stage, held_, kSamples, drawing_, hurry_);
     }
 
     SheetPicture sheet_picture(const Stage& stage, const Picture& picture, bool numbered) const {
@@ -157,21 +182,24 @@ class PictureMaker {
     const Packing& packing_;
     const PartMeshes& meshes_;
     const Workers& workers_;
+    Workers drawing_;
     const StopToken& hurry_;
+    std::atomic<int> left_out_ = 0;
     double pixels_ = kPixels;  // a millimetre, of the picture being made
     RayMeshes held_;
 };
 
 }  // namespace
 
-void add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const StopToken& hurry) {
-    PictureMaker maker(scene, workers, hurry);
+int add_pictures(const Scene& scene, ReportContents& contents, const Workers& workers, const DrawingTime& time) {
+    PictureMaker maker(scene, workers, time);
     const std::vector<std::vector<Box>> boxes = maker.boxes();
     contents.layout = sheet_layout(scene.packing, boxes);
     for (std::size_t tray = 0; tray < scene.packing.trays.size(); ++tray) {
         contents.pictures.push_back(maker.tray(static_cast<int>(tray), contents.layout[tray], boxes[tray]));
     }
     contents.thumbs = maker.thumbs();
+    return maker.left_out();
 }
 
 }  // namespace spectralpack

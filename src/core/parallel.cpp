@@ -171,9 +171,7 @@ Workers Workers::stopping_with(StopToken stop) const {
 
 Workers Workers::alone() const { return Workers(1).stopping_with(stop_); }
 
-void Workers::check() const {
-    if (stop_.stopped()) throw Stopped();
-}
+void Workers::check() const { throw_if_stopped(stop_); }
 
 void Workers::for_each(std::int64_t count, const std::function<void(std::int64_t)>& task) const {
     if (count <= 0) return;

@@ -23,6 +23,7 @@ class Workers {
     /// The same threads for work that may be given up: check() throws Stopped once `stop` is requested, and so do all
     /// loops before they begin another task.
     Workers stopping_with(StopToken stop) const;
+    const StopToken& stop() const { return stop_; }
     /// This thread alone, with the same stop token.
     Workers alone() const;
     /// In the midst of long tasks, ten times a second at least. Costs next to nothing.

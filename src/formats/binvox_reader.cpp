@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/stopped.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/text_lines.hpp"
@@ -21,7 +22,7 @@ constexpr std::int64_t kMostVoxels = std::int64_t{1} << 32;
 
 class BinvoxParser {
   public:
-    explicit BinvoxParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
+    explicit BinvoxParser(const MeshBytes& source) : source_(source), lines_(source.bytes, source.stop) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -92,7 +93,9 @@ class BinvoxParser {
                                  std::to_string(voxels));
         }
         solid_.reserve(static_cast<std::size_t>(voxels));
+        StopPoll poll(source_.stop);
         for (std::size_t i = 0; i < data.size(); i += 2) {
+            poll.step();
             solid_.insert(solid_.end(), static_cast<unsigned char>(data[i + 1]), data[i] != 0);
         }
     }
@@ -111,6 +114,7 @@ class BinvoxParser {
         std::array<std::int64_t, 3> at;
         for (at[0] = 0; at[0] < dim_[0]; ++at[0]) {
             for (at[2] = 0; at[2] < dim_[2]; ++at[2]) {
+                throw_if_stopped(source_.stop);
                 for (at[1] = 0; at[1] < dim_[1]; ++at[1]) {
                     if (!is_solid(at)) continue;
                     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -10,10 +10,13 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "core/stopped.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
 namespace {
+
+constexpr std::size_t kReadAtOnce = 16 << 20;  // that a disk reads in a tenth of a second
 
 struct Descriptor {
     int number;
@@ -44,7 +47,7 @@ char* allocate(std::size_t size) {
 
 void FileBytes::Free::operator()(char* bytes) const { std::free(bytes); }
 
-FileBytes::FileBytes(const std::filesystem::path& path) {
+FileBytes::FileBytes(const std::filesystem::path& path, const StopToken& stop) {
     // Not blocking: a named pipe would wait for a writer before it could be refused.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
@@ -57,7 +60,8 @@ FileBytes::FileBytes(const std::filesystem::path& path) {
         throw ResourceError(path.string() + ": there is no memory for its " + std::to_string(size) + " bytes");
     }
     while (size_ < size) {
-        const ssize_t got = ::read(file.number, bytes_.get() + size_, size - size_);
+        throw_if_stopped(stop);
+        const ssize_t got = ::read(file.number, bytes_.get() + size_, std::min(size - size_, kReadAtOnce));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail(path, errno);
         if (got == 0) break;  // it shrank meanwhile; the parser sees a short file

@@ -5,13 +5,15 @@
 #include <memory>
 #include <string_view>
 
+#include "spectralpack/stop.hpp"
+
 namespace spectralpack {
 
 class FileBytes {
   public:
     /// Throws InputError for what is not a readable regular file, ResourceError where memory is
-    /// short.
-    explicit FileBytes(const std::filesystem::path& path);
+    /// short, Stopped once `stop` is requested.
+    explicit FileBytes(const std::filesystem::path& path, const StopToken& stop = {});
 
     std::string_view view() const { return {bytes_.get(), size_}; }
 

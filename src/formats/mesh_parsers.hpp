@@ -2,7 +2,7 @@
 /// The parsers behind read_meshes(), one per format: bytes to meshes as the file holds them, before
 /// any repair. All of them bound what they allocate by the bytes at hand, not by what a header
 /// says, refuse coordinates that are not finite, and throw InputError naming the file and the
-/// place.
+/// place, or Stopped.
 
 #include <string>
 #include <string_view>
@@ -23,6 +23,7 @@ struct MeshBytes {
     std::string file;  ///< for messages
     std::string stem;  ///< name for objects that have none
     std::string_view bytes;
+    StopToken stop = {};  ///< gives the reading up
 };
 
 std::vector<ParsedMesh> parse_stl(const MeshBytes& source);

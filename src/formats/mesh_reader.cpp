@@ -38,9 +38,9 @@ Parser parser_by_content(std::string_view bytes) {
     return nullptr;
 }
 
-void repair(ParsedMesh& parsed, const std::string& file, double default_unit) {
+void repair(ParsedMesh& parsed, const std::string& file, double default_unit, const StopToken& stop) {
     LoadedMesh& loaded = parsed.loaded;
-    MeshRepair outcome = repair_mesh(loaded.mesh, parsed.welded);
+    MeshRepair outcome = repair_mesh(loaded.mesh, parsed.welded, stop);
     if (outcome.unusable) {
         throw InputError(file, loaded.object ? "object " + *loaded.object : "", *outcome.unusable);
     }
@@ -53,8 +53,8 @@ void repair(ParsedMesh& parsed, const std::string& file, double default_unit) {
 
 }  // namespace
 
-std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit) {
-    const FileBytes bytes(path);
+std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit, const StopToken& stop) {
+    const FileBytes bytes(path, stop);
     Parser parser = parser_by_content(bytes.view());
     if (!parser) parser = parser_by_ending(path);
     if (parser && bytes.view().empty()) throw InputError(path.string(), "", "the file is empty");
@@ -62,15 +62,15 @@ std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double de
         throw InputError(path.string(), "", "is not of a format that can be read (STL, OBJ, 3MF, PLY, OFF, binvox)");
     }
     std::vector<LoadedMesh> meshes;
-    for (ParsedMesh& parsed : parser({path.string(), path.stem().string(), bytes.view()})) {
+    for (ParsedMesh& parsed : parser({path.string(), path.stem().string(), bytes.view(), stop})) {
         if (parsed.loaded.name.empty()) parsed.loaded.name = path.stem().string();
-        repair(parsed, path.string(), default_unit);
+        repair(parsed, path.string(), default_unit, stop);
         meshes.push_back(std::move(parsed.loaded));
     }
     return meshes;
 }
 
-LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit) {
+LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit, const StopToken& stop) {
     if (mesh.triangles.empty()) throw InputError(name, "", "has no triangles");
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const Vec3& v = mesh.vertices[i];
@@ -90,7 +90,7 @@ LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit) {
     ParsedMesh parsed;
     parsed.loaded.mesh = std::move(mesh);
     parsed.loaded.name = name;
-    repair(parsed, name, unit);
+    repair(parsed, name, unit, stop);
     return std::move(parsed.loaded);
 }
 

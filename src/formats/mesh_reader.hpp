@@ -9,6 +9,7 @@
 
 #include "core/remarks.hpp"
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -31,12 +32,13 @@ struct LoadedMesh {
 /// is told. Throws InputError naming file, place and cause for what cannot be used: unreadable,
 /// truncated, not finite, no triangles, zero volume or flat; one such object refuses the whole file.
 /// `default_unit`: mm per unit of files that do not say theirs; only warnings about the size depend
-/// on it.
-std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit = 1);
+/// on it. Throws Stopped once `stop` is requested.
+std::vector<LoadedMesh> read_meshes(const std::filesystem::path& path, double default_unit = 1,
+                                    const StopToken& stop = {});
 
 /// A mesh from memory, mended as one from a file. Throws InputError naming it where it cannot be used: as read_meshes,
 /// and for triangles of vertices that it does not have.
-LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit);
+LoadedMesh adopt_mesh(Mesh mesh, const std::string& name, double unit, const StopToken& stop = {});
 
 /// True for endings that read_meshes knows.
 bool is_mesh_file(const std::filesystem::path& path);

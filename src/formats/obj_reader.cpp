@@ -11,7 +11,7 @@ namespace {
 
 class ObjParser {
   public:
-    explicit ObjParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
+    explicit ObjParser(const MeshBytes& source) : source_(source), lines_(source.bytes, source.stop) {}
 
     LoadedMesh parse() {
         while (next_statement()) {
@@ -23,7 +23,8 @@ class ObjParser {
         }
         LoadedMesh loaded;
         loaded.mesh.triangles = faces_.triangles(
-            vertices_, [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); });
+            vertices_, [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); },
+            source_.stop);
         loaded.mesh.vertices = std::move(vertices_);
         return loaded;
     }

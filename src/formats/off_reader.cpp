@@ -10,7 +10,7 @@ namespace {
 
 class OffParser {
   public:
-    explicit OffParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
+    explicit OffParser(const MeshBytes& source) : source_(source), lines_(source.bytes, source.stop) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -30,7 +30,8 @@ class OffParser {
         }
         loaded.mesh.triangles = polygons.triangles(
             loaded.mesh.vertices,
-            [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); });
+            [&](std::uint32_t line, const std::string& cause) { fail_at_line(source_.file, line, cause); },
+            source_.stop);
         return loaded;
     }
 

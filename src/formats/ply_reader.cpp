@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/polygon_faces.hpp"
@@ -64,9 +65,12 @@ enum class Encoding { ascii, little_endian, big_endian };
 class Values {
   public:
     Values(const MeshBytes& source, Encoding encoding, std::string_view body, int first_line)
-        : source_(source), encoding_(encoding), body_(body), line_(first_line) {}
+        : source_(source), encoding_(encoding), body_(body), line_(first_line), poll_(source.stop) {}
 
-    double next(Scalar type) { return encoding_ == Encoding::ascii ? next_word() : next_bytes(type); }
+    double next(Scalar type) {
+        poll_.step();
+        return encoding_ == Encoding::ascii ? next_word() : next_bytes(type);
+    }
 
     /// Bytes that are left; each value takes at least one.
     std::size_t left() const { return body_.size() - at_; }
@@ -139,11 +143,12 @@ class Values {
     std::string_view body_;
     std::size_t at_ = 0;
     int line_;
+    StopPoll poll_;
 };
 
 class PlyParser {
   public:
-    explicit PlyParser(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
+    explicit PlyParser(const MeshBytes& source) : source_(source), lines_(source.bytes, source.stop) {}
 
     LoadedMesh parse() {
         parse_header();
@@ -163,9 +168,12 @@ class PlyParser {
             }
         }
         LoadedMesh loaded;
-        loaded.mesh.triangles = faces_.triangles(vertices_, [&](std::uint32_t face, const std::string& cause) {
-            throw InputError(source_.file, "face " + std::to_string(face), cause);
-        });
+        loaded.mesh.triangles = faces_.triangles(
+            vertices_,
+            [&](std::uint32_t face, const std::string& cause) {
+                throw InputError(source_.file, "face " + std::to_string(face), cause);
+            },
+            source_.stop);
         loaded.mesh.vertices = std::move(vertices_);
         return loaded;
     }

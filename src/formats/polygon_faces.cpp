@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "formats/mesh_parsers.hpp"
 
 namespace spectralpack {
@@ -157,12 +158,15 @@ void PolygonFaces::add(std::span<const std::int64_t> corners, std::uint32_t plac
     faces_.push_back({corners_.size(), place});
 }
 
-std::vector<Triangle> PolygonFaces::triangles(
-    const std::vector<Vec3>& vertices, const std::function<void(std::uint32_t, const std::string&)>& fail) const {
+std::vector<Triangle> PolygonFaces::triangles(const std::vector<Vec3>& vertices,
+                                              const std::function<void(std::uint32_t, const std::string&)>& fail,
+                                              const StopToken& stop) const {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> loop;
     std::size_t begin = 0;
+    StopPoll poll(stop);
     for (const Face& face : faces_) {
+        poll.step();
         loop.clear();
         for (; begin < face.end; ++begin) {
             const std::int64_t corner = corners_[begin];

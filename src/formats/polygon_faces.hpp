@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -30,9 +31,10 @@ class PolygonFaces {
     void add(std::span<const std::int64_t> corners, std::uint32_t place);
 
     /// Triangles of all faces over `vertices`. Calls fail(place, cause), which must throw, for an
-    /// index out of range and for a face of fewer than three corners.
+    /// index out of range and for a face of fewer than three corners. Throws Stopped once `stop` is requested.
     std::vector<Triangle> triangles(const std::vector<Vec3>& vertices,
-                                    const std::function<void(std::uint32_t, const std::string&)>& fail) const;
+                                    const std::function<void(std::uint32_t, const std::string&)>& fail,
+                                    const StopToken& stop = {}) const;
 
   private:
     struct Face {

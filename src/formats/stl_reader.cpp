@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/stopped.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/text_lines.hpp"
@@ -41,6 +42,7 @@ Mesh weld_facets(const MeshBytes& source, std::size_t count) {
     const char* facet = source.bytes.data() + kHeader;
     std::array<Vec3, 3 * kBatch> corners;
     for (std::size_t i = 0; i < count; i += kBatch) {
+        throw_if_stopped(source.stop);
         const std::size_t batch = std::min(kBatch, count - i);
         for (std::size_t k = 0; k < batch; ++k, facet += kFacet) {
             std::array<float, 9> c;
@@ -96,7 +98,7 @@ LoadedMesh parse_binary(const MeshBytes& source) {
 /// 'solid' and 'endsolid'.
 class AsciiStl {
   public:
-    explicit AsciiStl(const MeshBytes& source) : source_(source), lines_(source.bytes) {}
+    explicit AsciiStl(const MeshBytes& source) : source_(source), lines_(source.bytes, source.stop) {}
 
     LoadedMesh parse() {
         while (next_line()) {
@@ -106,7 +108,7 @@ class AsciiStl {
                 fail("expected 'solid', found " + quoted_excerpt(words_[0]));
             }
         }
-        weld_equal_vertices(loaded_.mesh);
+        weld_equal_vertices(loaded_.mesh, source_.stop);
         return std::move(loaded_);
     }
 

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "formats/number_text.hpp"
 #include "spectralpack/error.hpp"
 
 namespace spectralpack {
 
-TextLines::TextLines(std::string_view text) : text_(text) {
+TextLines::TextLines(std::string_view text, StopToken stop) : text_(text), poll_(std::move(stop)) {
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
 }
 
 bool TextLines::next() {
+    poll_.step();
     if (end_ >= text_.size()) return false;
     const std::size_t stop = std::min(text_.find_first_of("\r\n", end_), text_.size());
     line_ = text_.substr(end_, stop - end_);

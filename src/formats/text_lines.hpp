@@ -5,14 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "core/stopped.hpp"
+
 namespace spectralpack {
 
 /// The lines of a text; LF, CRLF or CR ends one. A byte-order mark at the start is skipped.
 class TextLines {
   public:
-    explicit TextLines(std::string_view text);
+    explicit TextLines(std::string_view text, StopToken stop = {});
 
-    /// Moves to the next line; false at the end.
+    /// Moves to the next line; false at the end. Throws Stopped once `stop` is requested.
     bool next();
     std::string_view line() const { return line_; }
     int number() const { return number_; }  ///< 1-based
@@ -26,6 +28,7 @@ class TextLines {
 
   private:
     std::string_view text_;
+    StopPoll poll_;
     std::size_t end_ = 0;  ///< of the current line and its line end
     std::string_view line_;
     int number_ = 0;

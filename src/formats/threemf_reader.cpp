@@ -5,6 +5,7 @@
 #include <bit>
 #include <map>
 
+#include "core/stopped.hpp"
 #include "formats/mesh_parsers.hpp"
 #include "formats/number_text.hpp"
 #include "formats/threemf_model.hpp"
@@ -110,6 +111,7 @@ class Reader {
     /// Unpacks through one allowance for the whole archive.
     void unpack(const std::string& entry, const std::function<void(std::string_view)>& consume) {
         zip_.unpack(entry, bytes_left_, [&](std::string_view piece) {
+            throw_if_stopped(source_.stop);
             bytes_left_ -= piece.size();
             consume(piece);
         });
@@ -181,6 +183,7 @@ class Reader {
     }
 
     void append(Mesh& mesh, const ObjectKey& key, const Transform& transform) {
+        throw_if_stopped(source_.stop);
         const ModelObject& object = find(key);
         spectralpack::append(mesh, transformed(object.mesh, transform));
         for (const ModelComponent& component : object.components) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "geometry/mesh_edges.hpp"
 
 namespace spectralpack {
@@ -14,7 +15,7 @@ namespace {
 
 class Builder {
   public:
-    explicit Builder(const Mesh& mesh) : order(mesh.triangles.size()) {
+    Builder(const Mesh& mesh, const StopToken& stop) : order(mesh.triangles.size()), stop_(stop) {
         std::iota(order.begin(), order.end(), 0u);
         centres_.reserve(order.size());
         for (const Triangle& t : mesh.triangles) {
@@ -36,6 +37,7 @@ class Builder {
             nodes[self].count = static_cast<std::uint32_t>(end - begin);
             return;
         }
+        throw_if_stopped(stop_);
         Box box;
         for (std::size_t i = begin; i < end; ++i) {
             box.add(centres_[order[i]]);
@@ -56,6 +58,7 @@ class Builder {
     }
 
     std::vector<Vec3> centres_;
+    const StopToken& stop_;
 };
 
 /// The greatest float that is no greater.
@@ -66,8 +69,8 @@ float at_most(double x) {
 
 }  // namespace
 
-Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
-    Builder builder(mesh);
+Bvh::Bvh(const Mesh& mesh, bool faces_outwards, const StopToken& stop) : vertices_(mesh.vertices) {
+    Builder builder(mesh, stop);
     nodes_ = std::move(builder.nodes);
     for (const Node& node : nodes_) {
         const auto first = builder.order.begin() + node.first;
@@ -79,8 +82,9 @@ Bvh::Bvh(const Mesh& mesh, bool faces_outwards) : vertices_(mesh.vertices) {
         triangles.push_back(mesh.triangles[i]);
     }
     triangles_ = std::make_shared<const std::vector<Triangle>>(std::move(triangles));
+    throw_if_stopped(stop);
     refit();
-    faces_outwards_ = faces_outwards || (is_closed(mesh) && signed_volume(mesh) > 0);
+    faces_outwards_ = faces_outwards || (is_closed(mesh, stop) && signed_volume(mesh) > 0);
 }
 
 void Bvh::refit() {

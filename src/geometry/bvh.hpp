@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -34,8 +35,9 @@ class Bvh {
 
     /// Splits at the median centroid along the longest axis: O(n log n), depth about log2 n, the
     /// same tree on every machine. Preconditions: finite coordinates, indices in range.
-    /// `faces_outwards`: it is known that they do, though the mesh is not closed.
-    explicit Bvh(const Mesh& mesh, bool faces_outwards = false);
+    /// `faces_outwards`: it is known that they do, though the mesh is not closed. Throws Stopped once `stop` is
+    /// requested.
+    explicit Bvh(const Mesh& mesh, bool faces_outwards = false, const StopToken& stop = {});
 
     /// The tree of transformed(mesh, {linear, 0}): same shape, boxes fitted anew. O(n).
     Bvh turned(const Mat3& linear) const;

@@ -6,8 +6,10 @@ namespace spectralpack {
 namespace {
 
 template <class Visit>
-void for_each_use(const Mesh& mesh, Visit visit) {
+void for_each_use(const Mesh& mesh, const StopToken& stop, Visit visit) {
+    StopPoll poll(stop);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        poll.step();
         const Triangle& t = mesh.triangles[i];
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t a = t[corner], b = t[corner == 2 ? 0 : corner + 1];
@@ -35,8 +37,8 @@ void sort_uses(MeshEdges::Use* begin, MeshEdges::Use* end) {
 
 }  // namespace
 
-MeshEdges::MeshEdges(const Mesh& mesh) : begin_(mesh.vertices.size() + 1) {
-    for_each_use(mesh, [&](std::uint32_t low, std::uint32_t, std::size_t) { ++begin_[low]; });
+MeshEdges::MeshEdges(const Mesh& mesh, const StopToken& stop) : stop_(stop), begin_(mesh.vertices.size() + 1) {
+    for_each_use(mesh, stop, [&](std::uint32_t low, std::uint32_t, std::size_t) { ++begin_[low]; });
     // The counts become ends; each is then filled from its end downwards, and so becomes a begin.
     std::uint32_t total = 0;
     for (std::uint32_t& begin : begin_) {
@@ -44,10 +46,12 @@ MeshEdges::MeshEdges(const Mesh& mesh) : begin_(mesh.vertices.size() + 1) {
         begin = total;
     }
     uses_ = std::make_unique_for_overwrite<Use[]>(total);
-    for_each_use(mesh, [&](std::uint32_t low, std::uint32_t high, std::size_t code) {
+    for_each_use(mesh, stop, [&](std::uint32_t low, std::uint32_t high, std::size_t code) {
         uses_[--begin_[low]] = {high, static_cast<std::uint32_t>(code)};
     });
+    StopPoll poll(stop);
     for (std::size_t low = 0; low + 1 < begin_.size(); ++low) {
+        poll.step();
         sort_uses(uses_.get() + begin_[low], uses_.get() + begin_[low + 1]);
     }
 }
@@ -76,6 +80,6 @@ EdgeCount count_edges(const MeshEdges& edges) {
     return count;
 }
 
-bool is_closed(const Mesh& mesh) { return count_edges(MeshEdges(mesh)).closed; }
+bool is_closed(const Mesh& mesh, const StopToken& stop) { return count_edges(MeshEdges(mesh, stop)).closed; }
 
 }  // namespace spectralpack

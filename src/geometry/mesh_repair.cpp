@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "core/stopped.hpp"
 #include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_shells.hpp"
 #include "geometry/mesh_weld.hpp"
@@ -76,7 +77,7 @@ bool is_planar(const Mesh& mesh, double size) {
 
 class Repairer {
   public:
-    Repairer(Mesh& mesh, bool welded) : mesh_(mesh), welded_(welded) {}
+    Repairer(Mesh& mesh, bool welded, const StopToken& stop) : mesh_(mesh), welded_(welded), stop_(stop) {}
 
     MeshRepair run() {
         if (weld() && check_extent() && drop_flat_facets()) {
@@ -98,7 +99,7 @@ class Repairer {
     }
 
     void find_edges() {
-        edges_.emplace(mesh_);
+        edges_.emplace(mesh_, stop_);
         count_ = count_edges(*edges_);
     }
 
@@ -108,7 +109,7 @@ class Repairer {
             return unusable("there are no triangles");
         }
         if (welded_) return true;
-        const std::size_t merged = weld_equal_vertices(mesh_);
+        const std::size_t merged = weld_equal_vertices(mesh_, stop_);
         if (merged > 0) {
             result_.repairs.push_back("merged " + counted(merged, "vertex", "vertices") +
                                       " with the coordinates of another");
@@ -117,7 +118,9 @@ class Repairer {
     }
 
     bool check_extent() {
+        StopPoll poll(stop_);
         for (const Vec3& vertex : mesh_.vertices) {
+            poll.step();
             result_.box.add(vertex);
         }
         const Vec3 extent = result_.box.size();
@@ -138,7 +141,7 @@ class Repairer {
     }
 
     void drop_unused_vertices() {
-        weld_equal_vertices(mesh_);
+        weld_equal_vertices(mesh_, stop_);
         result_.box = bounding_box(mesh_);
         find_edges();
     }
@@ -147,7 +150,9 @@ class Repairer {
     /// three vertices in a line may be what joins its neighbours.
     bool drop_flat_facets() {
         std::size_t flat = 0;
+        StopPoll poll(stop_);
         for (const Triangle& t : mesh_.triangles) {
+            poll.step();
             const Vec3 normal = normal_of(mesh_, t);
             flat += has_area(mesh_, t, normal) ? 0 : 1;
             area_ += length(normal) / 2;
@@ -155,7 +160,10 @@ class Repairer {
         if (flat == 0) return true;
         if (flat == mesh_.triangles.size()) return unusable("every facet has zero area");
         Mesh smaller = mesh_;
-        std::erase_if(smaller.triangles, [&](const Triangle& t) { return !has_area(mesh_, t); });
+        std::erase_if(smaller.triangles, [&](const Triangle& t) {
+            poll.step();
+            return !has_area(mesh_, t);
+        });
         if (opens(smaller)) {
             smaller = mesh_;
             flat = std::erase_if(smaller.triangles,
@@ -169,7 +177,7 @@ class Repairer {
     }
 
     /// Whether replacing the mesh by `other` would lose its closedness.
-    bool opens(const Mesh& other) const { return !is_closed(other) && is_closed(mesh_); }
+    bool opens(const Mesh& other) const { return !is_closed(other, stop_) && is_closed(mesh_, stop_); }
 
     /// Step 3. Only facets at crowded edges can be there twice.
     void drop_duplicates() {
@@ -219,7 +227,7 @@ class Repairer {
         const std::size_t merged = weld_near_vertices(closer, candidates, tolerance_);
         if (merged == 0) return false;
         std::erase_if(closer.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
-        if (closer.triangles.empty() || count_edges(MeshEdges(closer)).border >= count_.border) {
+        if (closer.triangles.empty() || count_edges(MeshEdges(closer, stop_)).border >= count_.border) {
             return false;
         }
         mesh_ = std::move(closer);
@@ -234,7 +242,7 @@ class Repairer {
     void orient() {
         Mesh oriented = mesh_;
         const std::size_t turned = orient_consistently(oriented, *edges_);
-        if (turned == 0 || !is_closed(oriented)) return;
+        if (turned == 0 || !is_closed(oriented, stop_)) return;
         mesh_ = std::move(oriented);
         find_edges();
         result_.repairs.push_back("turned " + counted(turned, "facet that faced", "facets that faced") +
@@ -245,6 +253,7 @@ class Repairer {
     /// is judged by itself.
     bool finish_closed() {
         const ShellGroups groups = shell_groups(mesh_, *edges_);
+        throw_if_stopped(stop_);
         const double nothing = kHollow * area_ * length(result_.box.size());
         if (std::all_of(groups.volume.begin(), groups.volume.end(),
                         [&](double volume) { return std::abs(volume) <= nothing; })) {
@@ -265,6 +274,7 @@ class Repairer {
     }
 
     bool finish_open() {
+        throw_if_stopped(stop_);
         if (is_planar(mesh_, size_)) return unusable("it is flat: all facets lie in one plane");
         if (signed_volume(mesh_) < 0) {
             mesh_ = inside_out(std::move(mesh_));
@@ -286,6 +296,7 @@ class Repairer {
 
     Mesh& mesh_;
     bool welded_;
+    const StopToken& stop_;
     bool facets_dropped_ = false;
     MeshRepair result_;
     std::optional<MeshEdges> edges_;  ///< of mesh_ as it is, once found
@@ -297,7 +308,7 @@ class Repairer {
 
 }  // namespace
 
-MeshRepair repair_mesh(Mesh& mesh, bool welded) { return Repairer(mesh, welded).run(); }
+MeshRepair repair_mesh(Mesh& mesh, bool welded, const StopToken& stop) { return Repairer(mesh, welded, stop).run(); }
 
 std::optional<Remark> size_warning(const Box& box, double mm_per_unit) {
     constexpr double kInch = 25.4, kMetre = 1000;

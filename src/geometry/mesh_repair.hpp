@@ -8,6 +8,7 @@
 
 #include "core/remarks.hpp"
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -31,8 +32,8 @@ struct MeshRepair {
 ///     negative volume is turned as a whole.
 /// Vertices stay where they are and in their order. Time is linear in the mesh, whatever its
 /// connectivity. Preconditions: indices in range, finite coordinates, fewer than 2^32 / 3
-/// triangles.
-MeshRepair repair_mesh(Mesh& mesh, bool welded = false);
+/// triangles. Throws Stopped once `stop` is requested; the mesh is then good for nothing.
+MeshRepair repair_mesh(Mesh& mesh, bool welded = false, const StopToken& stop = {});
 
 /// A hint where a size is implausible in millimetres: under 3 mm (inch? metre?) or over 10 m
 /// (micrometre?).

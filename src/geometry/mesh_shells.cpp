@@ -115,7 +115,9 @@ ShellGroups shell_groups(const Mesh& mesh, const MeshEdges& edges) {
     ShellGroups groups;
     groups.shells.resize(facets.number(groups.shell_of_facet));
     const Vec3 origin = mesh.vertices.front();
+    StopPoll poll(edges.stop());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        poll.step();
         Shell& shell = groups.shells[groups.shell_of_facet[i]];
         const Vec3 &a = mesh.vertices[mesh.triangles[i][0]], &b = mesh.vertices[mesh.triangles[i][1]],
                    &c = mesh.vertices[mesh.triangles[i][2]];

@@ -29,7 +29,7 @@ struct ShellGroups {
     std::vector<double> volume;  ///< signed, of each group
 };
 
-/// Volumes mean something only where the mesh is closed.
+/// Volumes mean something only where the mesh is closed. Stops with the edges.
 ShellGroups shell_groups(const Mesh& mesh, const MeshEdges& edges);
 
 /// Turns the groups of negative volume. Returns the number of facets turned.

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "core/stopped.hpp"
+
 namespace spectralpack {
 namespace {
 
@@ -73,7 +75,7 @@ void VertexWelder::resize(std::size_t slots) {
     }
 }
 
-std::size_t weld_equal_vertices(Mesh& mesh) {
+std::size_t weld_equal_vertices(Mesh& mesh, const StopToken& stop) {
     std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
     for (const Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t corner : triangle) {
@@ -90,6 +92,7 @@ std::size_t weld_equal_vertices(Mesh& mesh) {
     VertexWelder welder(points.size());
     std::array<std::uint32_t, VertexWelder::kBatch> numbers;
     for (std::size_t i = 0; i < points.size(); i += VertexWelder::kBatch) {
+        throw_if_stopped(stop);
         const std::size_t count = std::min(VertexWelder::kBatch, points.size() - i);
         welder.add({points.data() + i, count}, numbers.data());
         for (std::size_t k = 0; k < count; ++k) {

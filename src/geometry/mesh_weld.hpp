@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spectralpack/mesh.hpp"
+#include "spectralpack/stop.hpp"
 
 namespace spectralpack {
 
@@ -41,8 +42,9 @@ class VertexWelder {
 };
 
 /// Merges vertices with equal coordinates and removes those that no triangle uses; the first of
-/// equal ones stays, and their order. Returns how many used vertices were merged away.
-std::size_t weld_equal_vertices(Mesh& mesh);
+/// equal ones stays, and their order. Returns how many used vertices were merged away. Throws Stopped, with the mesh as
+/// it was, once `stop` is requested.
+std::size_t weld_equal_vertices(Mesh& mesh, const StopToken& stop = {});
 
 /// Merges each vertex listed in `candidates` into the first earlier one within `tolerance` of it.
 /// Returns how many were merged away. Expected time linear in the candidates: a cell of the search

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRoom = 1e-5;  // stage units
+constexpr const char* kNoMemory = "not enough memory to draw the picture";
 
 template <class Handle, void (*kRelease)(Handle)>
 struct Release {
@@ -105,7 +106,7 @@ RTCRayHit hit_from(RTCScene scene, const Vec3& origin, const Vec3& direction, co
 }
 
 void expect_success(RTCDevice device) {
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw ResourceError("not enough memory to draw the picture");
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw ResourceError(kNoMemory);
 }
 
 RayMesh hold(RTCDevice device, std::shared_ptr<const Mesh> shared) {
@@ -149,7 +150,10 @@ RayMeshes::RayMeshes() : held_(std::make_unique<Held>()) {
     // Not "threads=1": that would limit the threads of the whole process while the device lives.
     // The hierarchy comes out the same for any number of them.
     held_->device.reset(rtcNewDevice(nullptr));
-    if (!held_->device) throw ResourceError("the ray tracing library cannot run on this machine");
+    if (!held_->device) {
+        const bool unsupported = rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU;
+        throw ResourceError(unsupported ? "the ray tracing library cannot run on this machine" : kNoMemory);
+    }
 }
 
 RayMeshes::~RayMeshes() = default;

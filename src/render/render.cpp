@@ -57,14 +57,15 @@ Picture paint(const Stage& stage, const RayMeshes& meshes, int samples, const Wo
 }
 
 Image render(const Packing& packing, const std::vector<std::shared_ptr<const Mesh>>& meshes,
-             const RenderOptions& options, const Workers& workers, const StopToken& hurry) {
+             const RenderOptions& options, const Workers& workers, const DrawingTime& time) {
     check(options);
+    const Workers drawing = workers.stopping_with(time.over);
     View view;
     view.options = options;
     const Stage stage = set_stage(packing, meshes, view);
     RayMeshes held;
-    held.add(stage.meshes, workers);
-    Picture picture = paint(stage, held, options.samples, workers, hurry);
+    held.add(stage.meshes, drawing);
+    Picture picture = paint(stage, held, options.samples, drawing, time.hurry);
     if (std::min(options.width, options.height) >= kLeastMarked) {
         if (options.marks) draw_marks(marks_of(stage), picture.image);
         if (options.numbers) draw_numbers(stage, picture);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <numeric>
 
@@ -141,6 +142,11 @@ int winding_by_solid_angle(const Mesh& mesh, const Vec3& point) {
     return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
 }
 
+/// The library says by its return values that there is no memory, and goes on.
+void require_built(int outcome) {
+    if (outcome != fcl::BVH_OK) throw std::bad_alloc();
+}
+
 }  // namespace
 
 Solid::Solid(const Mesh& mesh, const Transform& transform, double depth) : mesh_(transformed(mesh, transform)) {
@@ -161,9 +167,9 @@ Solid::Solid(const Mesh& mesh, const Transform& transform, double depth) : mesh_
     }
     if (!kept_.empty()) {
         hierarchy_.emplace();
-        hierarchy_->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-        hierarchy_->addSubModel(vertices, triangles);
-        hierarchy_->endModel();
+        require_built(hierarchy_->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size())));
+        require_built(hierarchy_->addSubModel(vertices, triangles));
+        require_built(hierarchy_->endModel());
     }
     find_shells();
     if (closed_) find_deep_points(depth);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <limits>
 #include <new>
+#include <sstream>
 
 #include "support/shapes.hpp"
 
@@ -171,6 +172,24 @@ TEST_F(InMemory, APackingFileNeedsMeshFiles) {
     EXPECT_GT(fs::file_size(folder_ / "build.3mf"), 1000u);
     const Image picture = render(scene, {.width = 64, .height = 48}, 1);
     EXPECT_EQ(picture.rgb.size(), 64u * 48u * 3u);
+}
+
+TEST_F(InMemory, PicturesAreLeftOutOnceTheirTimeIsOver) {
+    const PackResult result = pack(small_job());
+    const Scene scene{result.packing, result.meshes};
+    StopSource over;
+    const DrawingTime time{{}, over.token()};
+    EXPECT_EQ(write_output(scene, folder_ / "in-time.png", 1, time).size(), 1u);
+    EXPECT_EQ(write_report(scene, folder_ / "in-time.html", {}, 1, time), 0);
+    over.request(StopReason::time_limit);
+    EXPECT_TRUE(write_output(scene, folder_ / "late.png", 2, time).empty());
+    EXPECT_FALSE(fs::exists(folder_ / "late.png"));
+    EXPECT_EQ(write_output(scene, folder_ / "late.stl", 2, time).size(), 1u);
+    EXPECT_GT(write_report(scene, folder_ / "late.html", {}, 2, time), 2);
+    std::ostringstream page;
+    page << std::ifstream(folder_ / "late.html").rdbuf();
+    EXPECT_NE(page.str().find("left out for time"), std::string::npos);
+    EXPECT_EQ(page.str().find("data:image"), std::string::npos);
 }
 
 /// Runs out of memory once so many copies stand.

@@ -143,6 +143,36 @@ TEST(RunLife, WithLittleRoomItIsRefusedOrWritesWhatItHas) {
     }
 }
 
+/// What the program does with amounts of memory from too little to begin with up to a little more than enough.
+class ShortOfMemory : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShortOfMemory, SaysSo) {
+    if (kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
+    const TemporaryFolder folder;
+    const std::string command = GetParam(), packing = (folder / "b.json").string();
+    std::vector<std::string> arguments = {"pack", kHook + ":20", "--tray", "80x80x80", "--voxel", "3", "-o", packing};
+    if (command != "pack") {
+        ASSERT_EQ(spectralpack(arguments).status, 0);
+        arguments = {command, packing};
+        if (command == "render") arguments.insert(arguments.end(), {"-o", (folder / "b.png").string()});
+    }
+    constexpr rlim_t kLeast = 48 << 20, kMost = 128 << 20, kStep = 1 << 19;
+    int refused = 0;
+    for (rlim_t bytes = kLeast; bytes <= kMost; bytes += kStep) {
+        const Ran ran = spectralpack(arguments, {}, {bytes, 0, 300});
+        // Where the libraries themselves find no room, the program has not begun.
+        if (ran.status == 127 && contains(ran.err, "error while loading shared libraries")) continue;
+        if (ran.status == 0) break;
+        ASSERT_EQ(ran.status, 4) << bytes << ' ' << ran.err;
+        EXPECT_TRUE(contains(ran.err, "spectralpack: ") && contains(ran.err, "memory")) << bytes << ' ' << ran.err;
+        ++refused;
+    }
+    EXPECT_GT(refused, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, ShortOfMemory, testing::Values("pack", "check", "plan", "render"),
+                         [](const auto& test) { return std::string(test.param); });
+
 /// A gap that no two copies in the tray can keep.
 class WideGap : public testing::TestWithParam<std::string> {};
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/stopped.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -17,6 +18,14 @@ TEST(Bvh, TakesNoMoreMemoryThanWasPlanned) {
         EXPECT_LE(tree.bytes(), Bvh::most_bytes(mesh)) << mesh.triangles.size();
         EXPECT_GE(2 * tree.bytes() + 200, Bvh::most_bytes(mesh)) << mesh.triangles.size();
     }
+}
+
+TEST(Bvh, IsGivenUpWhenStopped) {
+    const Mesh mesh = test::torus_mesh(9, 2, 100, 60);
+    StopSource stop;
+    EXPECT_EQ(Bvh(mesh, false, stop.token()).triangle_count(), mesh.triangles.size());
+    stop.request(StopReason::time_limit);
+    EXPECT_THROW(Bvh(mesh, false, stop.token()), Stopped);
 }
 
 }  // namespace

@@ -28,6 +28,11 @@ class Told final : public TrayObserver {
         open_ = true;
     }
     void copy_placed(const PlacedCopy& placed) override { EXPECT_TRUE(add(placed) && !out_.contains(placed.copy)); }
+    void copy_moved(const PlacedCopy& placed) override {
+        const auto at = tray().find(placed.copy);
+        ASSERT_NE(at, tray().end()) << "does not stand";
+        at->second = place_of(placed);
+    }
     void copy_taken_out(const PlacedCopy& placed) override {
         const auto at = tray().find(placed.copy);
         ASSERT_NE(at, tray().end()) << "does not stand";

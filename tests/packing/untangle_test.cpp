@@ -192,6 +192,7 @@ struct Told final : TrayObserver {
         at.clear();
     }
     void copy_placed(const PlacedCopy& placed) override { at[placed.copy] = placed.position; }
+    void copy_moved(const PlacedCopy& placed) override { at[placed.copy] = placed.position; }
     void copy_taken_out(const PlacedCopy& placed) override { at.erase(placed.copy); }
     void copy_put_back(const PlacedCopy& placed) override { at[placed.copy] = placed.position; }
     void tray_finished() override {}

@@ -62,10 +62,10 @@ TEST(Render, WithoutTimeItDrawsPlainlyAndWhole) {
     RenderOptions options = small_picture();
     options.samples = 3;
     StopSource hurry;
-    const Image fine = render(scene.packing, scene.meshes, options, Workers(2), hurry.token());
+    const Image fine = render(scene.packing, scene.meshes, options, Workers(2), {hurry.token(), {}});
     EXPECT_EQ(fine.rgb, picture(scene, options).rgb) << "there is time";
     hurry.request(StopReason::time_limit);
-    const Image plain = render(scene.packing, scene.meshes, options, Workers(2), hurry.token());
+    const Image plain = render(scene.packing, scene.meshes, options, Workers(2), {hurry.token(), {}});
     ASSERT_EQ(plain.rgb.size(), fine.rgb.size());
     EXPECT_NE(plain.rgb, fine.rgb);
     double difference = 0;

@@ -17,7 +17,7 @@ std::string number_texts(const SheetPicture& picture, double scale) {
 
 std::string picture_svg(const SheetPicture& picture, const char* style, const std::string& label) {
     constexpr double kNameSize = 2.6, kBar = 0.7, kArrow = 0.4, kHead = 2;  // mm in print
-    if (picture.png.empty()) return "";
+    if (picture.png.empty()) return "<em>left out for time</em>";
     const double mm = picture.millimetre;
     Html html;
     html.add(

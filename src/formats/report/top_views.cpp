@@ -71,7 +71,8 @@ class SlabFigure {
         }
         std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.number < b.number; });
         for (const Entry& entry : all) {
-            (labelled.contains(entry.number) ? seen_ : hidden_).push_back(entry);
+            const bool hidden = !picture().png.empty() && !labelled.contains(entry.number);
+            (hidden ? hidden_ : seen_).push_back(entry);
             most_ = std::max(most_, entry.number);
         }
     }
@@ -127,8 +128,13 @@ class SlabFigure {
             "<svg viewBox=\"{0} {0} {1:.2f} {2:.2f}\" class=\"map\" style=\"width:{1:.2f}mm\" role=\"img\" "
             "aria-label=\"Slab {3} from above\">",
             -kAround, width_ + 2 * kAround, height_ + 2 * kAround + kUnder, slab_name(slab_));
-        html.add("<image href=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\"/>", picture_link(picture().png), width_,
-                 height_);
+        if (!picture().png.empty()) {
+            html.add("<image href=\"{}\" width=\"{:.2f}\" height=\"{:.2f}\"/>", picture_link(picture().png), width_,
+                     height_);
+        } else {
+            html.add("<text x=\"{:.2f}\" y=\"{:.2f}\" class=\"axm\" text-anchor=\"middle\">left out for time</text>",
+                     width_ / 2, height_ / 2);
+        }
         html.add("<path d=\"");
         for (double x = bar; x < size.x; x += bar) {
             html.add("M{:.2f} 0V{:.2f}", x * scale, height_);

@@ -14,7 +14,7 @@ Body stand_fixed(const Mesh& mesh, double gap, Tray& tray, double wall_gap, cons
                                     tray.gap_class_of(gap));
     object.fixed = true;
     const ObjectId id = tray.add(std::move(object));
-    return {std::make_shared<const Bvh>(mesh), {}, tray.object(id)};
+    return {std::make_shared<const Bvh>(mesh, false, workers.stop()), {}, tray.object(id)};
 }
 
 }  // namespace spectralpack

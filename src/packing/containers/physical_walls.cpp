@@ -67,8 +67,9 @@ Body standing_walls(const Container& container, const TraySetup& grid, const Vec
     set_keep_outs(*voxels, place, container, 0, workers);
     TrayObject object{std::move(voxels), {}};
     object.fixed = true;
-    return {
-        std::make_shared<const Bvh>(together(physical_surfaces(container)), true), {0, 0, -kBelow}, std::move(object)};
+    return {std::make_shared<const Bvh>(together(physical_surfaces(container)), true, workers.stop()),
+            {0, 0, -kBelow},
+            std::move(object)};
 }
 
 TrayObject PhysicalWalls::moved(TrayObject object) const {

@@ -39,10 +39,10 @@ BitGrid blocked_voxels(const Container& container, const Extent& grid, double vo
     return blocked;
 }
 
-std::vector<PlacedSurface> wall_surfaces(const Container& container, double wall_gap) {
+std::vector<PlacedSurface> wall_surfaces(const Container& container, double wall_gap, const StopToken& stop) {
     std::vector<PlacedSurface> walls;
     const auto add = [&](const Mesh& mesh) {
-        walls.push_back({std::make_shared<const Bvh>(mesh), {}, wall_gap, true});
+        walls.push_back({std::make_shared<const Bvh>(mesh, false, stop), {}, wall_gap, true});
     };
     if (container.mesh) add(surroundings(*container.mesh->surface));
     for (const KeepOut& keep_out : container.keep_out) {

@@ -23,6 +23,6 @@ void set_keep_outs(BitGrid& grid, const GridPlace& place, const Container& conta
                    const Workers& workers);
 
 /// The same walls as surfaces, with the free side outside. None for the container's box, which the refiner knows.
-std::vector<PlacedSurface> wall_surfaces(const Container& container, double wall_gap);
+std::vector<PlacedSurface> wall_surfaces(const Container& container, double wall_gap, const StopToken& stop = {});
 
 }  // namespace spectralpack

@@ -42,7 +42,7 @@ TraySurroundings::TraySurroundings(FillOptions fill, const PackContext& pack, Pa
         physical = physical_walls(options.container, finest_setup(options.tray), options.wall_gap,
                                   context.workers.stopping_with(enough()));
     }
-    if (options.refine) walls = wall_surfaces(options.container, options.wall_gap);
+    if (options.refine) walls = wall_surfaces(options.container, options.wall_gap, enough());
 }
 
 RefineOptions TraySurroundings::refining(const TrayCopies& wanted) const {
@@ -130,7 +130,7 @@ Settled StartedTray::settle(const Copy& copy, const Shape& shape, const BestPlac
     if (decisions) known = decisions->recall_settled(copy);
     const int orientation = shape.orientations[static_cast<std::size_t>(best.index)].orientation;
     Settled settled = known ? refinement_->stand_at(copy, orientation, known->offset, shape.gap_class)
-                            : refinement_->settle(copy, shape, best);
+                            : refinement_->settle(copy, shape, best, around_.enough());
     if (decisions && !known) decisions->keep(SettledCopy{copy, settled.offset});
     return settled;
 }

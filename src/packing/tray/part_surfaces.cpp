@@ -16,11 +16,11 @@ Mesh PartSurfaces::turned_mesh(int part, int orientation) const {
     return transformed(*scaled.mesh, {turn_of(scaled, orientation), {}});
 }
 
-std::shared_ptr<const Bvh> PartSurfaces::at(int part, int orientation) {
+std::shared_ptr<const Bvh> PartSurfaces::at(int part, int orientation, const StopToken& stop) {
     std::shared_ptr<const Bvh>& surface = made_[{part, orientation}];
     if (!surface) {
         const ScaledPart scaled = part_of_(part);
-        if (part != part_) plain_ = std::make_unique<const Bvh>(*scaled.mesh);
+        if (part != part_) plain_ = std::make_unique<const Bvh>(*scaled.mesh, false, stop);
         part_ = part;
         surface = std::make_shared<const Bvh>(plain_->turned(turn_of(scaled, orientation)));
     }

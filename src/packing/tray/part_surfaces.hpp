@@ -40,8 +40,8 @@ class PartSurfaces {
     ScaledPart part(int part) const { return part_of_(part); }
     Mesh turned_mesh(int part, int orientation) const;
 
-    /// Of the turned mesh. Made when first asked for, then kept.
-    std::shared_ptr<const Bvh> at(int part, int orientation);
+    /// Of the turned mesh. Made when first asked for, then kept. Throws Stopped once `stop` is requested.
+    std::shared_ptr<const Bvh> at(int part, int orientation, const StopToken& stop = {});
     /// Makes what is missing of `wanted`, in parallel by part.
     void make(const std::vector<TurnedPart>& wanted);
 

@@ -18,10 +18,11 @@ Refinement::Refinement(const RefineOptions& options, double voxel_size, int deta
       workers_(workers),
       refiner_(options) {}
 
-void Refinement::take_mesh(int part, int orientation) {
+void Refinement::take_mesh(int part, int orientation, const StopToken& stop) {
     if (last_ == TurnedPart{part, orientation}) return;
+    const TurnedPart before = std::exchange(last_, kNone);
     mesh_ = surfaces_.turned_mesh(part, orientation);
-    if (last_.part != part) closed_ = is_closed(mesh_);
+    if (before.part != part) closed_ = is_closed(mesh_, stop);
     last_ = {part, orientation};
 }
 
@@ -35,12 +36,12 @@ Settled Refinement::put(PlacedSurface standing, int gap_class) {
     return settled;
 }
 
-Settled Refinement::settle(const Copy& copy, const Shape& shape, const BestPlacement& best) {
+Settled Refinement::settle(const Copy& copy, const Shape& shape, const BestPlacement& best, const StopToken& stop) {
     const Stopwatch watch;
     const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(best.index)];
     const Vec3 on_grid = settle_on_grid(shape, best, voxel_size_, detail_, options_.wall_gap).offset;
-    take_mesh(copy.part, oriented.orientation);
-    PlacedSurface refined{surfaces_.at(copy.part, oriented.orientation), on_grid, surfaces_.part(copy.part).gap};
+    take_mesh(copy.part, oriented.orientation, stop);
+    PlacedSurface refined{surfaces_.at(copy.part, oriented.orientation, stop), on_grid, surfaces_.part(copy.part).gap};
     const Vec3 slid = refiner_.refine(refined, descent(best.neighbours), workers_).offset;
     if (may_stand_(copy.part, oriented.orientation, slid)) refined.offset = slid;
     Settled settled = put(std::move(refined), shape.gap_class);

@@ -30,7 +30,8 @@ class Refinement {
     }
     const std::vector<PlacedSurface>& from_start() const { return from_start_; }
 
-    Settled settle(const Copy& copy, const Shape& shape, const BestPlacement& best);
+    /// Throws Stopped, and then the copy does not stand, where `stop` is requested before its surface is there.
+    Settled settle(const Copy& copy, const Shape& shape, const BestPlacement& best, const StopToken& stop);
 
     /// The copy comes to stand with its turned mesh moved by `offset`, as it is.
     Settled stand_at(const Copy& copy, int orientation, const Vec3& offset, int gap_class);
@@ -44,7 +45,7 @@ class Refinement {
     double seconds() const { return seconds_; }  ///< spent on settling copies, for the record
 
   private:
-    void take_mesh(int part, int orientation);
+    void take_mesh(int part, int orientation, const StopToken& stop = {});
     Settled put(PlacedSurface standing, int gap_class);
 
     RefineOptions options_;
@@ -55,7 +56,9 @@ class Refinement {
     Workers workers_;
     Refiner refiner_;
     std::vector<PlacedSurface> from_start_;
-    TurnedPart last_{-1, 0};  // whose mesh that is: copies of a part mostly come one after the other
+    static constexpr TurnedPart kNone{-1, 0};
+
+    TurnedPart last_ = kNone;  // whose mesh that is: copies of a part mostly come one after the other
     Mesh mesh_;
     bool closed_ = false;  // it is, in whatever orientation
     double seconds_ = 0;
