@@ -35,8 +35,11 @@ class Cutter {
   private:
     bool is_above(Index vertex) const { return heights_[vertex] >= 0; }
 
-    /// The same vertex for both triangles of an edge.
+    /// The same vertex for both triangles of an edge. One that lies in the plane is its own, so it leaves no slivers.
     Index crossing(Index a, Index b) {
+        for (const Index end : {a, b}) {
+            if (heights_[end] == 0) return end;
+        }
         if (a > b) std::swap(a, b);
         const auto [entry, is_new] =
             crossings_.try_emplace(std::uint64_t{a} << 32 | b, static_cast<Index>(vertices_.size()));
@@ -49,6 +52,10 @@ class Cutter {
             vertices_.push_back(point);
         }
         return entry->second;
+    }
+
+    static void add(std::vector<Triangle>& triangles, const Triangle& t) {
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
     }
 
     void split(const Triangle& triangle) {
@@ -67,17 +74,17 @@ class Cutter {
         }
         const Index a = triangle[lone], b = triangle[(lone + 1) % 3], c = triangle[(lone + 2) % 3];
         const Index p = crossing(a, b), q = crossing(a, c);
-        (lone_above ? above_ : below_).push_back({a, p, q});
+        add(lone_above ? above_ : below_, {a, p, q});
         std::vector<Triangle>& others = lone_above ? below_ : above_;
         const Vec3 pc = vertices_[c] - vertices_[p], qb = vertices_[b] - vertices_[q];
         if (dot(pc, pc) < dot(qb, qb)) {
-            others.push_back({p, b, c});
-            others.push_back({p, c, q});
+            add(others, {p, b, c});
+            add(others, {p, c, q});
         } else {
-            others.push_back({p, b, q});
-            others.push_back({b, c, q});
+            add(others, {p, b, q});
+            add(others, {b, c, q});
         }
-        steps_.push_back(lone_above ? Step{p, q} : Step{q, p});
+        if (p != q) steps_.push_back(lone_above ? Step{p, q} : Step{q, p});
     }
 
     /// Every vertex of the cut is left as often as it is come to, so the steps are loops.

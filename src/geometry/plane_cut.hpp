@@ -24,7 +24,8 @@ struct CutMesh {
 
 /// Both sides of the plane, each closed by the same triangles in the plane. Precondition: the mesh is closed
 /// (is_closed()); then both sides are, and their volumes add up to the mesh's but for rounding, also where it crosses
-/// itself. What lies in the plane counts as above it. O(n) and the square of the points in the plane.
+/// itself. What lies in the plane counts as above it: whole facets there leave a sheet. O(n) and the square of the
+/// points in the plane.
 CutMesh cut_mesh(const Mesh& mesh, const Plane& plane);
 
 }  // namespace spectralpack
