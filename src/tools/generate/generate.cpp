@@ -7,6 +7,7 @@
 #include "formats/mesh_reader.hpp"
 #include "formats/packing_file.hpp"
 #include "formats/set_file.hpp"
+#include "geometry/mesh_weld.hpp"
 #include "spectralpack/error.hpp"
 #include "spectralpack/mesh_figures.hpp"
 #include "tools/generate/segments.hpp"
@@ -66,6 +67,18 @@ void require_closed(const LoadedMesh& loaded, const std::filesystem::path& file)
     throw InputError(file.string(), loaded.object ? "object " + *loaded.object : "", cause);
 }
 
+/// As its file will say it: in single precision, without the facets that have no area there.
+Mesh written(Mesh mesh) {
+    for (Vec3& v : mesh.vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            v[axis] = static_cast<double>(static_cast<float>(v[axis]));
+        }
+    }
+    weld_equal_vertices(mesh);
+    std::erase_if(mesh.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+    return mesh;
+}
+
 }  // namespace
 
 GeneratedFiles generate(const GenerateOptions& options, const std::filesystem::path& folder, const Control& control) {
@@ -89,7 +102,8 @@ GeneratedFiles generate_segments(const std::filesystem::path& file, const Segmen
         }
         const Mesh whole = transformed(loaded.mesh, {loaded.unit.value_or(options.unit) * Mat3{}, {}});
         for (Mesh& piece : cut_into_segments(whole, {options.tray, options.pieces, options.seed})) {
-            parts.push_back({segment_name(file.stem().string(), parts.size() + 1), std::move(piece), loaded.instances});
+            parts.push_back(
+                {segment_name(file.stem().string(), parts.size() + 1), written(std::move(piece)), loaded.instances});
         }
     }
     return write_parts(parts, GeneratedSet::segments, folder, control);
