@@ -312,8 +312,8 @@ Table segments(const Sizes& s) {
     Table table{
         "segments", "Segments in the least box (Fig. 16)",
         "The paper packs what PackMerger (Vanek et al. 2014) makes of two bodies: 13 pieces of a bunny, 12 of a "
-        "molecule, 1 mm apart. Those pieces are not available: these are of bodies of about their size, so "
-        "volumes show the order of magnitude, not who packs better."};
+        "molecule, 1 mm apart. Those are not available: these are two bodies of our own, cut by planes, so only "
+        "the seconds and the order of magnitude compare."};
     table.boxes = true;
     const std::pair<const char*, const char*> bodies[]{{"bunny", "2.90·10⁵ mm³, 19.2 s; PackMerger 4.01·10⁵ mm³"},
                                                        {"molecule", "2.09·10⁵ mm³, 27.4 s; PackMerger 3.67·10⁵ mm³"}};

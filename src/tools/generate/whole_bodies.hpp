@@ -1,11 +1,11 @@
 #pragma once
-/// Bodies that are made to be cut up: of about the size and the build of those in the paper's figure 16.
+/// Bodies that are made to be cut up, in the manner of those in the paper's figure 16, which are not available.
 
 #include "spectralpack/mesh.hpp"
 
 namespace spectralpack::tools {
 
-/// Something like a sitting rabbit, about 100 x 70 x 120 mm.
+/// Something like a sitting rabbit, 100 x 66 x 123 mm, its trunk and head hollow.
 Mesh bunny_body();
 
 /// Ten balls, six of them in a ring, joined by rods.
