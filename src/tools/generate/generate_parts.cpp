@@ -117,8 +117,6 @@ Mesh flattened(const Mesh& mesh, bool round, Dice& dice) {
     return transformed(mesh, {scale, {}});
 }
 
-Mesh at_origin(const Mesh& mesh) { return transformed(mesh, {Mat3{}, -bounding_box(mesh).min}); }
-
 /// Turned, its longest side `size` or as long as fits the tray, its box minimum at the origin.
 Mesh finished(const Mesh& mesh, const Mat3& rotation, double size) {
     const Mesh turned = transformed(mesh, {rotation, {}});

@@ -85,9 +85,9 @@ double molecule(const Vec3& p) {
     return d;
 }
 
-Mesh at_origin(const Mesh& mesh) { return transformed(mesh, {Mat3{}, -bounding_box(mesh).min}); }
-
 }  // namespace
+
+Mesh at_origin(const Mesh& mesh) { return transformed(mesh, {Mat3{}, -bounding_box(mesh).min}); }
 
 Mesh bunny_body() { return at_origin(surface_of(bunny, {{-52, -42, -3.75}, {62, 42, 131}}, kStep)); }
 

@@ -11,4 +11,7 @@ Mesh bunny_body();
 /// Ten balls, six of them in a ring, joined by rods.
 Mesh molecule_body();
 
+/// Moved to where its box minimum is the origin, as parts are written.
+Mesh at_origin(const Mesh& mesh);
+
 }  // namespace spectralpack::tools
