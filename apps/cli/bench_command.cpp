@@ -78,6 +78,7 @@ Command add_bench_command(CLI::App& app) {
         "letters    mixtures in the letters of SIGGRAPH (Fig. 14)\n"
         "tori       48 distorted tori (Fig. 22)\n"
         "polyhedra  80 and 77 of them at fine voxels, in steps of 30 degrees (Fig. 17)\n"
+        "segments   13 and 12 pieces of two bodies in the least box (Fig. 16)\n"
         "all        all of these, which takes most of a day on two cores\n"
         "\n"
         "  spectralpack bench --table order --scale quick -o bench/\n"
@@ -89,7 +90,8 @@ Command add_bench_command(CLI::App& app) {
         "it ends: the same call goes on where it was cut off, and what has the same command, program and inputs is not\n"
         "run again. Writes DIR/table-NAME.md and .csv (and .svg where runs take long enough to see how time grows), and\n"
         "DIR/benchmarks.md with all of them; packings and logs stay in DIR/runs. The sets are generated with seed 0, or come from a folder with pieces.csv, mixtures.csv,\n"
-        "locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv), polyhedra.csv.\n"
+        "locks.csv, tori.csv (or tori48.csv), large.csv (or sixthousand.csv), polyhedra.csv, bunny.csv,\n"
+        "molecule.csv.\n"
         "Exit status: 0 done; 1 some run failed; 130 interrupted.");
     auto arguments = std::make_shared<BenchArguments>();
     BenchArguments& a = *arguments;

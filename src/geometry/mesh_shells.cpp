@@ -186,4 +186,12 @@ bool shells_overlap(const Mesh& mesh, const ShellGroups& groups) {
     return false;
 }
 
+double winding_number(const Mesh& mesh, const Vec3& point) {
+    double angle = 0;
+    for (const Triangle& triangle : mesh.triangles) {
+        angle += half_solid_angle(mesh, triangle, point);
+    }
+    return angle / (2 * std::numbers::pi);
+}
+
 }  // namespace spectralpack

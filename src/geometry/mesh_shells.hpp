@@ -40,4 +40,7 @@ std::size_t turn_outwards(Mesh& mesh, const ShellGroups& groups);
 /// what it finds is so, what it does not find may still be.
 bool shells_overlap(const Mesh& mesh, const ShellGroups& groups);
 
+/// How often a closed mesh winds round a point, but for rounding; a fraction on its surface. O(n).
+double winding_number(const Mesh& mesh, const Vec3& point);
+
 }  // namespace spectralpack

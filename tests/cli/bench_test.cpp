@@ -207,6 +207,26 @@ TEST_F(Bench, PolyhedraOfEightyAndSeventySevenAtTwoVoxelSizes) {
     EXPECT_TRUE(names(ran.out, {51.27, 56.37, 329})) << "the published values";
 }
 
+TEST_F(Bench, SegmentsArePackedIntoTheLeastBox) {
+    const Ran ran = bench("segments", {"--rows", "90°, 5 mm"});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    const auto all = rows("segments");
+    ASSERT_EQ(all.size(), 2u);
+    for (const auto& row : all) {
+        const bool bunny = row.at("set") == "bunny";
+        EXPECT_EQ(row.at("copies"), bunny ? "13" : "12");
+        EXPECT_EQ(row.at("placed"), row.at("copies"));
+        EXPECT_TRUE(contains(row.at("command"), " --minimise box ")) << row.at("command");
+        EXPECT_TRUE(contains(row.at("command"), " --gap 1")) << row.at("command");
+        const double box = std::stod(row.at("box_volume"));
+        EXPECT_NEAR(box * std::stod(row.at("density_own_box")), bunny ? 118.9e3 : 85.6e3, 500) << "of its pieces";
+        char text[16];
+        std::snprintf(text, sizeof text, "%.2f", box / 1e5);
+        EXPECT_TRUE(contains(ran.out, text)) << text;
+    }
+    EXPECT_TRUE(names(ran.out, {2.90, 4.01, 19.2, 2.09, 3.67, 27.4})) << "the published values";
+}
+
 TEST_F(Bench, SetsOfAFolderArePacked) {
     fs::create_directories(folder_ / "sets");
     for (const char* name : {"pieces", "mixtures", "locks"}) {

@@ -142,6 +142,8 @@ TEST_F(Faults, NumbersAreDecimalAndWithinTheirRangeForEveryCommand) {
         {"generate", "tori", "-o", made, "--seed=0x1"},
         {"generate", "tori", "-o", made, "--count=0x1"},
         {"generate", "tori", "-o", made, "--count=0"},
+        {"generate", "segments", at("cube.stl"), "-o", made, "--pieces=0x2"},
+        {"generate", "segments", at("cube.stl"), "-o", made, "--tray=0x10x10x10"},
         {"prepare", folder_.path().string(), "-o", "/tmp/none", "--triangles=-1"},
         {"check", build_file, "--threads=0x1"},
         {"plan", build_file, "--voxel=0x2"},

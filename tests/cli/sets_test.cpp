@@ -98,6 +98,100 @@ TEST_F(Sets, LettersAreSevenContainers) {
     EXPECT_EQ(bounding_box(read_meshes(in("letters/letter-G.stl"))[0].mesh).max, (Vec3{322, 322, 80}));
 }
 
+TEST_F(Sets, SegmentsAreOfTwoBodiesAndTheSameForASeed) {
+    const Ran ran = spectralpack({"generate", "segments", "--seed", "3", "-o", in("a")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.out, {in("a/segments.csv"), 25, "copies"}));
+    EXPECT_EQ(read_set(in("a/bunny.csv")).size(), 13u);
+    EXPECT_EQ(read_set(in("a/molecule.csv")).size(), 12u);
+    for (const SetRow& row : read_set(in("a/segments.csv"))) {
+        const auto loaded = read_meshes(in("a/" + row.mesh));
+        ASSERT_EQ(loaded.size(), 1u);
+        EXPECT_TRUE(loaded[0].repairs.empty()) << row.mesh << ": " << loaded[0].repairs[0];
+        EXPECT_TRUE(is_closed(loaded[0].mesh)) << row.mesh;
+    }
+    EXPECT_EQ(spectralpack({"generate", "segments", "--seed", "3", "-o", in("b")}).status, 0);
+    EXPECT_EQ(contents(in("a")), contents(in("b")));
+    EXPECT_EQ(spectralpack({"generate", "segments", "--seed", "4", "-o", in("c")}).status, 0);
+    EXPECT_NE(contents(in("a")), contents(in("c")));
+    const Ran packed = spectralpack({"pack", in("a/bunny.csv"), "--tray", "160x160", "--minimise", "box", "--gap", "1",
+                                     "--voxel", "5", "--require-all", "-o", in("bunny.json")});
+    EXPECT_EQ(packed.status, 0) << packed.err;
+    EXPECT_EQ(spectralpack({"check", in("bunny.json"), "--require-plan"}).status, 0);
+}
+
+TEST_F(Sets, AMeshTooLargeForTheTrayIsCutIntoPiecesThatFit) {
+    const Mesh ring = torus_mesh(100, 30, 60, 30);
+    write_stl(transformed(ring, {Mat3{}, {500, -40, 7}}), folder_ / "ring.stl");
+    EXPECT_EQ(spectralpack({"pack", in("ring.stl"), "--tray", "150x150x70", "-o", in("whole.json")}).status, 6);
+    const Ran ran = spectralpack({"generate", "segments", in("ring.stl"), "--tray", "150x150x70", "-o", in("cut")});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_TRUE(names(ran.out, {in("cut/segments.csv"), 4, "pieces"})) << ran.out;
+    double volume = 0;
+    Box box;
+    const auto rows = read_set(in("cut/segments.csv"));
+    EXPECT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0].mesh, "ring-01.stl");
+    for (const SetRow& row : rows) {
+        const auto loaded = read_meshes(in("cut/" + row.mesh));
+        ASSERT_EQ(loaded.size(), 1u);
+        EXPECT_TRUE(loaded[0].repairs.empty()) << loaded[0].repairs[0];
+        EXPECT_TRUE(is_closed(loaded[0].mesh));
+        volume += signed_volume(loaded[0].mesh);
+        box.add(bounding_box(loaded[0].mesh));
+    }
+    const Mesh whole = read_meshes(in("ring.stl"))[0].mesh;
+    EXPECT_NEAR(volume, signed_volume(whole), 1e-6 * signed_volume(whole));
+    EXPECT_EQ(box, bounding_box(whole)) << "each where it lay in the whole";
+    const Ran packed = spectralpack({"pack", in("cut/segments.csv"), "--tray", "150x150x70", "--trays", "all",
+                                     "--require-all", "--voxel", "4", "-o", in("cut.json")});
+    EXPECT_EQ(packed.status, 0) << packed.err;
+    // What fits stays whole, unless more pieces are asked for.
+    EXPECT_EQ(spectralpack({"generate", "segments", in("ring.stl"), "--tray", "70x260x270", "-o", in("one")}).status,
+              0);
+    EXPECT_EQ(read_set(in("one/segments.csv")).size(), 1u);
+    EXPECT_EQ(spectralpack({"generate", "segments", in("ring.stl"), "--pieces", "6", "-o", in("six")}).status, 0);
+    EXPECT_EQ(read_set(in("six/segments.csv")).size(), 6u);
+    // Units count.
+    EXPECT_EQ(spectralpack({"generate", "segments", in("ring.stl"), "--unit", "inch", "--tray", "3500x3500x1800", "-o",
+                            in("inch")})
+                  .status,
+              0);
+    EXPECT_EQ(read_set(in("inch/segments.csv")).size(), 4u);
+}
+
+TEST_F(Sets, AnOpenMeshIsNotCut) {
+    Mesh open = cube_mesh(20);
+    open.triangles.pop_back();
+    write_stl(open, folder_ / "open.stl");
+    const Ran ran = spectralpack({"generate", "segments", in("open.stl"), "--tray", "10x10x10", "-o", in("x")});
+    EXPECT_EQ(ran.status, 3);
+    EXPECT_TRUE(names(ran.err, {in("open.stl"), "not closed", 3, "edges"})) << ran.err;
+    EXPECT_FALSE(fs::exists(in("x")));
+    EXPECT_EQ(spectralpack({"generate", "segments", in("none.stl"), "-o", in("x")}).status, 3);
+}
+
+TEST_F(Sets, SegmentsRefuseWhatMakesNoSense) {
+    write_stl(cube_mesh(20), folder_ / "cube.stl");
+    const std::vector<std::vector<std::string>> wrong{{"segments", "--count", "5"},
+                                                      {"segments", "--tray", "10x10x10"},
+                                                      {"segments", "--pieces", "5"},
+                                                      {"segments", in("cube.stl"), "--count", "5"},
+                                                      {"segments", in("cube.stl"), "--pieces", "0"},
+                                                      {"segments", in("cube.stl"), "--pieces", "1001"},
+                                                      {"segments", in("cube.stl"), "--tray", "1x1x1"},
+                                                      {"segments", in("cube.stl"), "--tray", "10x10"},
+                                                      {"segments", in("cube.stl"), "--unit", "cubit"},
+                                                      {"tori", in("cube.stl")}};
+    for (const auto& call : wrong) {
+        const Ran ran =
+            spectralpack(std::vector<std::string>{"generate"} + call + std::vector<std::string>{"-o", in("x")});
+        EXPECT_EQ(ran.status, 2) << call.back() << ": " << ran.err;
+        EXPECT_FALSE(ran.err.empty());
+    }
+    EXPECT_FALSE(fs::exists(in("x")));
+}
+
 TEST_F(Sets, GenerateRefusesWhatMakesNoSense) {
     EXPECT_EQ(spectralpack({"generate", "bricks", "-o", in("x")}).status, 2);
     EXPECT_EQ(spectralpack({"generate", "pieces", "--count", "0", "-o", in("x")}).status, 2);

@@ -67,8 +67,8 @@ void expect_sound(const GeneratedPart& part) {
 TEST(GeneratedSets, EveryMeshIsSoundWhateverTheSeed) {
     for (const GeneratedSet set : kSets) {
         for (const std::uint64_t seed : {0u, 1u, 2u}) {
-            const bool letters = set == GeneratedSet::letters;
-            const auto parts = generate_parts({set, seed, letters ? std::nullopt : std::optional(200)});
+            const bool letters = set == GeneratedSet::letters, segments = set == GeneratedSet::segments;
+            const auto parts = generate_parts({set, seed, letters || segments ? std::nullopt : std::optional(200)});
             for (const GeneratedPart& part : parts) {
                 expect_sound(part);
             }
@@ -81,10 +81,11 @@ TEST(GeneratedSets, RefusesNumbersThatMakeNoSense) {
     EXPECT_THROW(generate_parts({GeneratedSet::pieces, 0, 0}), UsageError);
     EXPECT_THROW(generate_parts({GeneratedSet::pieces, 0, 10'000'001}), UsageError);
     EXPECT_THROW(generate_parts({GeneratedSet::letters, 0, 3}), UsageError) << "there are always seven";
+    EXPECT_THROW(generate_parts({GeneratedSet::segments, 0, 3}), UsageError) << "there are always 25";
 }
 
 TEST(GeneratedSets, NamesAreUniqueAndCopiesAddUp) {
-    const int expected[] = {1446, 286, 468, 48, 80, 8};
+    const int expected[] = {1446, 286, 468, 48, 80, 8, 25};
     for (std::size_t i = 0; i < kSets.size(); ++i) {
         std::set<std::string> names;
         int copies = 0;
@@ -161,7 +162,8 @@ TEST(GeneratedSets, LettersFillTheirBoxWhateverTheSeed) {
 
 TEST(GeneratedSets, TheSameSeedGivesTheSameBitsOnEveryMachine) {
     const std::uint64_t expected[] = {5707763886658800452u, 3374524357999745200u, 17712619925501134617u,
-                                      5849794097200047623u, 4732503296566822603u, 8801153097218782892u};
+                                      5849794097200047623u, 4732503296566822603u, 8801153097218782892u,
+                                      14629577709095613703u};
     for (std::size_t i = 0; i < kSets.size(); ++i) {
         EXPECT_EQ(hash_of(generate_parts({kSets[i], 1, {}})), expected[i]) << i;
     }

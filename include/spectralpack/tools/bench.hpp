@@ -76,7 +76,7 @@ struct BenchSummary {
     StopReason stopped = StopReason::none;
 };
 
-/// "1" to "5", "order", "height", "letters", "tori", "polyhedra": the tables there are.
+/// "1" to "5", "order", "height", "letters", "tori", "polyhedra", "segments": the tables there are.
 const std::vector<std::string>& bench_tables();
 
 /// Runs the tables' rows one after the other and writes `folder`/table-NAME.md, .csv and, where a run took long enough

@@ -9,6 +9,7 @@
 #include "formats/file_bytes.hpp"
 #include "spectralpack/files.hpp"
 #include "tools/bench/quoted.hpp"
+#include "tools/generate/segments.hpp"
 
 namespace spectralpack::tools {
 namespace {
@@ -110,6 +111,9 @@ fs::path BenchSets::generated(GeneratedSet set, std::optional<int> copies) {
 }
 
 fs::path BenchSets::generated(const std::string& name) {
+    if (name == kBunny || name == kMolecule) {
+        return generated(GeneratedSet::segments, {}).parent_path() / (name + ".csv");
+    }
     std::vector<fs::path> files;
     for (const GeneratedSize& part : kGenerated.at(name)) {
         files.push_back(generated(part.set, scale_ == BenchScale::full ? part.full : part.quick));

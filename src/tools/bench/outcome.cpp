@@ -30,6 +30,7 @@ void for_each_value(AnyOutcome& o, const Visit& visit) {
     visit("trays", o.trays);
     visit("density", o.density);
     visit("own-box", o.own_box);
+    visit("box-volume", o.box_volume);
     visit("height", o.height);
     visit("seconds", o.seconds);
     visit("cpu-seconds", o.cpu_seconds);

@@ -17,9 +17,10 @@ struct Outcome {
     std::int64_t copies = 0, placed = 0, interlocked = 0;
     bool planned = false;  ///< there is a whole plan to take it apart
     int trays = 0;
-    double density = 0;  ///< of the container; of many, the mean
-    double own_box = 0;  ///< of the packing's own box; of many trays, of the last
-    double height = 0;   ///< mm; of many trays, of the last
+    double density = 0;     ///< of the container; of many, the mean
+    double own_box = 0;     ///< of the packing's own box; of many trays, of the last
+    double box_volume = 0;  ///< mm^3, of that box
+    double height = 0;      ///< mm; of many trays, of the last
     double seconds = 0, cpu_seconds = 0;
     double busy = 0;  ///< load of the machine when it began
     double load = 0, voxelize = 0, search = 0, refine = 0, disassemble = 0, reinsert = 0;

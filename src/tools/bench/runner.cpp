@@ -70,6 +70,7 @@ void measure(const Packing& packing, Outcome& outcome) {
     outcome.planned = true;
     for (const TrayPacking& tray : packing.trays) {
         outcome.own_box = tray.density_bounding_box;
+        outcome.box_volume = tray.bounding_box.volume();
         outcome.height = tray.height;
         outcome.planned = outcome.planned && tray.disassembly && tray.disassembly->complete;
     }
@@ -274,6 +275,7 @@ std::optional<Outcome> Runner::run_peer(const std::string& what, const BenchPeer
     outcome.trays = 1;
     outcome.density = volume / (room.x * room.y * (closed ? room.z : taken.z));
     outcome.own_box = volume / box.volume();
+    outcome.box_volume = box.volume();
     outcome.height = box.size().z;
     outcome.seconds = ended.wall_seconds;
     outcome.cpu_seconds = ended.cpu_seconds;

@@ -30,6 +30,7 @@ struct Table {
     std::string name, title;
     std::string note = "";
     bool phases = false;  ///< shares of time per phase are of interest
+    bool boxes = false;   ///< the volume of the packing's box is, and the time that a copy takes
     std::vector<Row> rows = {};
 };
 

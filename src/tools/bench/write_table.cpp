@@ -56,6 +56,12 @@ std::string fixed_text(const Outcome& o) {
                         : fmt::format("{} trays, last {:.1f} mm", o.trays, o.height);
 }
 
+/// The volume of its box, and how long a copy took.
+std::vector<std::string> box_texts(const Outcome& o) {
+    return {fmt::format("{:.2f}·10⁵ mm³", o.box_volume / 1e5),
+            o.placed > 0 ? fmt::format("{:.2f}", o.seconds / static_cast<double>(o.placed)) : ""};
+}
+
 /// Milliseconds a copy, in the middle of what was placed since the point before.
 Curve curve_of(const std::string& name, const Outcome& outcome) {
     Curve curve{name, {}};
@@ -71,7 +77,7 @@ Curve curve_of(const std::string& name, const Outcome& outcome) {
 
 std::string csv(const std::vector<RanRow>& rows) {
     std::string text =
-        "set,setting,kind,copies,placed,interlocked,planned,cut_off,trays,density,density_own_box,height,"
+        "set,setting,kind,copies,placed,interlocked,planned,cut_off,trays,density,density_own_box,box_volume,height,"
         "seconds,cpu_seconds,busy,load,voxelize,search,refine,disassemble,reinsert,peak_memory,program,commit,"
         "machine,date,command\n";
     for (const RanRow& ran : rows) {
@@ -79,11 +85,11 @@ std::string csv(const std::vector<RanRow>& rows) {
             if (!*outcome) continue;
             const Outcome& o = **outcome;
             text += fmt::format(
-                "{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                "{},{},{},{},{},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                 quoted(ran.row.set), quoted(ran.row.setting), outcome == &ran.tray ? "tray" : "fixed", o.copies,
-                o.placed, o.interlocked, o.planned, o.cut_off, o.trays, o.density, o.own_box, o.height, o.seconds,
-                o.cpu_seconds, o.busy, o.load, o.voxelize, o.search, o.refine, o.disassemble, o.reinsert, o.peak_memory,
-                quoted(o.program), quoted(o.commit), quoted(o.machine), o.date, quoted(o.command));
+                o.placed, o.interlocked, o.planned, o.cut_off, o.trays, o.density, o.own_box, o.box_volume, o.height,
+                o.seconds, o.cpu_seconds, o.busy, o.load, o.voxelize, o.search, o.refine, o.disassemble, o.reinsert,
+                o.peak_memory, quoted(o.program), quoted(o.commit), quoted(o.machine), o.date, quoted(o.command));
         }
     }
     return text;
@@ -107,6 +113,7 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
                                   "the paper"};
     const std::string phases = "load / voxels / search / refine / plan / put back, %";
     if (table.phases) add_words(head, {"tray: " + phases, "fixed: " + phases});
+    if (table.boxes) add_words(head, {"box", "seconds a copy"});
     text += line(head) + line(std::vector<std::string>(head.size(), "---"));
     std::map<std::string, std::pair<double, double>> stamps;  // and the least and most load
     std::string commands;
@@ -127,6 +134,7 @@ std::string markdown(const Table& table, const std::vector<RanRow>& rows) {
         if (table.phases) {
             add_words(cells, {ran.tray ? phases_text(*ran.tray) : "", ran.fixed ? phases_text(*ran.fixed) : ""});
         }
+        if (table.boxes) add_words(cells, ran.fixed ? box_texts(*ran.fixed) : std::vector<std::string>{"", ""});
         text += line(cells);
         for (const auto* outcome : {&ran.tray, &ran.fixed}) {
             if (!*outcome) continue;

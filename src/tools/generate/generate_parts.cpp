@@ -9,7 +9,9 @@
 #include "tools/generate/dice.hpp"
 #include "tools/generate/letters.hpp"
 #include "tools/generate/polyhedra.hpp"
+#include "tools/generate/segments.hpp"
 #include "tools/generate/turned_parts.hpp"
+#include "tools/generate/whole_bodies.hpp"
 
 namespace spectralpack::tools {
 namespace {
@@ -30,6 +32,9 @@ const std::vector<double> kToriSizes{38, 45, 52, 60, 68, 75, 85};
 // So that 80 polyhedra have about the volume that the paper's density and box come to (figure 17): 561 mm^3 each.
 const std::vector<double> kPolyhedraSizes{7, 9, 10, 12, 13, 15, 16, 18, 21, 24};
 constexpr int kPolyhedraCount = 8;
+
+// As the paper's figure 16 has them.
+constexpr int kBunnyPieces = 13, kMoleculePieces = 12;
 
 constexpr Vec3 kTray{480, 245, 200};  // mm; whatever is generated fits it as it lies
 
@@ -119,7 +124,7 @@ Mesh finished(const Mesh& mesh, const Mat3& rotation, double size) {
     const double scale = std::min(
         {size / std::max({sides.x, sides.y, sides.z}), kTray.x / sides.x, kTray.y / sides.y, kTray.z / sides.z});
     const Mesh scaled = transformed(turned, {scale * Mat3{}, {}});
-    return transformed(scaled, {Mat3{}, -bounding_box(scaled).min});
+    return at_origin(scaled);
 }
 
 /// Copies of a set where nobody says how many.
@@ -136,7 +141,8 @@ int usual_copies(GeneratedSet set) {
         case GeneratedSet::polyhedra:
             return 80;
         case GeneratedSet::letters:
-            return 8;
+        case GeneratedSet::segments:
+            break;
     }
     return 0;
 }
@@ -181,17 +187,34 @@ std::vector<GeneratedPart> letters() {
     return parts;
 }
 
+std::vector<GeneratedPart> segments(std::uint64_t seed) {
+    std::vector<GeneratedPart> parts;
+    RandomStream seeds(seed);
+    const auto add = [&](const std::string& name, const Mesh& whole, int pieces) {
+        std::size_t number = 0;
+        for (const Mesh& piece : cut_into_segments(whole, {.pieces = pieces, .seed = seeds.next()})) {
+            parts.push_back({segment_name(name, ++number), at_origin(piece), 1});
+        }
+    };
+    add(kBunny, bunny_body(), kBunnyPieces);
+    add(kMolecule, molecule_body(), kMoleculePieces);
+    return parts;
+}
+
 }  // namespace
 
 std::vector<GeneratedPart> generate_parts(const GenerateOptions& options) {
-    const bool letters_only = options.set == GeneratedSet::letters;
-    if (options.copies && letters_only) {
+    if (options.copies && options.set == GeneratedSet::letters) {
         throw UsageError("letters are always the same seven containers: they take no number of copies");
+    }
+    if (options.copies && options.set == GeneratedSet::segments) {
+        throw UsageError("segments are always 13 pieces of one body and 12 of another: they take no number of copies");
     }
     if (options.copies && (*options.copies < 1 || *options.copies > kMaxCopies)) {
         throw UsageError("the number of copies must be from 1 to 10000000");
     }
-    if (letters_only) return letters();
+    if (options.set == GeneratedSet::letters) return letters();
+    if (options.set == GeneratedSet::segments) return segments(options.seed);
     std::vector<GeneratedPart> parts;
     RandomStream seeds(options.seed);
     for (int left = options.copies.value_or(usual_copies(options.set)); left > 0;) {
@@ -208,8 +231,9 @@ std::vector<GeneratedPart> generate_parts(const GenerateOptions& options) {
 }
 
 std::span<const GeneratedSet> generated_sets() {
-    static constexpr GeneratedSet kSets[] = {GeneratedSet::pieces, GeneratedSet::mixtures,  GeneratedSet::locks,
-                                             GeneratedSet::tori,   GeneratedSet::polyhedra, GeneratedSet::letters};
+    static constexpr GeneratedSet kSets[] = {GeneratedSet::pieces,  GeneratedSet::mixtures,  GeneratedSet::locks,
+                                             GeneratedSet::tori,    GeneratedSet::polyhedra, GeneratedSet::letters,
+                                             GeneratedSet::segments};
     return kSets;
 }
 
