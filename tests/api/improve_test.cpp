@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "support/process.hpp"
 #include "support/shapes.hpp"
 
 namespace spectralpack {
@@ -42,13 +43,14 @@ double placed_value(const Packing& packing) {
 }
 
 TEST(Improve, ALowerPackingOfAll) {
-    Job job = job_of(5, {44, 40, 0});
+    Job job = job_of(9, {37, 34, 0});
+    job.parts[3].mesh = test::torus_mesh(9, 3);
     job.options.open_height = true;
     const PackResult first = pack(job);
     job.options.improve_steps = 60;
     const PackResult improved = pack(job);
     expect_sound(improved);
-    EXPECT_EQ(improved.packing.metrics.placed, 20);
+    EXPECT_EQ(improved.packing.metrics.placed, 36);
     const std::optional<Improved>& record = improved.packing.metrics.improvement;
     ASSERT_TRUE(record);
     EXPECT_EQ(record->what, Improves::height);
@@ -108,7 +110,7 @@ TEST(Improve, TheGoalDecidesTheFirstPackingToo) {
 }
 
 TEST(Improve, SeveralTraysLeaveLessToTheLast) {
-    Job job = job_of(9, {60, 50, 40});
+    Job job = job_of(9, {44, 40, 32});
     job.options.trays = 0;
     job.options.improve_steps = 8;
     const PackResult result = pack(job);
@@ -174,6 +176,47 @@ TEST(Improve, EndsWhenAskedToAndSaysHowManyStepsItTook) {
     job.enough_improved.reset();
     job.options.improve_steps = static_cast<int>(record.steps);
     EXPECT_EQ(pack(job).packing.metrics.improvement->now, record.now) << "the steps do not repeat it";
+}
+
+/// Kills the run at one of the things it is told once it improves.
+struct Killer : Listener {
+    struct Killed {};
+    int left = 1;
+    void on_event(const Event& event) override {
+        if (improving && event.kind == EventKind::tray_finished && left-- == 0) throw Killed();
+    }
+    void on_progress(const Progress& progress) override { improving = improving || progress.phase == Phase::improve; }
+    bool improving = false;
+};
+
+TEST(Improve, ARunThatWasKilledGoesOnFromItsBest) {
+    const test::TemporaryFolder folder;
+    JournalOptions journal;
+    journal.file = folder / "run.journal";
+    Job job = job_of(9, {37, 34, 0});
+    job.parts[3].mesh = test::torus_mesh(9, 3);
+    job.options.open_height = true;
+    job.options.improve = 1000;
+    Ender patient;
+    patient.left = 1'000'000;
+    job.enough_improved = patient.source.token();
+    struct Both : Killer {
+        double now = 0, seconds = 0;
+        void on_progress(const Progress& progress) override {
+            Killer::on_progress(progress);
+            if (progress.improved) now = progress.improved->now;
+        }
+    } killer;
+    EXPECT_THROW(pack(job, {&killer}, journal), Killer::Killed);
+    Ender ender;
+    ender.left = 2;
+    job.enough_improved = ender.source.token();
+    const PackResult result = pack(job, {&ender}, journal);
+    expect_sound(result);
+    const Improved& record = *result.packing.metrics.improvement;
+    EXPECT_LE(record.now, killer.now + 1e-9) << "what had been found is lost";
+    EXPECT_LT(killer.now, record.before);
+    EXPECT_GT(record.steps, 3) << "steps of the run before do not count";
 }
 
 TEST(Improve, DoesNotGoWithWhatHasAnotherAim) {

@@ -24,8 +24,8 @@ class Compactions : public testing::Test {
         placed.offset = at;
         return placed;
     }
-    bool run(std::vector<PlacedCopy>& placed, const StopToken& stop = {}) {
-        return compact({{{30, 30, 100}, 0, 4, 3}, {}}, surfaces_, nullptr, placed, Workers(1), stop);
+    bool run(std::vector<PlacedCopy>& placed, const StopToken& stop = {}, int sideways = 2) {
+        return compact({{{30, 30, 100}, 0, 4, 3}, {}, 3, sideways}, surfaces_, nullptr, placed, Workers(1), stop);
     }
 
     MeshParts parts_;
@@ -39,7 +39,7 @@ class Compactions : public testing::Test {
 
 TEST_F(Compactions, CopiesSinkOnWhatIsBelow) {
     std::vector<PlacedCopy> placed{copy(0, 0, {1, 1, 3}), copy(0, 1, {2, 2, 17}), copy(1, 0, {20, 20, 5})};
-    EXPECT_TRUE(run(placed));
+    EXPECT_TRUE(run(placed, {}, 0));
     EXPECT_NEAR(placed[0].offset.z, 0, 1e-6);
     EXPECT_NEAR(placed[1].offset.z, 10 + kGap, 1e-5);
     EXPECT_NEAR(placed[2].offset.z, 0, 1e-6);

@@ -80,6 +80,10 @@ static void record_values(Archive& archive, ConstOrNot<FilledTray> auto& filled)
     archive(filled.placed, filled.left_over, filled.untried, filled.searches, filled.why, filled.interlocked,
             filled.plan, filled.report, filled.height_at, filled.least_gap);
 }
+template <class Archive>
+static void record_values(Archive& archive, ConstOrNot<ImprovedTray> auto& improved) {
+    archive(improved.steps, improved.starts, improved.seconds, improved.tray);
+}
 
 namespace {
 
@@ -220,6 +224,8 @@ void RunJournal::take_record(const std::string& record) {
     } else if (reader.word() == "filled") {
         filling = {};
         filling.filled = read(FilledTray{});
+    } else if (reader.word() == "improved") {
+        filling.improved = read(ImprovedTray{});
     } else {
         throw InputError(path_.string(), "record '" + std::string(reader.word()) + "'", "is not known");
     }
@@ -256,6 +262,7 @@ std::optional<SettledCopy> RunJournal::recall_settled(const Copy& copy) { return
 std::optional<PackedTray> RunJournal::recall_packed() { return recall(&Filling::packed); }
 std::optional<TakenApart> RunJournal::recall_taken_apart() { return recall(&Filling::taken_apart); }
 std::optional<FilledTray> RunJournal::recall_filled() { return recall(&Filling::filled); }
+std::optional<ImprovedTray> RunJournal::recall_improved() { return recall(&Filling::improved); }
 
 template <class T>
 void RunJournal::write(const char* word, const T& decision) {
@@ -270,6 +277,7 @@ void RunJournal::keep(const SettledCopy& settled) { write("settled", settled); }
 void RunJournal::keep(const PackedTray& packed) { write("packed", packed); }
 void RunJournal::keep(const TakenApart& taken_apart) { write("apart", taken_apart); }
 void RunJournal::keep(const FilledTray& filled) { write("filled", filled); }
+void RunJournal::keep(const ImprovedTray& improved) { write("improved", improved); }
 
 /// Of what the file has become meanwhile, once.
 void RunJournal::tell() {

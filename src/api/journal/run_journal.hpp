@@ -29,11 +29,13 @@ class RunJournal final : public Decisions {
     std::optional<PackedTray> recall_packed() override;
     std::optional<TakenApart> recall_taken_apart() override;
     std::optional<FilledTray> recall_filled() override;
+    std::optional<ImprovedTray> recall_improved() override;
     void keep(const FoundPlace& found) override;
     void keep(const SettledCopy& settled) override;
     void keep(const PackedTray& packed) override;
     void keep(const TakenApart& taken_apart) override;
     void keep(const FilledTray& filled) override;
+    void keep(const ImprovedTray& improved) override;
 
     JournalUse use() const;
 
@@ -45,6 +47,7 @@ class RunJournal final : public Decisions {
         std::optional<PackedTray> packed;
         std::optional<TakenApart> taken_apart;
         std::optional<FilledTray> filled;
+        std::optional<ImprovedTray> improved;
     };
 
     bool goes_on(const JournalText& standing, Resume resume, const std::vector<InputFact>& facts);

@@ -8,6 +8,7 @@
 #include "core/stopwatch.hpp"
 #include "packing/improve/fewest_trays.hpp"
 #include "packing/improve/tray_improver.hpp"
+#include "packing/tray/decisions_fit.hpp"
 
 namespace spectralpack {
 namespace {
@@ -113,10 +114,11 @@ class Improving {
         };
         TrayImprover improver(started, filler.refining(wanted), shape_of, improver_options, packer_.workers(),
                               options_.enough);
+        go_on_from_journal(wanted, tray, improver);
         std::optional<ImprovedLayout> pending;
         std::int64_t found_at = 0;
         const auto settle = [&] {
-            if (pending) finish(filler, wanted, *pending, tray);
+            if (pending) finish(filler, wanted, *pending, improver, tray);
             pending.reset();
         };
         tell(improver);
@@ -125,19 +127,22 @@ class Improving {
                 pending = std::move(better);
                 found_at = improver.steps();
             }
+            packed_.improvement->steps = steps_before_ + improver.steps();
+            packed_.improvement->starts = improver.starts();
             if (pending && improver.steps() - found_at >= kSettled) settle();
             tell(improver);
         }
         settle();
-        packed_.improvement->steps = improver.steps();
+        packed_.improvement->steps = steps_before_ + improver.steps();
         packed_.improvement->starts = improver.starts();
-        packed_.improvement->seconds = watch_.seconds();
+        packed_.improvement->seconds = seconds();
         tray.searches += improver.searches();
         tell(improver);
     }
 
     /// Makes the layout come apart. It becomes the tray where that is better than what there is.
-    void finish(TrayFiller& filler, const TrayCopies& wanted, const ImprovedLayout& layout, FilledTray& tray) {
+    void finish(TrayFiller& filler, const TrayCopies& wanted, const ImprovedLayout& layout, TrayImprover& improver,
+                FilledTray& tray) {
         if (options_.stop.stopped()) return;
         if (packed_.improvement->what == Improves::height && layout.top >= best_.top) return;
         FilledTray finished;
@@ -146,21 +151,54 @@ class Improving {
         const TrayScore reached = score(finished, wanted.copies);
         const std::int64_t searches = tray.searches + finished.searches;
         if (comes_apart && reached < best_ && !options_.stop.stopped()) {
-            tray = std::move(finished);
-            best_ = reached;
-            packed_.improvement->now = figure(tray, best_);
-            std::set<Copy> placed;
-            for (const PlacedCopy& copy : tray.placed) {
-                placed.insert(copy.copy);
-            }
-            packed_.trays.left_over = without(wanted.copies, placed);
-            if (observer_) {
-                tell_anew(*observer_, wanted.number, tray.placed);
-                observer_->tray_finished();
-            }
+            take(wanted, std::move(finished), reached, tray);
+        } else {
+            improver.set_best_top(best_.top);  // the next best layout gets its chance
         }
         tray.searches = searches;
+        keep(tray);
     }
+
+    void take(const TrayCopies& wanted, FilledTray better, const TrayScore& reached, FilledTray& tray) {
+        tray = std::move(better);
+        best_ = reached;
+        packed_.improvement->now = figure(tray, best_);
+        std::set<Copy> placed;
+        for (const PlacedCopy& copy : tray.placed) {
+            placed.insert(copy.copy);
+        }
+        packed_.trays.left_over = without(wanted.copies, placed);
+        if (!observer_) return;
+        tell_anew(*observer_, wanted.number, tray.placed);
+        observer_->tray_finished();
+    }
+
+    void keep(const FilledTray& tray) const {
+        const Improved& improved = *packed_.improvement;
+        if (packer_.decisions())
+            packer_.decisions()->keep(ImprovedTray{improved.steps, improved.starts, seconds(), tray});
+    }
+
+    /// Steps are repeated where their number counts; else the best that a run before had found stands, and the next
+    /// start begins.
+    void go_on_from_journal(const TrayCopies& wanted, FilledTray& tray, TrayImprover& improver) {
+        if (!packer_.decisions()) return;
+        packer_.decisions()->begin_filling();
+        std::optional<ImprovedTray> known = packer_.decisions()->recall_improved();
+        if (!known || options_.most_steps > 0) return;
+        require_fit(known->tray, wanted.copies, [&](int part) {
+            const auto& set = job_.parts[static_cast<std::size_t>(part)].orientations;
+            return set ? set->size() : 0;
+        });
+        if (known->tray.plan) require_fit(*known->tray.plan, known->tray.placed.size(), job_.fill.fixed.size());
+        seconds_before_ = known->seconds;
+        steps_before_ = known->steps;
+        improver.begin_start(known->starts);
+        const TrayScore reached = score(known->tray, wanted.copies);
+        if (reached < best_) take(wanted, std::move(known->tray), reached, tray);
+    }
+
+    double seconds() const { return seconds_before_ + watch_.seconds(); }
 
     void tell(const TrayImprover& improver) const {
         Progress progress{Phase::improve, improver.steps(), options_.most_steps, std::nullopt, 0};
@@ -168,13 +206,15 @@ class Improving {
             progress.work = static_cast<double>(improver.steps()) / static_cast<double>(options_.most_steps);
         }
         progress.improved = packed_.improvement;
-        progress.improved->steps = improver.steps();
+        progress.improved->steps = steps_before_ + improver.steps();
         progress.improved->starts = improver.starts();
-        progress.improved->seconds = watch_.seconds();
+        progress.improved->seconds = seconds();
         tell_(progress);
     }
 
     Stopwatch watch_;
+    double seconds_before_ = 0;  // spent by a run that this one goes on from; so are steps
+    std::int64_t steps_before_ = 0;
     TraysPacker& packer_;
     const PackingJob& job_;
     const ImprovementOptions& options_;

@@ -43,6 +43,11 @@ class TrayImprover {
     /// One more step. A layout where it found one that is better than all before; none also when stopped.
     std::optional<ImprovedLayout> step();
 
+    /// Of the best layout so far, where it turned out otherwise: layouts lower than that are better from now on.
+    void set_best_top(double top) {
+        if (best_) best_->top = top;
+    }
+
     /// The next step begins this start.
     void begin_start(int number);
 

@@ -43,6 +43,8 @@ class TraysPacker {
     };
     void with_filler(const FillerUse& use, const std::function<void(TrayFiller&)>& work);
 
+    Decisions* decisions() const { return decisions_; }  ///< null: none
+
     /// The voxels of a part that may be asked about any number of times.
     std::shared_ptr<const Shape> lasting_shape(int part);
 

@@ -5,6 +5,7 @@
 /// as it is made, and before it works on one it asks whether a run before has made it. Decisions belong to fillings, of
 /// which each is one tray filled once, perhaps to be given up; they come in the same order in every run.
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,14 @@ struct TakenApart {
     InterlockCounts counts;
 };
 
+/// What improving a tray has come to; each takes the place of the one before.
+struct ImprovedTray {
+    std::int64_t steps = 0;
+    int starts = 0;
+    double seconds = 0;  ///< spent
+    FilledTray tray;     ///< the best
+};
+
 /// For one thread. What is recalled of a filling comes in the order in which it was kept.
 class Decisions {
   public:
@@ -54,6 +63,7 @@ class Decisions {
     virtual std::optional<PackedTray> recall_packed() = 0;
     virtual std::optional<TakenApart> recall_taken_apart() = 0;
     virtual std::optional<FilledTray> recall_filled() = 0;
+    virtual std::optional<ImprovedTray> recall_improved() = 0;
 
     // What was not recalled and is decided now. Exceptions that leave them end the packing.
     virtual void keep(const FoundPlace& found) = 0;
@@ -61,6 +71,7 @@ class Decisions {
     virtual void keep(const PackedTray& packed) = 0;
     virtual void keep(const TakenApart& taken_apart) = 0;
     virtual void keep(const FilledTray& filled) = 0;
+    virtual void keep(const ImprovedTray& improved) = 0;
 };
 
 }  // namespace spectralpack
