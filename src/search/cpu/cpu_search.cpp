@@ -91,7 +91,7 @@ class CpuSearch final : public PlacementSearch {
                                 .lists = known.lists[i],
                                 .index = static_cast<int>(i),
                                 .layers = shape.orientations[i].solid.extent().z,
-                                .for_copy = known.hits > 0,
+                                .for_copy = known.known,
                                 .admits = shape.admits ? &shape.admits : nullptr});
         }
         return searches;

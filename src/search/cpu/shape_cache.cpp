@@ -67,7 +67,8 @@ ShapeCache::Entry& ShapeCache::at(const Shape& shape, const Tray& tray, TrayTabl
         Entry& entry = found->second;
         ++entry.hits;
         const std::vector<std::size_t> known = reopen_freed(shape, tray, tables, workers, entry);
-        if (!known.empty()) {
+        entry.known = !known.empty();
+        if (entry.known) {
             forget_fallen(shape, tray, tables, same_heights(entry.model, model), workers, known, entry);
         }
     }

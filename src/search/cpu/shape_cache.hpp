@@ -29,6 +29,7 @@ class ShapeCache {
         CostModel model;                      ///< what those are made for
         std::int64_t state_bytes = 0, bytes = 0;
         std::int64_t hits = 0;
+        bool known = false;  ///< something is, of some position
         std::uint64_t last_use = 0;
     };
 

@@ -30,7 +30,7 @@ struct OrientationTask {
     const OrientationLists& lists;
     int index = 0;                   ///< in Shape::orientations
     int layers = 0;                  ///< the solid's extent along z
-    bool for_copy = false;           ///< the state has been searched before
+    bool for_copy = false;           ///< something is known of the state from searches before
     const Admits* admits = nullptr;  ///< Shape::admits; null: every candidate
 };
 
