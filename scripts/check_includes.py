@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Public headers that any room may include.
-VALUES = ["error", "events", "geometry", "grid", "mesh", "mesh_figures", "stop", "typed_text"]
+VALUES = ["error", "events", "geometry", "grid", "improvement", "mesh", "mesh_figures", "stop", "typed_text"]
 # Those that speak of jobs and packings: for the rooms that know the model.
 MODEL_VALUES = ["check", "disassembly", "job", "job_settings", "names", "option_table", "options", "orientations", "packing",
                 "printers", "render"]

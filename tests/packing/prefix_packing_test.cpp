@@ -42,6 +42,13 @@ class PrefixPackings : public testing::Test {
     PrefixPacking::ShapeOf shape_of() {
         return [this](int part) -> const Shape& { return *shapes_[static_cast<std::size_t>(part)]; };
     }
+    std::vector<PackedStep> packed_anew(const std::vector<Copy>& order, const TrayCopies& wanted) {
+        TrayFiller used = filler();
+        StartedTray tray = used.start(wanted);
+        PrefixPacking packing(tray, shape_of(), {});
+        EXPECT_EQ(packing.pack(order, {}, never), PrefixPacking::Outcome::packed);
+        return packing.steps();
+    }
     static bool never(const std::vector<PackedStep>&) { return false; }
 
     Workers workers_{1};
@@ -77,11 +84,7 @@ TEST_F(PrefixPackings, GoOnFromWhereOrdersPart) {
         for (int i = 0; i < 30; ++i) {
             std::swap(order[random.below(order.size())], order[random.below(order.size())]);
             ASSERT_EQ(packing.pack(order, {}, never), PrefixPacking::Outcome::packed);
-            TrayFiller used_by_other = filler();
-            StartedTray fresh_tray = used_by_other.start(wanted);
-            PrefixPacking fresh(fresh_tray, shape_of(), {});
-            ASSERT_EQ(fresh.pack(order, {}, never), PrefixPacking::Outcome::packed);
-            expect_same(packing.steps(), fresh.steps());
+            expect_same(packing.steps(), packed_anew(order, wanted));
             left_over += static_cast<int>(order.size() - placed_of(packing.steps()).size());
         }
         EXPECT_GT(left_over, 0) << "all found a place: failures were not tried";
@@ -144,11 +147,7 @@ TEST_F(PrefixPackings, KeepCaps) {
     for (int i = 0; i < 5; ++i) {
         std::rotate(order.begin() + i, order.begin() + 6, order.end());
         ASSERT_EQ(packing.pack(order, {}, never), PrefixPacking::Outcome::packed);
-        TrayFiller used_by_other = filler();
-        StartedTray fresh_tray = used_by_other.start(wanted);
-        PrefixPacking fresh(fresh_tray, shape_of(), {});
-        ASSERT_EQ(fresh.pack(order, {}, never), PrefixPacking::Outcome::packed);
-        expect_same(packing.steps(), fresh.steps());
+        expect_same(packing.steps(), packed_anew(order, wanted));
     }
 }
 

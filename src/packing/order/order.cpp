@@ -19,7 +19,7 @@ bool goes_before(const PartSize& a, const PartSize& b) {
 }
 
 constexpr double kLeastBox = 1e-9;  // mm^3
-constexpr double kFarthest = 0.2;  // of all copies, that one goes back
+constexpr double kFarthest = 0.2;   // of all copies, that one goes back
 
 /// What an order by size sorts by, largest first.
 double size_of(const PartSize& part, Order order) {

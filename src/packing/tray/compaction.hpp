@@ -15,9 +15,9 @@
 namespace spectralpack {
 
 struct CompactionOptions {
-    RefineOptions refine;                        ///< container, wall gap and longest move; rounds as there
+    RefineOptions refine;                 ///< container, wall gap and longest move; rounds as there
     std::vector<PlacedSurface> standing;  ///< what stays where it is: walls, fixed copies
-    int sweeps = 3;                              ///< straight down, at most; fewer once nothing sinks
+    int sweeps = 3;                       ///< straight down, at most; fewer once nothing sinks
     int sideways = 2;  ///< likewise, sideways and down, of copies in the upper half; sweeps straight down follow each
 };
 

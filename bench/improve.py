@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+"""What --improve makes of sets: heights, contents of trays, and curves over time.
+
+    improve.py PROGRAM DATA OUT.csv [--seconds 10,60] [--seeds 5] [--only NAME,...]
+    improve.py --curve SECONDS PROGRAM DATA OUT.csv [--only NAME,...]
+    improve.py --table OUT.csv                            a table in Markdown of what was measured
+
+A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by `check --require-plan`. Rows are added
+to what is there.
+"""
+import argparse
+import csv
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+
+# Name: set, first so many copies (0: all), options.
+JOBS = {
+    "tori48": ("tori48", 0, ["--tray", "120x120", "--voxel", "1", "--open-height"]),
+    "quick": ("quick", 0, ["--tray", "100x100", "--voxel", "1", "--open-height"]),
+    "mixtures-120": ("mixtures", 120, ["--tray", "480x245", "--open-height"]),
+    "pieces-500": ("pieces", 500, ["--tray", "480x245", "--open-height"]),
+    "thousand": ("thousand", 0, ["--tray", "480x245x200", "--trays", "all"]),
+    "mixtures volume": ("mixtures", 0, ["--tray", "480x245x200", "--goal", "volume"]),
+    "pieces volume": ("pieces", 0, ["--tray", "480x245x200", "--goal", "volume"]),
+    "locks volume": ("locks", 0, ["--tray", "480x245x200", "--goal", "volume"]),
+    "mixtures fair": ("mixtures", 0, ["--tray", "480x245x200"]),
+    "pieces fair": ("pieces", 0, ["--tray", "480x245x200"]),
+    "locks fair": ("locks", 0, ["--tray", "480x245x200"]),
+}
+FIELDS = ["job", "seconds", "seed", "what", "before", "now", "steps", "wall", "cpu", "program"]
+
+
+def write_set(data, name, copies, path):
+    left = copies or 10**9
+    with open(os.path.join(data, "sets", name + ".csv")) as source, open(path, "w") as out:
+        out.write("mesh,count,scale\n")
+        for row in csv.DictReader(source):
+            count = min(int(row["count"]), left)
+            if count == 0:
+                break
+            left -= count
+            out.write(f"{row['mesh']},{count},{row['scale']}\n")
+
+
+def run(program, data, job, options, folder, on_line=None):
+    name, copies, tray = JOBS[job]
+    parts, build = os.path.join(folder, "parts.csv"), os.path.join(folder, "build.json")
+    write_set(data, name, copies, parts)
+    command = [program, "pack", parts, "--mesh-dir", os.path.join(data, "meshes"), *tray, *options, "-o", build,
+               "--journal", os.path.join(folder, "journal"), "--no-resume", "--progress", "json" if on_line else "none"]
+    before = os.times()
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+    for line in process.stderr:
+        if on_line and line.startswith("{"):
+            on_line(json.loads(line))
+    if process.wait() != 0:
+        sys.exit(f"{' '.join(command)}: exit {process.returncode}")
+    after = os.times()
+    subprocess.run([program, "check", "--require-plan", build], check=True, stdout=subprocess.DEVNULL)
+    with open(build) as text:
+        packing = json.load(text)
+    return packing, after.elapsed - before.elapsed, after.children_user - before.children_user
+
+
+def rows_of(path):
+    if not os.path.exists(path):
+        return []
+    with open(path) as text:
+        return list(csv.DictReader(text))
+
+
+def add_row(path, row):
+    fresh = not os.path.exists(path)
+    with open(path, "a", newline="") as text:
+        writer = csv.DictWriter(text, list(row), lineterminator="\n")
+        if fresh:
+            writer.writeheader()
+        writer.writerow(row)
+
+
+def measure(arguments, jobs):
+    for seconds in arguments.seconds.split(","):
+        for job in jobs:
+            for seed in range(arguments.seeds):
+                with tempfile.TemporaryDirectory() as folder:
+                    packing, wall, cpu = run(arguments.program, arguments.data, job,
+                                             ["--improve", seconds, "--seed", str(seed)], folder)
+                gain = packing["metrics"]["improvement"]
+                row = dict(zip(FIELDS, [job, seconds, seed, gain["what"], round(gain["before"], 4),
+                                        round(gain["now"], 4), gain["steps"], round(wall, 1), round(cpu, 1),
+                                        packing["program"]]))
+                add_row(arguments.out, row)
+                print(row, flush=True)
+
+
+def measure_curves(arguments, jobs):
+    for job in jobs:
+        points = []
+
+        def on_line(line):
+            if line.get("phase") == "improve" and (not points or points[-1][1] != line["now"]):
+                points.append((line["seconds"], line["now"], line["done"]))
+
+        with tempfile.TemporaryDirectory() as folder:
+            run(arguments.program, arguments.data, job, ["--improve", str(arguments.curve)], folder, on_line)
+        for second, now, steps in points:
+            add_row(arguments.out, {"job": job, "second": round(second, 1), "now": round(now, 4), "steps": steps})
+        print(job, points[0], points[-1], flush=True)
+
+
+def shown(what, value):
+    value = float(value)
+    return f"{value:.1f} mm" if what == "height" else f"{100 * value:.1f} %" if what == "density" else f"{value:.3f}"
+
+
+def print_table(path):
+    rows = rows_of(path)
+    times = sorted({float(row["seconds"]) for row in rows})
+    print("| job | first packing | " + " | ".join(f"{t:g} s more: median (best, worst)" for t in times) + " | orders tried |")
+    print("| --- " * (len(times) + 3) + "|")
+    for job in dict.fromkeys(row["job"] for row in rows):
+        of_job = [row for row in rows if row["job"] == job]
+        what = of_job[0]["what"]
+        cells = [job, shown(what, statistics.median(float(row["before"]) for row in of_job))]
+        for t in times:
+            values = sorted(float(row["now"]) for row in of_job if float(row["seconds"]) == t)
+            if what in ("density", "copies", "value"):
+                values.reverse()
+            cells.append("–" if not values else
+                         f"**{shown(what, statistics.median(values))}** ({shown(what, values[0])}, {shown(what, values[-1])})")
+        cells.append(", ".join(f"{statistics.median(int(row['steps']) for row in of_job if float(row['seconds']) == t):.0f}"
+                               for t in times if any(float(row["seconds"]) == t for row in of_job)))
+        print("| " + " | ".join(cells) + " |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--table")
+    parser.add_argument("--curve", type=int)
+    parser.add_argument("--seconds", default="10,60")
+    parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--only", default=",".join(JOBS))
+    parser.add_argument("program", nargs="?")
+    parser.add_argument("data", nargs="?")
+    parser.add_argument("out", nargs="?")
+    arguments = parser.parse_args()
+    if arguments.table:
+        return print_table(arguments.table)
+    jobs = arguments.only.split(",")
+    return measure_curves(arguments, jobs) if arguments.curve else measure(arguments, jobs)
+
+
+if __name__ == "__main__":
+    main()
