@@ -114,6 +114,22 @@ TEST(SumTables, GiveTheSumOfEveryRunOfPooledDistances) {
     expect_sums_of_every_run<std::uint8_t>();
 }
 
+/// For sanitizers: rows that are whole vectors long, and a change at the end of the last one.
+TEST(SumTables, ReadNothingBeyondTheLastDistance) {
+    const Extent n{64, 3, 3};
+    DistanceGrid phi(n, Ceiling::open);
+    phi.raise(n.z, Workers(1));
+    SumTables<std::uint16_t> tables(n, SumLayout::kVoxel, false);
+    tables.follow(phi, n.z, Workers(1));
+    BitGrid voxel({1, 1, 1});
+    voxel.fill(true);
+    tables.note(phi.add(voxel, {63, 2, 2}, Workers(1)));
+    tables.follow(phi, n.z, Workers(1));
+    const VoxelIndex from{63, 2, 0}, to{63, 2, 3};
+    const std::uint16_t* base = tables.base(0, 0, 0);
+    EXPECT_EQ(base[tables.offset(2, to)] - base[tables.offset(2, from)], 1 + 1 + 0);
+}
+
 /// Every run's sum below layer `top`.
 template <class T>
 void expect_same_sums(const SumTables<T>& tables, const DistanceGrid& phi, int top, const Extent& window,

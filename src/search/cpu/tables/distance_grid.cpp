@@ -95,7 +95,8 @@ DistanceGrid::DistanceGrid(const Extent& extent, Ceiling ceiling)
     if (most_ever() >= std::numeric_limits<std::uint16_t>::max()) {
         throw ResourceError("the tray is too wide for this engine");
     }
-    values_ = ZeroedVector<std::uint16_t>(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z})));
+    // Sums read rows of one element more than there are voxels (SumTables).
+    values_ = ZeroedVector<std::uint16_t>(static_cast<std::size_t>(checked_product({stride_, extent.y, extent.z}) + 1));
     most_of_row_.assign(row_number(0, extent.z), 0);
     for (int x = 0; x < extent.x; ++x) {
         sides_.push_back(static_cast<std::uint16_t>(std::min(x + 1, extent.x - x)));
