@@ -62,6 +62,7 @@ TEST(Options, APackingFileHoldsTheseKeysInThisOrder) {
         R"("rotations":"45","upright":true,"gap":0.25,"wall-gap":1.0,"refine":true,"interlock":"place","links":"allow",)"
         R"("take-out":"thinnest","unpack":"top","ray-spacing":0.375,"height-penalty":100000000.0,"height-at":"top","open-height":true,)"
         R"("minimise":"box","fill":true,"max-density":0.5,"max-layer-fill":0.75,"order":"random","restarts":7,"beam":4,)"
+        R"("goal":"value","improve":60,"improve-steps":200,)"
         R"("engine":"reference","threads":3,"seed":18446744073709551615,"memory":1099511627776,)"
         R"("verify-with":"reference:10","time-limit":2.5})";
     EXPECT_NE(text.find(expected), std::string::npos) << text.substr(0, 2000);

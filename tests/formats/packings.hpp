@@ -41,6 +41,9 @@ inline Packing small_packing() {
     packing.options.order = Order::random;
     packing.options.restarts = 7;
     packing.options.beam = 4;
+    packing.options.goal = Goal::value;
+    packing.options.improve = 60;
+    packing.options.improve_steps = 200;
     packing.options.engine = EngineKind::reference;
     packing.options.threads = 3;
     packing.options.seed = 0xffffffffffffffffu;
@@ -101,6 +104,7 @@ inline Packing small_packing() {
     packing.metrics.interlock = InterlockCounts{2, 1, 1, 3, 2, 1, 1};
     packing.metrics.searches = 4;
     packing.metrics.orders = 9;
+    packing.metrics.improvement = Improved{Improves::density, 0.04, 0.05, 200, 3, 12.5};
     packing.metrics.verified = 3;
     packing.metrics.peak_memory = 123456789;
     packing.metrics.engine = "cpu";
