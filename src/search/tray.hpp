@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "spectralpack/geometry.hpp"
@@ -135,6 +136,8 @@ class Tray {
     /// Throws InternalError for a gap class that the tray does not have, and for an object without fine voxels where
     /// s > 1.
     ObjectId add(TrayObject object);
+    /// An object that stood in another tray once and is gone: it takes the next id, and nothing else.
+    void add_gone(TrayObject object) { objects_.push_back({std::move(object), false}); }
     /// Voxels that other objects hold stay. Throws InternalError where `id` is not in the tray.
     void remove(ObjectId id);
     const TrayObject* find(ObjectId id) const;  ///< null when removed or never added

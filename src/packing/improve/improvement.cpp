@@ -13,6 +13,7 @@
 namespace spectralpack {
 namespace {
 
+constexpr std::size_t kMostFound = 5;  // layouts that wait for that: where the best interlocks, the next has its turn
 constexpr std::int64_t kSettled = 25;  // steps without a better layout: then the best is made to come apart
 constexpr double kFair = 2;            // with Goal::fair, copies with boxes at most so many times as large are passed
 
@@ -58,6 +59,8 @@ class Improving {
         packer_.keep_shapes();
         FillOptions fill = job_.fill;
         fill.enough = options_.stop;  // what was found is finished, however long it takes
+        // What cannot leave a low layout makes it higher wherever else it is put; in a full tray it may find room.
+        fill.repair = !holds_all;
         packer_.with_filler({fill, options_.stop}, [&](TrayFiller& filler) { improve(filler, wanted, tray); });
     }
 
@@ -113,50 +116,58 @@ class Improving {
             return !fair || box(b) <= kFair * box(a);
         };
         TrayImprover improver(started, filler.refining(wanted), shape_of, improver_options, packer_.workers(),
-                              options_.enough);
+                              {options_.enough, options_.stop});
         go_on_from_journal(wanted, tray, improver);
-        std::optional<ImprovedLayout> pending;
+        std::vector<ImprovedLayout> found;  // and not taken apart so far, each better than those before
         std::int64_t found_at = 0;
         const auto settle = [&] {
-            if (pending) finish(filler, wanted, *pending, improver, tray);
-            pending.reset();
+            bool better = false;
+            for (; !found.empty() && !better; found.pop_back()) {
+                better = finish(filler, wanted, found.back(), tray);
+            }
+            found.clear();
+            if (!better) improver.set_best_top(best_.top);  // what comes next is compared with what there is
+        };
+        const auto note = [&](std::optional<ImprovedLayout> layout) {
+            if (!layout) return;
+            found.push_back(*std::move(layout));
+            if (found.size() > kMostFound) found.erase(found.begin());
+            found_at = improver.steps();
         };
         tell(improver);
         while (!options_.enough.stopped() && (options_.most_steps == 0 || improver.steps() < options_.most_steps)) {
-            if (std::optional<ImprovedLayout> better = improver.step()) {
-                pending = std::move(better);
-                found_at = improver.steps();
-            }
-            packed_.improvement->steps = steps_before_ + improver.steps();
-            packed_.improvement->starts = improver.starts();
-            if (pending && improver.steps() - found_at >= kSettled) settle();
+            note(improver.step());
+            note_steps(improver);
+            if (!found.empty() && improver.steps() - found_at >= kSettled) settle();
             tell(improver);
         }
+        note(improver.compare());
         settle();
-        packed_.improvement->steps = steps_before_ + improver.steps();
-        packed_.improvement->starts = improver.starts();
+        note_steps(improver);
         packed_.improvement->seconds = seconds();
         tray.searches += improver.searches();
         tell(improver);
     }
 
-    /// Makes the layout come apart. It becomes the tray where that is better than what there is.
-    void finish(TrayFiller& filler, const TrayCopies& wanted, const ImprovedLayout& layout, TrayImprover& improver,
-                FilledTray& tray) {
-        if (options_.stop.stopped()) return;
-        if (packed_.improvement->what == Improves::height && layout.top >= best_.top) return;
+    void note_steps(const TrayImprover& improver) const {
+        packed_.improvement->steps = steps_before_ + improver.steps();
+        packed_.improvement->starts = improver.starts();
+    }
+
+    /// Makes the layout come apart. It becomes the tray where that is better than what there is; then true.
+    bool finish(TrayFiller& filler, const TrayCopies& wanted, const ImprovedLayout& layout, FilledTray& tray) {
+        if (options_.stop.stopped()) return false;
+        if (packed_.improvement->what == Improves::height && layout.top >= best_.top) return false;
         FilledTray finished;
         filler.finish(wanted, layout.placed, job_.fill.refine, finished);
         const bool comes_apart = !finished.plan || finished.plan->complete;
         const TrayScore reached = score(finished, wanted.copies);
         const std::int64_t searches = tray.searches + finished.searches;
-        if (comes_apart && reached < best_ && !options_.stop.stopped()) {
-            take(wanted, std::move(finished), reached, tray);
-        } else {
-            improver.set_best_top(best_.top);  // the next best layout gets its chance
-        }
+        const bool better = comes_apart && reached < best_ && !options_.stop.stopped();
+        if (better) take(wanted, std::move(finished), reached, tray);
         tray.searches = searches;
         keep(tray);
+        return better;
     }
 
     void take(const TrayCopies& wanted, FilledTray better, const TrayScore& reached, FilledTray& tray) {

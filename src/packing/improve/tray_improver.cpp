@@ -15,19 +15,20 @@ constexpr double kNoise = 6;            // mm: copies whose tops differ by less 
 constexpr std::int64_t kPatience = 40;  // searches without gain that end a start, times the copies
 constexpr double kMissing = 1e5;        // mm, the same: copies without a place come before all others
 constexpr double kRounding = 1e-9;      // of worths
+constexpr std::int64_t kCalm = 3;       // steps without a better layout, after which the last is compacted
 constexpr int kWorthCompacting = 1;     // layers above the best so far that compaction may make good
 
 }  // namespace
 
 TrayImprover::TrayImprover(StartedTray& started, const RefineOptions& refining, PrefixPacking::ShapeOf shape_of,
-                           TrayImproverOptions options, const Workers& workers, const StopToken& enough)
+                           TrayImproverOptions options, const Workers& workers, const ImproverStops& stops)
     : started_(started),
       refining_(refining),
       workers_(workers),
       options_(std::move(options)),
-      enough_(enough),
+      stop_(stops.stop),
       judge_(options_.copies, options_.measures),
-      packing_(started, std::move(shape_of), enough) {
+      packing_(started, std::move(shape_of), stops.enough) {
     begin_start(0);
 }
 
@@ -63,27 +64,36 @@ std::optional<ImprovedLayout> TrayImprover::step() {
     const PrefixPacking::Outcome outcome = packing_.pack(order, layout_, is_hopeless);
     if (outcome == PrefixPacking::Outcome::stopped) return std::nullopt;
     ++steps_;
-    if (outcome == PrefixPacking::Outcome::hopeless) return std::nullopt;
+    if (outcome == PrefixPacking::Outcome::packed) accept(order);
+    const bool calm = steps_ - promised_at_ >= kCalm;
+    return calm ? compare() : std::nullopt;
+}
+
+void TrayImprover::accept(const std::vector<Copy>& order) {
     const LayoutValue value = judge_.value(packing_.steps());
-    if (!fresh_ && value > value_) return std::nullopt;
+    if (!fresh_ && value > value_) return;
     if (fresh_ || value < value_) last_gain_ = packing_.searches();
     fresh_ = false;
     order_ = order;
     layout_ = packing_.steps();
     value_ = value;
-    return compare(value);
+    const auto promises = [&](const ImprovedLayout& than) {
+        return value.missing < than.value.missing ||
+               (value.missing == than.value.missing && value.top <= than.value.top + kWorthCompacting);
+    };
+    if ((best_ && !promises(*best_)) || (promising_ && !(value < promising_->value))) return;
+    promising_ = ImprovedLayout{placed_of(layout_), value, 0};
+    promised_at_ = steps_;
 }
 
-std::optional<ImprovedLayout> TrayImprover::compare(const LayoutValue& value) {
-    const bool promising = !best_ || value.missing < best_->value.missing ||
-                           (value.missing == best_->value.missing && value.top <= best_->value.top + kWorthCompacting);
-    if (!promising) return std::nullopt;
-    ImprovedLayout layout{placed_of(layout_), value, 0};
+std::optional<ImprovedLayout> TrayImprover::compare() {
+    if (!promising_) return std::nullopt;
+    ImprovedLayout layout = *std::exchange(promising_, std::nullopt);
     if (options_.compact) {
         std::optional<Caps> caps;  // what it holds in the tray stays
         if (started_.caps()) caps = *started_.caps();
         compact({refining_, started_.standing()}, started_.surfaces(), caps ? &*caps : nullptr, layout.placed, workers_,
-                enough_);
+                stop_);
     }
     layout.top = top_of(layout.placed, started_.surfaces());
     const auto before = [](const ImprovedLayout& a, const ImprovedLayout& b) {

@@ -34,14 +34,23 @@ struct ImprovedLayout {
     double top = 0;                  ///< mm, of what is placed
 };
 
+struct ImproverStops {
+    StopToken enough;  ///< ends steps
+    StopToken stop;    ///< ends all
+};
+
 class TrayImprover {
   public:
     /// `started`, whose copies stand on the grid, outlives it.
     TrayImprover(StartedTray& started, const RefineOptions& refining, PrefixPacking::ShapeOf shape_of,
-                 TrayImproverOptions options, const Workers& workers, const StopToken& enough);
+                 TrayImproverOptions options, const Workers& workers, const ImproverStops& stops);
 
-    /// One more step. A layout where it found one that is better than all before; none also when stopped.
+    /// One more step. A layout where one was found that is better than all before; none also when stopped. As long as
+    /// steps find better ones, none of them is compacted but the last.
     std::optional<ImprovedLayout> step();
+
+    /// What the last steps promised, likewise, where nobody looked at it so far.
+    std::optional<ImprovedLayout> compare();
 
     /// Of the best layout so far, where it turned out otherwise: layouts lower than that are better from now on.
     void set_best_top(double top) {
@@ -57,13 +66,13 @@ class TrayImprover {
 
   private:
     std::vector<Copy> next_order();
-    std::optional<ImprovedLayout> compare(const LayoutValue& value);
+    void accept(const std::vector<Copy>& order);
 
     StartedTray& started_;
     RefineOptions refining_;
     Workers workers_;
     TrayImproverOptions options_;
-    StopToken enough_;
+    StopToken stop_;
     LayoutJudge judge_;
     PrefixPacking packing_;
     RandomStream random_{0};
@@ -74,7 +83,9 @@ class TrayImprover {
     LayoutValue value_;               // its
     std::int64_t last_gain_ = 0;      // searches by then
     std::int64_t steps_ = 0;
-    std::optional<ImprovedLayout> best_;  // of all starts
+    std::optional<ImprovedLayout> promising_;  // on the grid
+    std::int64_t promised_at_ = 0;             // steps by then
+    std::optional<ImprovedLayout> best_;       // of all starts
 };
 
 }  // namespace spectralpack

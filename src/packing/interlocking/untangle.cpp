@@ -62,7 +62,11 @@ class Untangling {
         result_.report.disassemble_seconds = disassembling.seconds();
         const Stopwatch reinserting;
         const double voxelizing = context_.shapes.seconds();
-        if (!removed.empty()) {
+        if (!options_.repair) {
+            for (const PlacedCopy& placed : removed) {
+                result_.interlocked.push_back(placed.copy);
+            }
+        } else if (!removed.empty()) {
             put_back_what_was(removed);
             if (open && height() > before + options_.voxel_size) pack_anew_if_lower();
             result_.report.changed = true;

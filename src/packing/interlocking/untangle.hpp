@@ -16,6 +16,7 @@ struct UntangleOptions : BodyOptions {
     double voxel_size = 2;            ///< mm
     PlacementSearch* best = nullptr;  ///< tells where copies are tried first; null: the one that all else is asked of
     TakeOut take_out = TakeOut::thinnest;
+    bool repair = true;                ///< else what was taken out stays out
     bool measure_gap = false;          ///< between copies in the end, where something changed
     std::vector<Copy> order;           ///< in which copies are put back
     std::vector<Copy> waiting;         ///< had found no place; are tried again where others were taken out

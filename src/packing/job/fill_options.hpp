@@ -27,6 +27,7 @@ struct FillOptions {
     bool take_apart = true;                ///< else what is packed is left as it is, whatever `interlock` says
     Links links = Links::avoid;            ///< with Interlock::post: whether copies may be placed linked with another
     TakeOut take_out = TakeOut::thinnest;  ///< with Interlock::post: what goes where some are interlocked
+    bool repair = true;                    ///< what is interlocked is put back elsewhere
     Unpack unpack = Unpack::any;           ///< how plans take copies out; which are placed does not depend on it
     std::optional<double> ray_spacing;     ///< BodyOptions's
     Disassembler::Left left, to_put_back;  ///< told while a tray is taken apart, and while copies are put back

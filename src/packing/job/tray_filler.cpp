@@ -111,6 +111,7 @@ UntangleOptions TrayFiller::untangle_options(const TrayCopies& wanted, const Fil
     options.walls = around_.physical ? &*around_.physical : nullptr;
     if (around_.avoids_links()) options.best = &around_.unlinked;
     options.take_out = fill.take_out;
+    options.repair = fill.repair;
     options.measure_gap = fill.refine;
     options.order = wanted.copies;
     if (!wanted.next) options.waiting = result.left_over;

@@ -52,13 +52,12 @@ Tray grown(const Tray& tray, int layers) {
     setup.size.z = layers * setup.voxel_size;
     setup.reference_layers = tray.reference_layers();
     Tray taller(std::move(setup));
-    std::vector<ObjectId> gone;
     for (ObjectId id = 0; id < tray.object_count(); ++id) {
-        taller.add(tray.object(id));
-        if (!tray.find(id)) gone.push_back(id);
-    }
-    for (const ObjectId id : gone) {
-        taller.remove(id);
+        if (tray.find(id)) {
+            taller.add(tray.object(id));
+        } else {
+            taller.add_gone(tray.object(id));
+        }
     }
     return taller;
 }
