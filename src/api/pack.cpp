@@ -210,7 +210,7 @@ class JobRun {
             packer.pack({packer.job().copies, packer.job().fill, stop_, tell, &events}, packed.trays);
         }
         if (!options_.improve && options_.improve_steps == 0) return;
-        if (!plan_.keeps_all) {
+        if (!plan_.keeps_all && packed.trays.trays.size() == 1) {
             listener_.on_warning(
                 "--improve needs the voxels of all parts at once, for which there is too little memory; "
                 "the first packing stays");

@@ -35,7 +35,7 @@ class FewestTrays {
         packed_.improvement->starts = 1;
         packed_.improvement->before = packed_.improvement->now = figure(packed_.trays);
         best_ = score(packed_.trays);
-        packer_.keep_shapes();
+        if (job_.keeps_all) packer_.keep_shapes();
         FillOptions on_grid = job_.fill;
         on_grid.refine = false;
         on_grid.take_apart = false;
