@@ -14,7 +14,7 @@ namespace {
 
 // A copy's key is the logarithm of its volume times its longest side. What ended in the last tray gains so much, what
 // ended in the one before a little; noise makes another order of it each time.
-constexpr double kOfLast = 0.7, kOfLastButOne = 0.15, kNoise = 0.1;
+constexpr double kOfLast = 0.7, kOfLastButOne = 0.15, kOrderNoise = 0.1;
 constexpr double kLeast = 1e-9;
 
 class FewestTrays {
@@ -115,7 +115,7 @@ class FewestTrays {
             double key = key_of(copy.part);
             if (pass > 0) {
                 const auto boost = boosts_.find(copy);
-                key += (boost == boosts_.end() ? 0 : boost->second) + kNoise * (2 * random_.unit() - 1);
+                key += (boost == boosts_.end() ? 0 : boost->second) + kOrderNoise * (2 * random_.unit() - 1);
             }
             keyed.push_back({copy, job_.ranks[part], key});
         }
