@@ -183,6 +183,7 @@ DRAWN = {
     "max-density": one_of("max-density", 0.1, 0.3), "max-layer-fill": one_of("max-layer-fill", 0.2, 0.5),
     "order": one_of("order", "size", "input", "random", "volume", "mixed"),
     "restarts": one_of("restarts", 2, 3), "beam": one_of("beam", 2),
+    "goal": one_of("goal", "fair", "volume", "copies", "value"), "improve-steps": one_of("improve-steps", 1, 5),
     "engine": one_of("engine", "auto", "cpu", "reference"), "threads": one_of("threads", 1, 2, 3),
     "seed": one_of("seed", 1, 7, 2**63), "memory": one_of("memory", "2G", "900M"),
     "verify-with": one_of("verify-with", "reference:2", "cpu"), "time-limit": one_of("time-limit", 0, 0.5, 2),
@@ -195,10 +196,11 @@ LEFT_OUT = {
     "output", "report",  # every job has them
     "dry-run",           # writes nothing
     "printer", "onto",   # stand for other options; a second build
+    "improve",           # what comes of it depends on the clock; improve-steps does not
 }
 # Rarely, because hardly anything goes together with them, or because they take long.
 RARE = {"container": 0.1, "open-height": 0.1, "minimise": 0.05, "fill": 0.1, "engine": 0.1, "verify-with": 0.1,
-        "restarts": 0.1, "beam": 0.05, "time-limit": 0.1, "memory": 0.1, "max-density": 0.1, "max-layer-fill": 0.1}
+        "restarts": 0.1, "beam": 0.05, "improve-steps": 0.1, "time-limit": 0.1, "memory": 0.1, "max-density": 0.1, "max-layer-fill": 0.1}
 
 
 def require_all_options_known(schema):
@@ -344,6 +346,8 @@ class Campaign:
         ("open height", 6, 264, ["--tray", "117x104", "--voxel", "1.5", "--open-height"]),
         ("least box", 4, 30, ["--tray", "104x104x104", "--voxel", "2", "--minimise", "box"]),
         ("orders", 6, 132, ["--tray", "91x78x65", "--voxel", "2", "--restarts", "4", "--beam", "2"]),
+        ("improved", 5, 60, ["--tray", "78x71", "--voxel", "2", "--open-height", "--improve-steps", "8"]),
+        ("improved trays", 5, 80, ["--tray", "78x71x52", "--voxel", "2", "--trays", "all", "--improve-steps", "2"]),
         ("fill", 3, 13, ["--tray", "117x104x78", "--voxel", "2", "--fill"]),
         ("reachable", 6, 264, ["--tray", "117x104x91", "--voxel", "1.5", "--interlock", "place"]),
         ("links", 6, 352, ["--tray", "130x117x104", "--voxel", "1.5", "--links", "allow", "--unpack", "any"]),
