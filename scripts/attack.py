@@ -200,7 +200,8 @@ LEFT_OUT = {
 }
 # Rarely, because hardly anything goes together with them, or because they take long.
 RARE = {"container": 0.1, "open-height": 0.1, "minimise": 0.05, "fill": 0.1, "engine": 0.1, "verify-with": 0.1,
-        "restarts": 0.1, "beam": 0.05, "improve-steps": 0.1, "time-limit": 0.1, "memory": 0.1, "max-density": 0.1, "max-layer-fill": 0.1}
+        "restarts": 0.1, "beam": 0.05, "improve-steps": 0.1, "time-limit": 0.1, "memory": 0.1, "max-density": 0.1,
+        "max-layer-fill": 0.1}
 
 
 def require_all_options_known(schema):
