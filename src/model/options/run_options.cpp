@@ -37,7 +37,7 @@ std::vector<Option> run_options() {
                                      .type = Type::natural,
                                      .least = 0,
                                      .placeholder = "N",
-                                     .line = "of --order random, --restarts and of samples",
+                                     .line = "of --order random, --restarts, --improve and of samples",
                                      .help = "The same seed gives the same packing on every machine.",
                                      .examples = {"7"},
                                      .hash_place = 23}),

@@ -195,7 +195,7 @@ std::vector<Option> order_options() {
              .line = "pack in N orders and keep the best",
              .help = "The order asked for and others near it. The best has most material in the tray, or the least "
                      "height where all fits. The orders are tried on the grid, at most for a third of --time-limit; "
-                     "the best is then packed in.",
+                     "the packing found then slides together. --improve uses the time better.",
              .examples = {"20"},
              .hash_place = 21}),
         kept_in<&PackOptions::beam>(
@@ -206,7 +206,8 @@ std::vector<Option> order_options() {
              .most = kMostBeam,
              .placeholder = "WIDTH",
              .line = "look for a good order with this many tries side by side; 5 takes 15 times as long",
-             .help = "It runs on the grid, at most for a third of --time-limit; the order found is then packed in.",
+             .help = "It runs on the grid, at most for a third of --time-limit; the packing found then slides "
+                     "together. --improve uses the time better.",
              .default_means = "none",
              .examples = {"5"},
              .hash_place = 22}),
