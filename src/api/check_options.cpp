@@ -20,6 +20,8 @@ constexpr int kMostRays = 20;
 
 bool is_open(const PackOptions& options) { return options.open_height || options.minimise == Minimise::box; }
 
+bool improves(const PackOptions& options) { return options.improve || options.improve_steps > 0; }
+
 std::optional<HeightReference> height_reference(const PackOptions& options) {
     if (options.height_at) return options.height_at;
     if (is_open(options)) return HeightReference::top;

@@ -10,6 +10,9 @@ namespace spectralpack {
 /// True where the packing has no ceiling.
 bool is_open(const PackOptions& options);
 
+/// Whether the first packing is to be made better.
+bool improves(const PackOptions& options);
+
 /// Where height counts in all trays; none: in each where it serves best (HeightChoice).
 std::optional<HeightReference> height_reference(const PackOptions& options);
 

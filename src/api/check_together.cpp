@@ -46,7 +46,7 @@ void check_together(const Job& job) {
         if (options.fill) refuse(orders, "--fill", "the parts' shares decide the order there");
         if (options.minimise == Minimise::box) refuse(orders, "--minimise box", "it tries bases instead");
     }
-    if (options.improve || options.improve_steps > 0) {
+    if (improves(options)) {
         const std::string improve = options.improve ? "--improve" : "--improve-steps";
         if (options.fill) refuse(improve, "--fill", "what is placed there follows the parts' shares");
         if (options.minimise == Minimise::box) refuse(improve, "--minimise box", "it tries bases instead");

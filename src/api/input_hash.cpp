@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 
+#include "api/check_options.hpp"
 #include "spectralpack/option_table.hpp"
 
 namespace spectralpack {
@@ -145,8 +146,7 @@ std::string input_hash(const LoadedJob& loaded, const Container& container, cons
     hash.add(container.physical);
     PackOptions decisive = options;
     if (options.trays == 1) decisive.try_per_tray = 0;
-    const bool improves = options.improve || options.improve_steps > 0;
-    if (options.order != Order::random && options.restarts == 1 && !improves) decisive.seed = 0;
+    if (options.order != Order::random && options.restarts == 1 && !improves(options)) decisive.seed = 0;
     for (const Option* option : hashed_options()) {
         const OptionValue value = option->in_pack.get(decisive);
         if (option->hash_place <= kAlwaysHashed || value != default_of(*option)) hash.add(*option, value);

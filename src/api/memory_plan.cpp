@@ -236,8 +236,6 @@ std::int64_t engines_memory(double dx, const Extent& grid, const Plan& plan, con
     return bytes;
 }
 
-bool improves(const PackOptions& options) { return options.improve || options.improve_steps > 0; }
-
 double parts_to_pack(const LoadedJob& loaded) {
     double parts = 0;
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {

@@ -209,7 +209,7 @@ class JobRun {
         } else {
             packer.pack({packer.job().copies, packer.job().fill, stop_, tell, &events}, packed.trays);
         }
-        if (!options_.improve && options_.improve_steps == 0) return;
+        if (!improves(options_)) return;
         if (!plan_.keeps_all && packed.trays.trays.size() == 1) {
             listener_.on_warning(
                 "--improve needs the voxels of all parts at once, for which there is too little memory; "

@@ -36,16 +36,14 @@ class FewestTrays {
         packed_.improvement->before = packed_.improvement->now = figure(packed_.trays);
         best_ = score(packed_.trays);
         if (job_.keeps_all) packer_.keep_shapes();
-        FillOptions on_grid = job_.fill;
-        on_grid.refine = false;
-        on_grid.take_apart = false;
-        on_grid.enough = options_.enough;
+        FillOptions compared = on_grid(job_.fill);
+        compared.enough = options_.enough;
         std::int64_t searches = 0;
         tell();
         for (int pass = 0; goes_on(pass); ++pass) {
             const std::vector<Copy> order = order_of_pass(pass);
             TraysResult layouts;
-            packer_.pack({order, on_grid, options_.enough, [](const Progress&) {}}, layouts);
+            packer_.pack({order, compared, options_.enough, [](const Progress&) {}}, layouts);
             searches += layouts.searches();
             if (options_.enough.stopped()) break;
             packed_.improvement->steps = pass + 1;
@@ -54,7 +52,6 @@ class FewestTrays {
             tell();
         }
         packed_.trays.trays.front().searches += searches;
-        packed_.improvement->seconds = watch_.seconds();
         tell();
     }
 
@@ -64,24 +61,18 @@ class FewestTrays {
     }
 
     TraysScore score(const TraysResult& trays) const {
-        TraysScore score;
-        std::map<int, int> missing;  // by part
-        for (const Copy& copy : job_.copies) {
-            ++missing[copy.part];
-        }
+        std::vector<const std::vector<PlacedCopy>*> placed;
         for (const FilledTray& tray : trays.trays) {
-            score.last = score.top = 0;
-            ++score.trays;
-            for (const PlacedCopy& placed : tray.placed) {
-                --missing[placed.copy.part];
-                score.last += std::max(0.0, measures_.volume(placed.copy.part));
-                score.top = std::max(score.top, measures_.top(placed));
+            placed.push_back(&tray.placed);
+        }
+        const PackingScore of_all = score_packing(job_.copies, placed, measures_);
+        double last = 0;
+        if (!placed.empty()) {
+            for (const PlacedCopy& copy : *placed.back()) {
+                last += std::max(0.0, measures_.volume(copy.copy.part));
             }
         }
-        for (const auto& [part, count] : missing) {
-            score.missing += count * std::max(0.0, measures_.volume(part));
-        }
-        return score;
+        return {of_all.left_over, of_all.trays, last, of_all.top};
     }
 
     double figure(const TraysResult& trays) const {
@@ -158,13 +149,8 @@ class FewestTrays {
     }
 
     void tell() const {
-        Progress progress{Phase::improve, packed_.improvement->steps, options_.most_steps, std::nullopt, 0};
-        if (options_.most_steps > 0) {
-            progress.work = static_cast<double>(packed_.improvement->steps) / static_cast<double>(options_.most_steps);
-        }
-        progress.improved = packed_.improvement;
-        progress.improved->seconds = watch_.seconds();
-        tell_(progress);
+        packed_.improvement->seconds = watch_.seconds();
+        tell_(improving(*packed_.improvement, packed_.improvement->steps, options_.most_steps));
     }
 
     Stopwatch watch_;

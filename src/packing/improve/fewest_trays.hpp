@@ -18,8 +18,8 @@ struct TraysScore {
     auto operator<=>(const TraysScore&) const = default;
 };
 
-/// Packs all trays anew on the grid, in orders in which what ended in the last trays goes earlier, and makes the best
-/// packing come apart in the end. It becomes `packed` where it is better. As improve().
+/// Packs all trays anew on the grid, in orders in which what ended in the last trays goes earlier, and makes each
+/// packing that is better come apart. It becomes `packed` where it is better then, too. As improve().
 void improve_trays(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell,
                    TrayObserver* observer, PackedJob& packed);
 

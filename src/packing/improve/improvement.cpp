@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "core/stopwatch.hpp"
@@ -70,19 +69,8 @@ class Improving {
     }
 
     TrayScore score(const FilledTray& tray, const std::vector<Copy>& wanted) const {
-        TrayScore score;
-        std::map<int, int> missing;  // by part
-        for (const Copy& copy : wanted) {
-            ++missing[copy.part];
-        }
-        for (const PlacedCopy& placed : tray.placed) {
-            --missing[placed.copy.part];
-            score.top = std::max(score.top, measures_.top(placed));
-        }
-        for (const auto& [part, count] : missing) {
-            score.missing += count * worth_(part);
-        }
-        return score;
+        const PackingScore of_all = score_packing(wanted, {&tray.placed}, {worth_, measures_.top});
+        return {of_all.left_over, of_all.top};
     }
 
     /// What the user is told of it.
@@ -137,21 +125,16 @@ class Improving {
         tell(improver);
         while (!options_.enough.stopped() && (options_.most_steps == 0 || improver.steps() < options_.most_steps)) {
             note(improver.step());
-            note_steps(improver);
-            if (!found.empty() && improver.steps() - found_at >= kSettled) settle();
             tell(improver);
+            if (!found.empty() && improver.steps() - found_at >= kSettled) {
+                settle();
+                tell(improver);
+            }
         }
         note(improver.compare());
         settle();
-        note_steps(improver);
-        packed_.improvement->seconds = seconds();
         tray.searches += improver.searches();
         tell(improver);
-    }
-
-    void note_steps(const TrayImprover& improver) const {
-        packed_.improvement->steps = steps_before_ + improver.steps();
-        packed_.improvement->starts = improver.starts();
     }
 
     /// Makes the layout come apart. It becomes the tray where that is better than what there is; then true.
@@ -174,11 +157,7 @@ class Improving {
         tray = std::move(better);
         best_ = reached;
         packed_.improvement->now = figure(tray, best_);
-        std::set<Copy> placed;
-        for (const PlacedCopy& copy : tray.placed) {
-            placed.insert(copy.copy);
-        }
-        packed_.trays.left_over = without(wanted.copies, placed);
+        packed_.trays.left_over = without(wanted.copies, copies_in(tray.placed));
         if (!observer_) return;
         tell_anew(*observer_, wanted.number, tray.placed);
         observer_->tray_finished();
@@ -212,15 +191,10 @@ class Improving {
     double seconds() const { return seconds_before_ + watch_.seconds(); }
 
     void tell(const TrayImprover& improver) const {
-        Progress progress{Phase::improve, improver.steps(), options_.most_steps, std::nullopt, 0};
-        if (options_.most_steps > 0) {
-            progress.work = static_cast<double>(improver.steps()) / static_cast<double>(options_.most_steps);
-        }
-        progress.improved = packed_.improvement;
-        progress.improved->steps = steps_before_ + improver.steps();
-        progress.improved->starts = improver.starts();
-        progress.improved->seconds = seconds();
-        tell_(progress);
+        packed_.improvement->steps = steps_before_ + improver.steps();
+        packed_.improvement->starts = improver.starts();
+        packed_.improvement->seconds = seconds();
+        tell_(improving(*packed_.improvement, improver.steps(), options_.most_steps));
     }
 
     Stopwatch watch_;
@@ -238,6 +212,13 @@ class Improving {
 };
 
 }  // namespace
+
+Progress improving(const Improved& improved, std::int64_t steps, std::int64_t most_steps) {
+    const double work = most_steps > 0 ? static_cast<double>(steps) / static_cast<double>(most_steps) : 0;
+    Progress progress{Phase::improve, steps, most_steps, std::nullopt, work};
+    progress.improved = improved;
+    return progress;
+}
 
 void improve(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell, TrayObserver* observer,
              PackedJob& packed) {

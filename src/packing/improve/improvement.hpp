@@ -18,6 +18,9 @@ struct ImprovementOptions {
     StopToken enough;  ///< ends the search for something better; what was found is still made to come apart
 };
 
+/// What is told of a run that improves after so many steps of its own; `most_steps` as in ImprovementOptions.
+Progress improving(const Improved& improved, std::int64_t steps, std::int64_t most_steps);
+
 /// Replaces the trays in `packed` where something better was found; `observer` (may be null) is told of that, anew. One
 /// tray that holds all becomes lower; one that overflows comes to hold more of what the goal says; of several the last
 /// comes to hold less, or there are fewer (fewest_trays.hpp). `packed` holds the best so far when an exception leaves

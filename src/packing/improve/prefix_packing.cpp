@@ -32,7 +32,6 @@ PrefixPacking::Outcome PrefixPacking::pack(const std::vector<Copy>& order, const
     }
     renew();
     const std::size_t as_known = common_beginning(known, order);
-    Caps* const caps = started_.caps();
     while (steps_.size() < order.size()) {
         const std::size_t i = steps_.size();
         const Copy& copy = order[i];
@@ -48,21 +47,14 @@ PrefixPacking::Outcome PrefixPacking::pack(const std::vector<Copy>& order, const
             continue;
         }
         if (context_.stop.stopped()) return Outcome::stopped;
-        const bool may = !failed_.contains(copy.part) && !(caps && !caps->why_not(copy.part).empty());
         std::optional<PlacedCopy> placed;
-        if (may) {
-            const Shape& shape = shape_of_(copy.part);
-            const SearchResult found = find_place(started_.tray(), context_.search, context_, copy, shape);
-            if (found.stopped) return Outcome::stopped;
-            ++searches_;
-            if (found.best) {
-                const auto& [part, number] = copy;
-                const int orientation = shape.orientations[static_cast<std::size_t>(found.best->index)].orientation;
-                Settled settled = context_.settle(copy, shape, *found.best);
-                placed = PlacedCopy{copy, orientation, found.best->position, settled.offset, 0, found.best->cost};
-                placed->object = started_.tray().add(std::move(settled.object));
-                if (caps) caps->add(part, orientation, settled.offset);
-            }
+        if (!failed_.contains(copy.part)) {
+            GreedyResult result;
+            const auto shape_of = [&]() -> const Shape& { return shape_of_(copy.part); };
+            const PlaceOutcome outcome = place_copy(started_.tray(), context_, copy, shape_of, result);
+            if (outcome == PlaceOutcome::stopped) return Outcome::stopped;
+            searches_ += result.searches;
+            if (outcome == PlaceOutcome::placed) placed = result.placed.back();
         }
         if (!placed) ++failed_[copy.part];
         steps_.push_back({copy, placed});

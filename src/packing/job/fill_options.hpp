@@ -36,6 +36,12 @@ struct FillOptions {
     std::optional<StopToken> enough = {};
 };
 
+/// The same, for packings on the grid that are only compared: nothing is refined or taken apart.
+inline FillOptions on_grid(FillOptions options) {
+    options.refine = options.take_apart = false;
+    return options;
+}
+
 /// What one tray is to be filled with.
 struct TrayCopies {
     int number = 0;                          ///< of the tray, from 0: which fixed copies stand in it

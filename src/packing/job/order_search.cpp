@@ -126,17 +126,15 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
                         TrayObserver* observer, PackedJob& packed) {
     const PackingJob& job = packer.job();
     if (job.keeps_all) packer.keep_shapes();
-    FillOptions on_grid = job.fill;
-    on_grid.refine = false;
-    on_grid.take_apart = false;
+    FillOptions compared = on_grid(job.fill);
     // What can be reached is not looked at on the grid: that takes long. So all is packed once more in the end.
     const bool packs_anew = job.fill.interlock == Interlock::place || job.verified;
-    if (job.fill.interlock == Interlock::place) on_grid.interlock = Interlock::off;
+    if (job.fill.interlock == Interlock::place) compared.interlock = Interlock::off;
     // The second engine does not look at beams.
     const bool done_on_grid = !job.fill.refine && job.fill.interlock == Interlock::off && !job.verified;
     const StopToken placing = job.fill.enough.value_or(options.stop);
     const StopToken enough = done_on_grid ? placing : options.enough;
-    on_grid.enough = enough;
+    compared.enough = enough;
 
     const OrderSearchOptions wanted{options.restarts, options.beam, options.seed, job.ranks, measures_of(job.parts)};
     const bool by_beam = wanted.beam > 1;
@@ -147,13 +145,13 @@ void pack_in_best_order(TraysPacker& packer, const BestOrderOptions& options, co
         packed.trays = std::move(trays);
         if (observer) tell_of(packed.trays, static_cast<int>(told), *observer);
     };
-    const bool avoids_links = on_grid.interlock == Interlock::post && on_grid.links == Links::avoid;
+    const bool avoids_links = compared.interlock == Interlock::post && compared.links == Links::avoid;
     const auto make_engine = [&] {
         std::unique_ptr<PlacementSearch> engine = options.make_engine(wanted.beam);
         return avoids_links ? make_unlinked_search(std::move(engine)) : std::move(engine);
     };
     const PackInOrder pack = [&](const std::vector<Copy>& copies, bool beam) -> std::optional<TraysResult> {
-        FillOptions fill = on_grid;
+        FillOptions fill = compared;
         if (beam) {
             fill.beam = BeamOptions{wanted.beam, job.ranks, make_engine, wanted.measures};
         }

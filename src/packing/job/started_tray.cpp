@@ -177,9 +177,13 @@ void StartedTray::compact(std::vector<PlacedCopy>& placed, const TrayContext& co
     refinement_->restart();
     for (std::size_t i = 0; i < placed.size(); ++i) {
         PlacedCopy& copy = placed[i];
+        if (copy.offset == before[i].offset) {
+            refinement_->stand_still(copy);
+            continue;
+        }
         tray_.remove(copy.object);
         copy.object = tray_.add(settle_again(copy).object);
-        if (context.observer && copy.offset != before[i].offset) context.observer->copy_moved(copy);
+        if (context.observer) context.observer->copy_moved(copy);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include "core/stopwatch.hpp"
@@ -159,11 +158,7 @@ void TrayFiller::fill(const TrayCopies& wanted, const CopyDone& copy_done, Fille
 
 void TrayFiller::finish(const TrayCopies& wanted, const std::vector<PlacedCopy>& layout, bool is_compact,
                         FilledTray& result) {
-    std::set<Copy> placed;
-    for (const PlacedCopy& copy : layout) {
-        placed.insert(copy.copy);
-    }
-    const std::vector<Copy> rest = without(wanted.copies, placed);
+    const std::vector<Copy> rest = without(wanted.copies, copies_in(layout));
     const bool compacts = around_.options.refine && !is_compact;
     fill_one(
         wanted, compacts, wanted.copies, result,

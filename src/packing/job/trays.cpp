@@ -59,10 +59,7 @@ void fill_trays(const std::vector<Copy>& copies, const TraysLimit& limit, TrayFi
             result.left_over = tray.left_over;
             throw;
         }
-        std::set<Copy> placed;
-        for (const PlacedCopy& copy : tray.placed) {
-            placed.insert(copy.copy);
-        }
+        const std::set<Copy> placed = copies_in(tray.placed);
         remaining = without(remaining, placed);
         stopped = stop.stopped();
         // What a next tray would have been tried for has not been tried to the end.
@@ -96,9 +93,7 @@ void finish_trays(const TraysResult& layouts, const std::vector<Copy>& copies, c
         }
         FilledTray& tray = result.trays.emplace_back();
         filler.finish(wanted, layouts.trays[t].placed, false, tray);
-        for (const PlacedCopy& placed : tray.placed) {
-            done.insert(placed.copy);
-        }
+        done.merge(copies_in(tray.placed));
     }
     const std::vector<Copy> rest = without(copies, done);
     const bool more = limit.trays == 0 || static_cast<int>(result.trays.size()) < limit.trays;

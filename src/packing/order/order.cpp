@@ -72,6 +72,14 @@ std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>&
     return rest;
 }
 
+std::set<Copy> copies_in(const std::vector<PlacedCopy>& placed) {
+    std::set<Copy> copies;
+    for (const PlacedCopy& copy : placed) {
+        copies.insert(copy.copy);
+    }
+    return copies;
+}
+
 std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {
     std::vector<Copy> copies = sorted_copies(parts, [&](const PartSize& part) { return size_of(part, order); });
     if (order == Order::random) {

@@ -27,57 +27,36 @@ void grow(Tray& tray, int enough, int most_layers) {
     tray = grown(tray, wanted);
 }
 
-/// Places one copy after another.
-class Placer {
-  public:
-    Placer(Tray& tray, const TrayContext& context, GreedyResult& result)
-        : tray_(tray), context_(context), result_(result) {}
-
-    template <class ShapeOf>
-    PlaceOutcome place(const Copy& copy, const ShapeOf& shape_of) {
-        try {
-            return try_place(copy, shape_of);
-        } catch (const Stopped&) {  // while its voxels were made
-            return PlaceOutcome::stopped;
-        }
-    }
-
-  private:
-    template <class ShapeOf>
-    PlaceOutcome try_place(const Copy& copy, const ShapeOf& shape_of) {
-        if (context_.stop.stopped()) return PlaceOutcome::stopped;
-        Caps* const caps = context_.limits.caps;
-        if (caps) {
-            const std::string why = caps->why_not(copy.part);
-            if (!why.empty()) {
-                result_.why[copy.part] = why;
-                return PlaceOutcome::no_place;
-            }
-        }
-        const Shape& shape = shape_of();
-        const SearchResult found = find_place(tray_, context_.search, context_, copy, shape);
-        if (found.stopped) return PlaceOutcome::stopped;
-        ++result_.searches;
-        if (!found.best) {
-            const std::string why = caps ? caps->no_layer_left() : "";
-            if (!why.empty()) result_.why[copy.part] = why;
+PlaceOutcome try_place(Tray& tray, const TrayContext& context, const Copy& copy, const ShapeOfCopy& shape_of,
+                       GreedyResult& result) {
+    if (context.stop.stopped()) return PlaceOutcome::stopped;
+    Caps* const caps = context.limits.caps;
+    if (caps) {
+        const std::string why = caps->why_not(copy.part);
+        if (!why.empty()) {
+            result.why[copy.part] = why;
             return PlaceOutcome::no_place;
         }
-        if (context_.stop.stopped()) return PlaceOutcome::stopped;  // the surfaces of a large mesh take seconds
-        const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
-        Settled settled = context_.settle(copy, shape, *found.best);
-        const ObjectId object = tray_.add(std::move(settled.object));
-        if (caps) caps->add(copy.part, oriented.orientation, settled.offset);
-        result_.placed.push_back(
-            {copy, oriented.orientation, found.best->position, settled.offset, object, found.best->cost});
-        if (context_.observer) context_.observer->copy_placed(result_.placed.back());
-        return PlaceOutcome::placed;
     }
-
-    Tray& tray_;
-    const TrayContext& context_;
-    GreedyResult& result_;
-};
+    const Shape& shape = shape_of();
+    const SearchResult found = find_place(tray, context.search, context, copy, shape);
+    if (found.stopped) return PlaceOutcome::stopped;
+    ++result.searches;
+    if (!found.best) {
+        const std::string why = caps ? caps->no_layer_left() : "";
+        if (!why.empty()) result.why[copy.part] = why;
+        return PlaceOutcome::no_place;
+    }
+    if (context.stop.stopped()) return PlaceOutcome::stopped;  // the surfaces of a large mesh take seconds
+    const OrientedShape& oriented = shape.orientations[static_cast<std::size_t>(found.best->index)];
+    Settled settled = context.settle(copy, shape, *found.best);
+    const ObjectId object = tray.add(std::move(settled.object));
+    if (caps) caps->add(copy.part, oriented.orientation, settled.offset);
+    result.placed.push_back(
+        {copy, oriented.orientation, found.best->position, settled.offset, object, found.best->cost});
+    if (context.observer) context.observer->copy_placed(result.placed.back());
+    return PlaceOutcome::placed;
+}
 
 }  // namespace
 
@@ -114,10 +93,18 @@ SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& 
     return found;
 }
 
+PlaceOutcome place_copy(Tray& tray, const TrayContext& context, const Copy& copy, const ShapeOfCopy& shape_of,
+                        GreedyResult& result) {
+    try {
+        return try_place(tray, context, copy, shape_of, result);
+    } catch (const Stopped&) {  // while its voxels were made
+        return PlaceOutcome::stopped;
+    }
+}
+
 void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Copy>& copies, const CopyDone& copy_done,
                    GreedyResult& result) {
     ShapeStore& shapes = context.shapes;
-    Placer placer(tray, context, result);
     std::unordered_set<int> hopeless;  // parts that found no place
     const auto most_hopeless = static_cast<std::size_t>(context.limits.give_up_after);
     for (std::size_t i = 0; i < copies.size(); ++i) {
@@ -127,7 +114,8 @@ void pack_greedily(Tray& tray, const TrayContext& context, const std::vector<Cop
         if (hopeless.contains(copy.part)) {
             result.left_over.push_back(copy);
         } else {
-            const auto outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
+            const auto outcome = place_copy(
+                tray, context, copy, [&]() -> const Shape& { return shapes.at(i); }, result);
             if (outcome == PlaceOutcome::stopped) {
                 result.untried.assign(copies.begin() + static_cast<std::ptrdiff_t>(i), copies.end());
                 return;
@@ -172,10 +160,10 @@ void share_out(const std::vector<PartShare>& shares, std::vector<int>& placed,
 void pack_in_shares(Tray& tray, const TrayContext& context, const std::vector<PartShare>& shares,
                     const FirstCopies& first, const CopyDone& copy_done, GreedyResult& result) {
     ShapeStore& shapes = context.shapes;
-    Placer placer(tray, context, result);
     std::vector<int> placed(shares.size(), 0);
     const auto place = [&](std::size_t i, const Copy& copy) {
-        const PlaceOutcome outcome = placer.place(copy, [&]() -> const Shape& { return shapes.at(i); });
+        const PlaceOutcome outcome = place_copy(
+            tray, context, copy, [&]() -> const Shape& { return shapes.at(i); }, result);
         if (outcome != PlaceOutcome::stopped) copy_done(result.placed.size());
         return outcome;
     };

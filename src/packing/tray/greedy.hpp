@@ -19,6 +19,16 @@ using CopyDone = std::function<void(std::size_t copies_done)>;
 SearchResult find_place(Tray& tray, PlacementSearch& search, const TrayContext& context, const Copy& copy,
                         const Shape& shape);
 
+enum class PlaceOutcome { placed, no_place, stopped };
+
+/// Only asked for where a copy is searched for.
+using ShapeOfCopy = std::function<const Shape&()>;
+
+/// Stands the copy at its best placement, within the limits, and settles it there: it is added to the tray, the caps
+/// and what `result` has placed; the observer is told. Else `result` says why where a cap left no place.
+PlaceOutcome place_copy(Tray& tray, const TrayContext& context, const Copy& copy, const ShapeOfCopy& shape_of,
+                        GreedyResult& result);
+
 /// Packs `copies` into `tray` on top of what stands there; the shapes have been told of them (start_tray). A copy whose
 /// part has already found no place is left over without a search: the tray only fills up. `result` is filled as it
 /// goes, so that it holds what was done when an exception (out of memory, two engines that disagree) leaves this
@@ -34,8 +44,6 @@ struct PartShare {
     int part = 0;
     int share = 1;
 };
-
-enum class PlaceOutcome { placed, no_place, stopped };
 
 /// Each time asks `place` for one more copy of the part that lacks most of its share among the parts that still find a
 /// place (the first of them in `shares`); a part that finds none is out. Ends when all are out, or stopped. `placed`

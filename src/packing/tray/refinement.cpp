@@ -57,6 +57,11 @@ Settled Refinement::stand_at(const Copy& copy, int orientation, const Vec3& offs
     return settled;
 }
 
+void Refinement::stand_still(const PlacedCopy& placed) {
+    const int part = placed.copy.part;
+    refiner_.add({surfaces_.at(part, placed.orientation), placed.offset, surfaces_.part(part).gap});
+}
+
 void Refinement::restart() {
     refiner_ = Refiner(options_);
     for (const PlacedSurface& obstacle : from_start_) {

@@ -36,6 +36,9 @@ class Refinement {
     /// The copy comes to stand with its turned mesh moved by `offset`, as it is.
     Settled stand_at(const Copy& copy, int orientation, const Vec3& offset, int gap_class);
 
+    /// The copy stands where it does; the tray holds its voxels there already.
+    void stand_still(const PlacedCopy& placed);
+
     /// What stood in the tray from the start is all that stands in it.
     void restart();
 
