@@ -236,7 +236,7 @@ std::vector<Option> order_options() {
                  "Once the first packing is done, other orders are tried and copies are shifted, over and over; the "
                  "best packing so far is kept, which comes apart like any other. Where all fits it becomes "
                  "lower; a tray that overflows comes to hold more of what --goal says; of several trays the last "
-                 "becomes lower. Ctrl-C ends it early, and the best is written. What comes of it depends on how "
+                 "comes to hold less. Ctrl-C ends it early, and the best is written. What comes of it depends on how "
                  "fast the machine is; --improve-steps does not.",
              .default_means = "none",
              .examples = {"60"},
