@@ -3,7 +3,7 @@
 
     improve.py PROGRAM DATA OUT.csv [--seconds 10,60] [--seeds 5] [--only NAME,...]
     improve.py --curve SECONDS PROGRAM DATA OUT.csv [--only NAME,...]
-    improve.py --table OUT.csv                            a table in Markdown of what was measured
+    improve.py --table OUT.csv      a table in Markdown of what was measured: medians, and of several seeds best and worst
 
 A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by `check --require-plan`. Rows are added
 to what is there.
@@ -120,7 +120,7 @@ def shown(what, value):
 def print_table(path):
     rows = rows_of(path)
     times = sorted({float(row["seconds"]) for row in rows})
-    print("| job | first packing | " + " | ".join(f"{t:g} s more: median (best, worst)" for t in times) + " | orders tried |")
+    print("| job | first packing | " + " | ".join(f"{t:g} s more" for t in times) + " | orders tried |")
     print("| --- " * (len(times) + 3) + "|")
     for job in dict.fromkeys(row["job"] for row in rows):
         of_job = [row for row in rows if row["job"] == job]
@@ -130,8 +130,8 @@ def print_table(path):
             values = sorted(float(row["now"]) for row in of_job if float(row["seconds"]) == t)
             if what in ("density", "copies", "value"):
                 values.reverse()
-            cells.append("–" if not values else
-                         f"**{shown(what, statistics.median(values))}** ({shown(what, values[0])}, {shown(what, values[-1])})")
+            spread = f" ({shown(what, values[0])}, {shown(what, values[-1])})" if len(values) > 1 else ""
+            cells.append(f"**{shown(what, statistics.median(values))}**{spread}" if values else "–")
         cells.append(", ".join(f"{statistics.median(int(row['steps']) for row in of_job if float(row['seconds']) == t):.0f}"
                                for t in times if any(float(row["seconds"]) == t for row in of_job)))
         print("| " + " | ".join(cells) + " |")

@@ -294,8 +294,7 @@ std::string progress_text(const Improved& improved) {
 }
 
 std::string improved_text(const Improved& improved) {
-    const std::string orders = fmt::format("{} order{} tried in {}", improved.steps, improved.steps == 1 ? "" : "s",
-                                           duration_text(improved.seconds));
+    const std::string orders = fmt::format("{} order{} tried", improved.steps, improved.steps == 1 ? "" : "s");
     const double gain = improved.now - improved.before;
     if (gain == 0) return "nothing better was found; " + orders;
     switch (improved.what) {
