@@ -155,7 +155,7 @@ std::string estimate_text(const Estimate& estimate, const PackOptions& options, 
     lines.labelled("Memory", fmt::format("about {}, of {} {}", bytes_text(estimate.memory),
                                          bytes_text(estimate.memory_limit), options.memory > 0 ? "allowed" : "free"));
     lines.labelled("Voxels", fmt::format("{} x {} x {} of {} mm{}; {} way{} to stand", estimate.grid.x, estimate.grid.y,
-                                         estimate.grid.z, length_text(options.voxel), open ? " to begin with" : "",
+                                         estimate.grid.z, length_text(estimate.voxel), open ? " to begin with" : "",
                                          estimate.orientations, estimate.orientations == 1 ? "" : "s"));
     return lines.text();
 }

@@ -289,6 +289,8 @@ std::string progress_text(const Improved& improved) {
             return fmt::format("worth {:g}, {:g} more than at first", improved.now, gain);
         case Improves::trays:
             return trays_text(improved.now) + ", at first " + trays_text(improved.before);
+        case Improves::box:
+            return fmt::format("box {} smaller than at first", percent_text(1 - improved.now / improved.before));
     }
     return "";
 }
@@ -309,6 +311,9 @@ std::string improved_text(const Improved& improved) {
             return fmt::format("worth {:g} more than at first ({:g}); {}", gain, improved.before, orders);
         case Improves::trays:
             return fmt::format("{}, at first {}; {}", trays_text(improved.now), trays_text(improved.before), orders);
+        case Improves::box:
+            return fmt::format("a box {} smaller than at first; {}", percent_text(1 - improved.now / improved.before),
+                               orders);
     }
     return "";
 }

@@ -12,6 +12,7 @@ enum class Improves {
     copies,   ///< placed
     value,    ///< of the copies placed, summed
     trays,    ///< that are used, of the last only the share that is filled: less is better
+    box,      ///< mm^3, the packing's own: less is better
 };
 
 struct Improved {

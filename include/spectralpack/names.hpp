@@ -74,7 +74,7 @@ template <>
 inline constexpr Words<9> kWords<Phase>{"load",  "voxelize", "search", "disassemble", "reinsert",
                                         "check", "render",   "write",  "improve"};
 template <>
-inline constexpr Words<5> kWords<Improves>{"height", "density", "copies", "value", "trays"};
+inline constexpr Words<6> kWords<Improves>{"height", "density", "copies", "value", "trays", "box"};
 template <>
 inline constexpr Words<6> kWords<EventKind>{"tray_begun",     "copy_placed",   "copy_moved",
                                             "copy_taken_out", "copy_put_back", "tray_finished"};

@@ -34,6 +34,10 @@ struct VerifyWith {
     bool operator==(const VerifyWith&) const = default;
 };
 
+/// The grid that is taken where nobody says which: dx in mm, and orientations.
+inline constexpr double kUsualVoxel = 2;
+inline constexpr const char* kUsualRotations = "90";
+
 /// More would only wait for each other.
 inline constexpr int kMostThreads = 1024;
 
@@ -42,10 +46,12 @@ struct PackOptions {
     int trays = 1;             ///< containers to fill, at most; 0: as many as it takes
     /// Of several trays one is full once so many parts found no place in it; 0: never before all were tried.
     int try_per_tray = 1000;
-    std::optional<std::string> printer;     ///< preset that other values come from; kept for the record
-    double voxel = 2;                       ///< dx, mm
-    int detail = 2;                         ///< s: collisions between copies are decided on voxels of dx / s
-    std::string rotations = "90";           ///< model/orientation.hpp
+    std::optional<std::string> printer;  ///< preset that other values come from; kept for the record
+    /// dx, mm; none: kUsualVoxel, with `improve` half of it where there is the time (docs/improving.md).
+    std::optional<double> voxel;
+    int detail = 2;  ///< s: collisions between copies are decided on voxels of dx / s
+    /// As orientations.hpp has them; none: kUsualRotations, with `improve` also "+box" where there is the time.
+    std::optional<std::string> rotations;
     bool upright = false;                   ///< parts that say nothing of their orientations keep their top up
     double gap = 0.2;                       ///< least distance between two copies, mm
     double wall_gap = 0;                    ///< least distance to the container, mm

@@ -22,6 +22,10 @@ bool is_open(const PackOptions& options) { return options.open_height || options
 
 bool improves(const PackOptions& options) { return options.improve || options.improve_steps > 0; }
 
+double voxel_size(const PackOptions& options) { return options.voxel.value_or(kUsualVoxel); }
+
+std::string rotations_of(const PackOptions& options) { return options.rotations.value_or(kUsualRotations); }
+
 std::optional<HeightReference> height_reference(const PackOptions& options) {
     if (options.height_at) return options.height_at;
     if (is_open(options)) return HeightReference::top;
@@ -67,7 +71,7 @@ void check_options(const PackOptions& options) {
                              short_number(tray[axis]) + " mm");
         }
     }
-    if (options.ray_spacing) check_ray_spacing(*options.ray_spacing, options.voxel / options.detail);
+    if (options.ray_spacing) check_ray_spacing(*options.ray_spacing, voxel_size(options) / options.detail);
     if (is_open(options)) {
         const std::string open = options.open_height ? "--open-height" : "--minimise box";
         if (options.fill) throw UsageError("--fill needs a height to fill: it does not go with " + open);
@@ -79,9 +83,9 @@ void check_options(const PackOptions& options) {
         }
     }
     const Vec3 space = space_inside(options);
-    if (std::min({space.x, space.y, space.z}) < options.voxel) {
-        throw UsageError("the tray, less the wall gap, is smaller than one voxel of " + short_number(options.voxel) +
-                         " mm");
+    if (std::min({space.x, space.y, space.z}) < voxel_size(options)) {
+        throw UsageError("the tray, less the wall gap, is smaller than one voxel of " +
+                         short_number(voxel_size(options)) + " mm");
     }
 }
 

@@ -2,6 +2,7 @@
 /// What pack options come to, and which of them make no sense.
 
 #include <optional>
+#include <string>
 
 #include "spectralpack/pack.hpp"
 
@@ -12,6 +13,10 @@ bool is_open(const PackOptions& options);
 
 /// Whether the first packing is to be made better.
 bool improves(const PackOptions& options);
+
+// What is given, else the usual.
+double voxel_size(const PackOptions& options);  ///< dx, mm
+std::string rotations_of(const PackOptions& options);
 
 /// Where height counts in all trays; none: in each where it serves best (HeightChoice).
 std::optional<HeightReference> height_reference(const PackOptions& options);

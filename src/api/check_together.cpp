@@ -49,7 +49,6 @@ void check_together(const Job& job) {
     if (improves(options)) {
         const std::string improve = options.improve ? "--improve" : "--improve-steps";
         if (options.fill) refuse(improve, "--fill", "what is placed there follows the parts' shares");
-        if (options.minimise == Minimise::box) refuse(improve, "--minimise box", "it tries bases instead");
         if (options.interlock == Interlock::place) {
             refuse(improve, "--interlock place",
                    "copies are shifted afterwards; --interlock post sees that all come out");

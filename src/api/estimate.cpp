@@ -1,6 +1,7 @@
 #include "api/check_options.hpp"
 #include "api/check_together.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/grid_choice.hpp"
 #include "api/keep_outs.hpp"
 #include "api/load.hpp"
 #include "api/load_container.hpp"
@@ -27,10 +28,12 @@ Estimate estimate_of(const Job& job, const Control& control) {
     const LoadedJob loaded = load_parts(job, workers, listener);
     require_sound(loaded, container, options, workers, listener, control.stop);
     workers.check();
-    const Plan plan = make_plan(loaded, container, options, job.own_printers, workers);
-    require_free(blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers), container, options);
+    const Plan plan = choose_grid(loaded, container, job.own_printers, workers, options);
+    require_free(blocked_voxels(container, plan.grid, voxel_size(options), options.wall_gap, workers), container,
+                 options);
     Estimate estimate;
     estimate.grid = plan.grid;
+    estimate.voxel = voxel_size(options);
     estimate.container = tray_size(options);
     estimate.orientations = static_cast<int>(plan.most_orientations);
     for (std::size_t i = 0; i < loaded.parts.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "api/check_options.hpp"
 #include "api/short_number.hpp"
 #include "spectralpack/error.hpp"
 
@@ -32,7 +33,7 @@ void warn_of_keep_outs(const Container& container, Listener& listener) {
 
 void require_free(const BitGrid& blocked, const Container& container, const PackOptions& options) {
     if (blocked.extent().empty() || blocked.count() < blocked.extent().count()) return;
-    std::string what = "no voxel of " + short_number(options.voxel) + " mm is wholly free";
+    std::string what = "no voxel of " + short_number(voxel_size(options)) + " mm is wholly free";
     if (options.wall_gap > 0) what += " and " + short_number(options.wall_gap) + " mm from the walls";
     // A vessel stands among the keep-outs itself.
     const std::size_t own = container.is == ContainerIs::vessel ? 1 : 0;

@@ -258,9 +258,9 @@ void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_
     plan.memory_limit = memory_limit(options, workers);
     plan.memory_of_surfaces = surfaces_memory(plan, loaded, options);
     plan.memory_of_copies = copies_memory(plan, loaded, options);
-    plan.memory = parts_memory(options.voxel, options.detail, plan, loaded);
+    plan.memory = parts_memory(voxel_size(options), options.detail, plan, loaded);
     const auto engines = [&](int layers) {
-        return engines_memory(options.voxel, with_layers(plan.grid, layers), plan, options, workers);
+        return engines_memory(voxel_size(options), with_layers(plan.grid, layers), plan, options, workers);
     };
     if (is_open(options)) {
         plan.most_layers = 1;
@@ -279,18 +279,18 @@ void plan_memory(const LoadedJob& loaded, const PackOptions& options, int fixed_
             per_voxel * static_cast<double>(plan.grid.count()) * static_cast<double>(plan.most_orientations);
         // Improving asks about all parts in turn, over and over.
         if (improves(options)) {
-            const auto maps = part_memory(plan.engine, engine_need(options.voxel, plan.grid, plan, options));
+            const auto maps = part_memory(plan.engine, engine_need(voxel_size(options), plan.grid, plan, options));
             wanted = std::max(wanted, static_cast<double>(maps) * parts_to_pack(loaded));
         }
         plan.cache = static_cast<std::int64_t>(std::min(static_cast<double>(plan.cache), wanted));
     }
     if (plan.engine == EngineKind::reference) plan.cache = 0;  // it keeps nothing
     const std::int64_t cached = std::max<std::int64_t>(
-        0, plan.cache - part_memory(plan.engine, engine_need(options.voxel, plan.grid, plan, options)));
+        0, plan.cache - part_memory(plan.engine, engine_need(voxel_size(options), plan.grid, plan, options)));
     const std::int64_t spare = plan.memory_limit - plan.memory - kCacheShare * cached;
     if (options.memory == 0) plan.memory += cached;
-    plan.keeps_all = parts_memory(options.voxel, options.detail, plan, loaded, true) -
-                         parts_memory(options.voxel, options.detail, plan, loaded) <=
+    plan.keeps_all = parts_memory(voxel_size(options), options.detail, plan, loaded, true) -
+                         parts_memory(voxel_size(options), options.detail, plan, loaded) <=
                      spare / 2;
     if (improves(options)) plan.answers = std::min(kMostAnswers, std::max<std::int64_t>(0, spare) / 4);
     if (options.trays != 1) {
@@ -308,11 +308,11 @@ std::int64_t record_memory(const LoadedJob& loaded) {
 
 void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions& options, const Workers& workers) {
     if (plan.memory <= plan.memory_limit) return;
-    double fitting = options.voxel;
+    double fitting = voxel_size(options);
     const Vec3 space = space_inside(options);
     const double coarsest = std::min({space.x, space.y, space.z});
     const auto grid_at = [&](double dx) {
-        const double by = options.voxel / dx;
+        const double by = voxel_size(options) / dx;
         const auto coarser = [&](int voxels) { return std::max(1, static_cast<int>(std::ceil(voxels * by))); };
         return Extent{coarser(plan.grid.x), coarser(plan.grid.y), coarser(plan.grid.z)};
     };
@@ -328,8 +328,8 @@ void require_memory(const Plan& plan, const LoadedJob& loaded, const PackOptions
         const double digit = std::pow(10, std::floor(std::log10(fitting)) - 1);
         advice = "; --voxel " + short_number(std::ceil(fitting / digit) * digit) + " would fit";
     }
-    throw ResourceError("packing at --voxel " + short_number(options.voxel) + " needs about " + megabytes(plan.memory) +
-                        " of memory, and " + megabytes(plan.memory_limit) +
+    throw ResourceError("packing at --voxel " + short_number(voxel_size(options)) + " needs about " +
+                        megabytes(plan.memory) + " of memory, and " + megabytes(plan.memory_limit) +
                         (options.memory > 0 && options.memory == plan.memory_limit ? " are allowed" : " are free") +
                         advice);
 }

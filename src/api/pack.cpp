@@ -10,6 +10,7 @@
 #include "api/engine_factory.hpp"
 #include "api/file_stamps.hpp"
 #include "api/fixed_copies.hpp"
+#include "api/grid_choice.hpp"
 #include "api/input_hash.hpp"
 #include "api/journal/run_journal.hpp"
 #include "api/keep_outs.hpp"
@@ -71,7 +72,7 @@ class JobRun {
                                  " threads could be started; it goes on with these");
         }
         load();
-        plan_ = make_plan(loaded_, container_, options_, job_.own_printers, preparing_);
+        plan_ = choose_grid(loaded_, container_, job_.own_printers, preparing_, options_);
         require_memory(plan_, loaded_, options_, workers_);
         Remarks too_large;
         for (std::size_t i = 0; i < loaded_.parts.size(); ++i) {
@@ -222,7 +223,7 @@ class JobRun {
     }
 
     const Job& job_;
-    PackOptions options_;  // as used: with the size of a container mesh
+    PackOptions options_;  // as used: with the size of a container mesh and the grid that was chosen
     const JournalOptions& journal_options_;
     std::unique_ptr<RunJournal> journal_;  // null: none is kept
     Container container_;

@@ -17,10 +17,10 @@ FillOptions fill_setup(const JobSource& source, Listener& listener, const Worker
     setup.container = container;
     setup.container.size = tray_size(options);
     setup.tray.size = setup.container.size - Vec3{wall, wall, wall};
-    setup.tray.blocked = blocked_voxels(container, plan.grid, options.voxel, options.wall_gap, workers);
+    setup.tray.blocked = blocked_voxels(container, plan.grid, voxel_size(options), options.wall_gap, workers);
     setup.tray.blocked_is_physical = container.physical;
     require_free(setup.tray.blocked, container, options);
-    setup.tray.voxel_size = options.voxel;
+    setup.tray.voxel_size = voxel_size(options);
     setup.tray.detail = options.detail;
     setup.tray.gap_classes = plan.gap_classes;
     setup.wall_gap = options.wall_gap;
@@ -44,8 +44,8 @@ FillOptions fill_setup(const JobSource& source, Listener& listener, const Worker
     if (is_open(options)) {
         setup.tray.ceiling = Ceiling::open;
         setup.tray.reference_layers =
-            std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / options.voxel - 1e-9)));
-        setup.tray.size.z = plan.grid.z * options.voxel;
+            std::max(1, static_cast<int>(std::ceil(setup.tray.size.z / voxel_size(options) - 1e-9)));
+        setup.tray.size.z = plan.grid.z * voxel_size(options);
         setup.container.size.z = Box::kInfinity;
         setup.most_layers = plan.most_layers;
     }

@@ -57,7 +57,7 @@ std::size_t count_roots(const std::vector<Mat3>& orientations) {
 
 /// The parts' orientation sets; parts that differ in nothing that decides them share one.
 void plan_orientations(const LoadedJob& loaded, const PackOptions& options, const Workers& workers, Plan& plan) {
-    const RotationSpec spec = parse_rotations(options.rotations);
+    const RotationSpec spec = parse_rotations(rotations_of(options));
     struct Wanted {
         PartOrientations part;
         const Mesh* boxed = nullptr;  // whose box frame is added
@@ -132,8 +132,8 @@ int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& o
         longest = std::max(longest, loaded.parts[i].to_mm() * std::max({size.x, size.y, size.z}));
     }
     const Vec3 space = space_inside(options);
-    return fixed_layers(loaded, options.voxel) +
-           voxels_in(kFilled * boxes / (space.x * space.y) + longest, options.voxel);
+    return fixed_layers(loaded, voxel_size(options)) +
+           voxels_in(kFilled * boxes / (space.x * space.y) + longest, voxel_size(options));
 }
 
 }  // namespace
@@ -188,17 +188,17 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     if (!is_open(options) && material > container_volume) plan.placed = container_volume / material;
     std::sort(plan.gap_classes.begin(), plan.gap_classes.end());
     plan.gap_classes.erase(std::unique(plan.gap_classes.begin(), plan.gap_classes.end()), plan.gap_classes.end());
-    const bool overflows = !is_open(options) && options.trays == 1 && plan.box_ratio > kOverflow;
-    const bool by_goal = overflows && options.goal != Goal::fair && options.order == Order::size;
+    plan.overflows = !is_open(options) && options.trays == 1 && plan.box_ratio > kOverflow;
+    const bool by_goal = plan.overflows && options.goal != Goal::fair && options.order == Order::size;
     plan.items = by_goal ? order_copies(sizes, options.goal) : order_copies(sizes, options.order, options.seed);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));
     for (int axis = 0; axis < 2; ++axis) {
-        plan.grid[axis] = voxels_in(plan.room[axis], options.voxel);
+        plan.grid[axis] = voxels_in(plan.room[axis], voxel_size(options));
     }
-    plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(plan.room.z, options.voxel);
-    plan_memory(loaded, options, is_open(options) ? fixed_layers(loaded, options.voxel) : 0, workers, plan);
+    plan.grid.z = is_open(options) ? first_layers(loaded, plan, options) : voxels_in(plan.room.z, voxel_size(options));
+    plan_memory(loaded, options, is_open(options) ? fixed_layers(loaded, voxel_size(options)) : 0, workers, plan);
     return plan;
 }
 
@@ -207,7 +207,7 @@ void warn_of_orientations(const Plan& plan, const PackOptions& options, Listener
     if (plan.most_orientations < kMany) return;
     char memory[32];
     std::snprintf(memory, sizeof memory, "%.2g GB", static_cast<double>(plan.memory) / 1e9);
-    listener.on_warning("--rotations " + options.rotations + " tries " + std::to_string(plan.most_orientations) +
+    listener.on_warning("--rotations " + rotations_of(options) + " tries " + std::to_string(plan.most_orientations) +
                         " ways to stand, --rotations 90 tries " + std::to_string(kUsual) + ": this takes up to " +
                         std::to_string(plan.most_orientations / kUsual) + " times as long, and about " + memory +
                         " of memory");

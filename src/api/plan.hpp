@@ -39,7 +39,8 @@ struct Plan {
     int held() const { return 2 * ahead; }  ///< parts whose voxels are held at once: new ones, and some that wait
     bool keeps_all = false;                 ///< there is memory for the voxels of all parts at once
     double box_ratio = 0, volume_ratio = 0;
-    double placed = 1;  ///< share of the copies that the container has room for, at most
+    bool overflows = false;  ///< one tray that will hardly hold all
+    double placed = 1;       ///< share of the copies that the container has room for, at most
 };
 
 /// `options.tray` is the container's size; `own_printers` are named where a part would fit into one. Throws as

@@ -158,7 +158,7 @@ class PackingPlanner {
     PackingPlanner(const Packing& packing, const PartMeshes& meshes, const PlanOptions& settings)
         : packing_(packing), meshes_(meshes), workers_(settings.threads) {
         const PackOptions& options = packing.options;
-        voxel_ = settings.voxel.value_or(options.voxel / options.detail);
+        voxel_ = settings.voxel.value_or(voxel_size(options) / options.detail);
         if (!(voxel_ > 0) || !std::isfinite(voxel_)) throw UsageError("the voxel size must be a positive number");
         ray_spacing_ = settings.ray_spacing.value_or(
             settings.voxel || !options.ray_spacing ? DisassemblyOptions::spacing_for(voxel_) : *options.ray_spacing);

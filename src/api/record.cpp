@@ -133,8 +133,8 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
     packing.container.size = tray_size(run.options);
     packing.container.open_height = is_open(run.options);
     if (run.base) {
-        packing.container.size.x = run.base->x * run.options.voxel + 2 * run.options.wall_gap;
-        packing.container.size.y = run.base->y * run.options.voxel + 2 * run.options.wall_gap;
+        packing.container.size.x = run.base->x * voxel_size(run.options) + 2 * run.options.wall_gap;
+        packing.container.size.y = run.base->y * voxel_size(run.options) + 2 * run.options.wall_gap;
     }
     packing.options = run.options;
     packing.options.tray = tray_size(run.options);
@@ -160,7 +160,7 @@ Packing packing_of(const PackRun& run, const Workers& workers) {
         if (packing.container.open_height && !tray.placements.empty()) {
             packing.container.size.z = reached_height(tray, run.loaded.meshes);
         }
-        measure_tray(tray, packing.container, packing.parts, run.loaded.meshes, run.options.voxel, workers);
+        measure_tray(tray, packing.container, packing.parts, run.loaded.meshes, voxel_size(run.options), workers);
     }
     packing.unplaced = unplaced_of(run, std::move(settled));
     packing.metrics = metrics_of(run, packing, workers);

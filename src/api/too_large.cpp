@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/check_options.hpp"
 #include "api/short_number.hpp"
 #include "geometry/convex_hull.hpp"
 #include "geometry/minimum_box.hpp"
@@ -91,10 +92,10 @@ std::string why_too_large(const TurnablePart& part, const Vec3& room, const Pack
     const std::string why =
         size_text(turned_size(part.mesh, Mat3{}, part.to_mm)) + ", and there is room for " + size_text(room);
     const Mesh outline = outline_of(part.mesh);
-    if (fits_when_free(part, outline, room, options.rotations)) {
+    if (fits_when_free(part, outline, room, rotations_of(options))) {
         return why + ". It fits where it may be turned as --rotations says, and not just as its orientations do";
     }
-    const std::string rotations = finer_rotations(part, outline, room, options.rotations);
+    const std::string rotations = finer_rotations(part, outline, room, rotations_of(options));
     if (!rotations.empty()) return why + ". It fits with --rotations " + rotations;
     const Printer* printer = box ? larger_printer(part, outline, own) : nullptr;
     return printer ? why + ". It fits into " + printer->title + ": --printer " + printer->name : why;

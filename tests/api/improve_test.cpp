@@ -123,6 +123,70 @@ TEST(Improve, SeveralTraysLeaveLessToTheLast) {
     EXPECT_NEAR(record.now, static_cast<double>(result.packing.trays.size()) - 1 + last, 1e-9);
 }
 
+double box_of(const PackResult& result) {
+    Box box;
+    for (const Placement& placement : result.packing.trays.front().placements) {
+        box.add(
+            bounding_box(transformed(*result.meshes[static_cast<std::size_t>(placement.part)], placement.transform)));
+    }
+    return box.volume();
+}
+
+TEST(Improve, ASmallerBox) {
+    Job job = job_of(3, {150, 150, 0});
+    job.options.minimise = Minimise::box;
+    const double first = box_of(pack(job));
+    job.options.improve_steps = 70;
+    const PackResult improved = pack(job);
+    expect_sound(improved);
+    EXPECT_EQ(improved.packing.metrics.placed, 12);
+    const Improved& record = *improved.packing.metrics.improvement;
+    EXPECT_EQ(record.what, Improves::box);
+    EXPECT_EQ(record.steps, 70);
+    EXPECT_GT(record.starts, 1) << "no other base was tried";
+    EXPECT_NEAR(record.before, first, 1e-6 * first);
+    EXPECT_NEAR(record.now, box_of(improved), 1e-6 * first);
+    EXPECT_LT(record.now, 0.99 * first) << "nothing was gained: the test tells little";
+    job.options.threads = 1;
+    EXPECT_EQ(box_of(pack(job)), box_of(improved));
+}
+
+TEST(Improve, ALargerBudgetTakesAFinerGridWhereNobodySaysWhich) {
+    Job job = job_of(400, {480, 245, 200});
+    job.options.voxel.reset();
+    const Mat3 tilt{{Vec3{0.8, -0.6, 0}, Vec3{0.6, 0.8, 0}, Vec3{0, 0, 1}}};
+    job.parts[3].mesh = transformed(test::box_mesh({0, 0, 0}, {31, 5, 4}), {tilt, {}});
+    const auto grid = [&](std::optional<int> seconds) {
+        job.options.improve = seconds;
+        job.options.improve_steps = seconds ? 1 : 0;
+        const Estimate estimated = estimate(job);
+        return std::pair(estimated.voxel, estimated.orientations);
+    };
+    const int usual = 24, with_box = 48;
+    EXPECT_EQ(grid(std::nullopt), std::pair(2.0, usual));
+    EXPECT_EQ(grid(1), std::pair(2.0, usual));
+    EXPECT_EQ(grid(30), std::pair(1.0, usual));
+    EXPECT_EQ(grid(10000), std::pair(1.0, with_box));
+    job.options.voxel = 3;
+    EXPECT_EQ(grid(10000), std::pair(3.0, with_box));
+    job.options.rotations = "none";
+    EXPECT_EQ(grid(10000), std::pair(3.0, 1));
+}
+
+TEST(Improve, ThePackingSaysWhichGridItTook) {
+    Job job = job_of(1, {60, 50, 0});
+    job.options.open_height = true;
+    job.options.voxel.reset();
+    EXPECT_EQ(pack(job).packing.options.voxel, 2.0);
+    job.options.improve_steps = 2;
+    EXPECT_EQ(pack(job).packing.options.voxel, 2.0) << "steps are steps on the usual grid";
+    job.options.improve = 20;
+    const PackResult result = pack(job);
+    expect_sound(result);
+    EXPECT_EQ(result.packing.options.voxel, 1.0);
+    EXPECT_EQ(result.packing.options.rotations, "90+box");
+}
+
 TEST(Improve, FixedCopiesStayAndCapsHold) {
     Job job = job_of(2, {60, 50, 60});
     const PackResult build = pack(job);
@@ -222,8 +286,7 @@ TEST(Improve, ARunThatWasKilledGoesOnFromItsBest) {
 TEST(Improve, DoesNotGoWithWhatHasAnotherAim) {
     for (const auto& change :
          std::vector<void (*)(PackOptions&)>{[](PackOptions& options) { options.fill = true; },
-                                             [](PackOptions& options) { options.interlock = Interlock::place; },
-                                             [](PackOptions& options) { options.minimise = Minimise::box; }}) {
+                                             [](PackOptions& options) { options.interlock = Interlock::place; }}) {
         Job job = job_of(1, {60, 50, 40});
         job.options.improve_steps = 3;
         change(job.options);

@@ -85,7 +85,6 @@ TEST_F(ImproveRuns, GoalsInJobFilesAndOnTheCommandLine) {
                     {"--improve-steps", "-3"},
                     {"--improve", "rest"},
                     {"--improve", "5", "--fill"},
-                    {"--improve", "5", "--minimise", "box"},
                     {"--improve", "5", "--interlock", "place"}},
                    kSamples);
 }

@@ -55,7 +55,8 @@ TEST(OptionTable, EveryEntryIsComplete) {
 TEST(OptionTable, DefaultsAreThoseOfTheStructs) {
     const PackOptions defaults;
     EXPECT_EQ(default_of(option("tray")), OptionValue(defaults.tray));
-    EXPECT_EQ(default_of(option("voxel")), OptionValue(defaults.voxel));
+    EXPECT_EQ(default_of(option("gap")), OptionValue(defaults.gap));
+    EXPECT_EQ(default_of(option("voxel")), OptionValue());
     EXPECT_EQ(default_of(option("refine")), OptionValue(defaults.refine));
     EXPECT_EQ(default_of(option("order")), OptionValue(std::string("size")));
     EXPECT_EQ(default_of(option("height-penalty")), OptionValue());

@@ -82,7 +82,7 @@ static void record_values(Archive& archive, ConstOrNot<FilledTray> auto& filled)
 }
 template <class Archive>
 static void record_values(Archive& archive, ConstOrNot<ImprovedTray> auto& improved) {
-    archive(improved.steps, improved.starts, improved.seconds, improved.tray);
+    archive(improved.steps, improved.starts, improved.seconds, improved.x, improved.y, improved.tray);
 }
 
 namespace {

@@ -33,7 +33,9 @@ std::vector<Option> grid_options() {
              .placeholder = "MM",
              .line = "finer is denser; half takes 10 times as long",
              .help = "The voxel size in mm. Every position on a grid of this step is tried. Finer voxels pack "
-                     "denser and take longer: halving them costs about ten times the time.",
+                     "denser and take longer: halving them costs about ten times the time. Where nothing is said, "
+                     "--improve takes 1 mm if its time is enough for that; the packing file says which it took.",
+             .default_means = "2: or 1 with --improve, if there is time enough",
              .examples = {"1"},
              .hash_place = 2}),
         kept_in<&PackOptions::detail>(
@@ -56,10 +58,14 @@ std::vector<Option> grid_options() {
              .words = kRotations,
              .placeholder = "STEP",
              .line = "ways a part may stand: none, or degrees",
-             .help = "'none' keeps parts as they lie in their files. A step in degrees turns them round every axis: "
-                     "90 gives 24 ways to stand, 45 gives 184. 'icosahedron:N' takes the corners of an icosahedron "
-                     "whose edges were halved N times as directions of up. Each may have '+box' for the turns that "
-                     "lay the part's smallest box along the axes. A job file may allow less for single parts.",
+             .help =
+                 "'none' keeps parts as they lie in their files. A step in degrees turns them round every axis: "
+                 "90 gives 24 ways to stand, 45 gives 184. 'icosahedron:N' takes the corners of an icosahedron "
+                 "whose edges were halved N times as directions of up. Each may have '+box' for the turns that "
+                 "lay the part's smallest box along the axes. A job file may allow less for single parts. Where nothing "
+                 "is said, --improve takes 90+box if its time is enough for that; the packing file says which it "
+                 "took.",
+             .default_means = "90: or 90+box with --improve, if there is time enough",
              .examples = {"none", "45", "90+box", "icosahedron:1"},
              .hash_place = 10}),
         // It counts in the hash as the parts' orientations.

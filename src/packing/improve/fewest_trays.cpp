@@ -16,6 +16,8 @@ namespace {
 // ended in the one before a little; noise makes another order of it each time.
 constexpr double kOfLast = 0.7, kOfLastButOne = 0.15, kOrderNoise = 0.1;
 constexpr double kLeast = 1e-9;
+constexpr int kIdle = 4;                // passes without gain: then the last tray becomes lower
+constexpr std::int64_t kLowering = 40;  // orders of its copies tried to that end
 
 class FewestTrays {
   public:
@@ -40,24 +42,51 @@ class FewestTrays {
         compared.enough = options_.enough;
         std::int64_t searches = 0;
         tell();
-        for (int pass = 0; goes_on(pass); ++pass) {
+        for (int pass = 0, idle = 0; goes_on(); ++pass) {
             const std::vector<Copy> order = order_of_pass(pass);
             TraysResult layouts;
             packer_.pack({order, compared, options_.enough, [](const Progress&) {}}, layouts);
             searches += layouts.searches();
             if (options_.enough.stopped()) break;
-            packed_.improvement->steps = pass + 1;
+            ++packed_.improvement->steps;
             note_ends(layouts);
+            const TraysScore before = best_;
             if (score(layouts) < best_) finish(layouts, order);
             tell();
+            idle = best_ < before ? 0 : idle + 1;
+            if (idle < kIdle || !job_.keeps_all) continue;
+            lower_last(static_cast<std::uint64_t>(pass));
+            idle = 0;
         }
         packed_.trays.trays.front().searches += searches;
         tell();
     }
 
   private:
-    bool goes_on(int pass) const {
-        return !options_.enough.stopped() && (options_.most_steps == 0 || pass < options_.most_steps);
+    bool goes_on() const {
+        return !options_.enough.stopped() &&
+               (options_.most_steps == 0 || packed_.improvement->steps < options_.most_steps);
+    }
+
+    void lower_last(std::uint64_t number) {
+        const Improved so_far = *packed_.improvement;
+        ImprovementOptions lower = options_;
+        lower.most_steps = kLowering;
+        if (options_.most_steps > 0) lower.most_steps = std::min(kLowering, options_.most_steps - so_far.steps);
+        if (lower.most_steps == 0) return;
+        lower.seed += number;
+        const TellProgress tell = [&](const Progress& progress) {
+            Improved now = so_far;
+            now.steps += progress.improved->steps;
+            now.seconds = watch_.seconds();
+            tell_(improving(now, now.steps, options_.most_steps));
+        };
+        packed_.improvement.reset();
+        lower_tray(packer_, lower, tell, observer_, packed_, static_cast<int>(packed_.trays.trays.size()) - 1);
+        const std::int64_t steps = packed_.improvement ? packed_.improvement->steps : 0;
+        packed_.improvement = so_far;
+        packed_.improvement->steps += steps;
+        best_ = score(packed_.trays);
     }
 
     TraysScore score(const TraysResult& trays) const {

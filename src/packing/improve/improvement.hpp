@@ -28,4 +28,9 @@ Progress improving(const Improved& improved, std::int64_t steps, std::int64_t mo
 void improve(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell, TrayObserver* observer,
              PackedJob& packed);
 
+/// The same for one of the trays in `packed`, which holds all that was wanted in it: it becomes lower, with the same
+/// copies. `packed.improvement` comes to tell of that alone. There is memory for the voxels of all parts at once.
+void lower_tray(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell,
+                TrayObserver* observer, PackedJob& packed, int number);
+
 }  // namespace spectralpack

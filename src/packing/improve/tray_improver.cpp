@@ -95,9 +95,9 @@ std::optional<ImprovedLayout> TrayImprover::compare() {
         compact({refining_, started_.standing()}, started_.surfaces(), caps ? &*caps : nullptr, layout.placed, workers_,
                 stop_);
     }
-    layout.top = top_of(layout.placed, started_.surfaces());
+    layout.size = options_.size_of(layout.placed);
     const auto before = [](const ImprovedLayout& a, const ImprovedLayout& b) {
-        return a.value.missing != b.value.missing ? a.value.missing < b.value.missing : a.top < b.top;
+        return a.value.missing != b.value.missing ? a.value.missing < b.value.missing : a.size < b.size;
     };
     if (best_ && !before(layout, *best_)) return std::nullopt;
     best_ = layout;

@@ -23,6 +23,8 @@ struct TrayImproverOptions {
     LayoutJudge::Measures measures;
     /// Whether a copy may be tried before another one that the job's order puts before it; of equal ranks.
     std::function<bool(const Copy&, const Copy&)> may_pass;
+    /// Of layouts that miss copies of the same worth, the one of which this is least is best: mm or mm^3.
+    std::function<double(const std::vector<PlacedCopy>&)> size_of;
     std::uint64_t seed = 0;
     bool compact = true;  ///< copies may leave the grid
 };
@@ -31,7 +33,7 @@ struct TrayImproverOptions {
 struct ImprovedLayout {
     std::vector<PlacedCopy> placed;  ///< compacted, where that is allowed
     LayoutValue value;               ///< on the grid
-    double top = 0;                  ///< mm, of what is placed
+    double size = 0;                 ///< as TrayImproverOptions::size_of has it
 };
 
 struct ImproverStops {
@@ -52,9 +54,9 @@ class TrayImprover {
     /// What the last steps promised, likewise, where nobody looked at it so far.
     std::optional<ImprovedLayout> compare();
 
-    /// Of the best layout so far, where it turned out otherwise: layouts lower than that are better from now on.
-    void set_best_top(double top) {
-        if (best_) best_->top = top;
+    /// Of the best layout so far, where it turned out otherwise: layouts smaller than that are better from now on.
+    void set_best_size(double size) {
+        if (best_) best_->size = size;
     }
 
     /// The next step begins this start.

@@ -61,15 +61,6 @@ class BaseSearch {
     bool stopped_ = false;
 };
 
-FillOptions on_base(FillOptions options, const BaseSize& base) {
-    const double wall = 2 * options.wall_gap;
-    options.container.size.x = base.x * options.tray.voxel_size + wall;
-    options.container.size.y = base.y * options.tray.voxel_size + wall;
-    options.tray.size.x = options.container.size.x - wall;
-    options.tray.size.y = options.container.size.y - wall;
-    return options;
-}
-
 /// About as long as the sides of a cube that holds the boxes of all copies, in voxels.
 int first_side(const PackingJob& job) {
     double boxes = 0;
@@ -79,16 +70,25 @@ int first_side(const PackingJob& job) {
     return std::max(1, static_cast<int>(std::cbrt(boxes) / job.fill.tray.voxel_size));
 }
 
-double box_volume(const PackingJob& job, const FilledTray& tray) {
+}  // namespace
+
+FillOptions on_base(FillOptions options, const BaseSize& base) {
+    const double wall = 2 * options.wall_gap;
+    options.container.size.x = base.x * options.tray.voxel_size + wall;
+    options.container.size.y = base.y * options.tray.voxel_size + wall;
+    options.tray.size.x = options.container.size.x - wall;
+    options.tray.size.y = options.container.size.y - wall;
+    return options;
+}
+
+double box_volume(const PackingJob& job, const std::vector<PlacedCopy>& placed) {
     Box box;
-    for (const PlacedCopy& placed : tray.placed) {
-        const JobPart& part = job.parts[static_cast<std::size_t>(placed.copy.part)];
-        box.add(bounding_box(transformed(*part.mesh, part.transform_of(placed))));
+    for (const PlacedCopy& copy : placed) {
+        const JobPart& part = job.parts[static_cast<std::size_t>(copy.copy.part)];
+        box.add(bounding_box(transformed(*part.mesh, part.transform_of(copy))));
     }
     return box.volume();
 }
-
-}  // namespace
 
 void search_bases(int side, const BaseSize& least, const BaseSize& most, const PackOnBase& pack) {
     BaseSearch(least, most, pack).run(side);
@@ -117,7 +117,7 @@ void pack_in_least_box(TraysPacker& packer, const BaseSize& most, const StopToke
         searches += trays.searches();
         const auto missing = static_cast<std::int64_t>(job.copies.size()) - trays.placed();
         const bool cut_short = missing > 0 && enough.stopped();
-        const BoxScore score{missing, box_volume(job, trays.trays.front())};
+        const BoxScore score{missing, box_volume(job, trays.trays.front().placed)};
         if (!least || (!cut_short && score < *least)) {
             least = score;
             packed.trays = std::move(trays);

@@ -21,6 +21,12 @@ struct BoxScore {
 /// Packs on a base. None when stopped.
 using PackOnBase = std::function<std::optional<BoxScore>(const BaseSize&)>;
 
+/// Trays of that base instead of the job's.
+FillOptions on_base(FillOptions options, const BaseSize& base);
+
+/// Of the box about the placed copies' true meshes, mm^3.
+double box_volume(const PackingJob& job, const std::vector<PlacedCopy>& placed);
+
 /// Tries bases: first squares and oblongs (1:1, 1.4:1 and 2:1) about `side` voxels long, then, from the best of them,
 /// each side made longer and shorter by 1/6, 1/12, 1/24 ... of it down to a voxel, as long as that helps. No base is
 /// tried twice; all are within [`least`, `most`]. Ends when `pack` returns none. Deterministic; a few dozen calls. The

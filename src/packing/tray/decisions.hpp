@@ -45,6 +45,7 @@ struct ImprovedTray {
     std::int64_t steps = 0;
     int starts = 0;
     double seconds = 0;  ///< spent
+    int x = 0, y = 0;    ///< voxels of the best's base, where that was searched for
     FilledTray tray;     ///< the best
 };
 
