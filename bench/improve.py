@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """What --improve makes of sets: heights, contents of trays, and curves over time.
 
-    improve.py PROGRAM DATA OUT.csv [--seconds 10,60] [--seeds 5] [--only NAME,...]
+    improve.py PROGRAM DATA OUT.csv [--seconds 0,10,60] [--seeds 5] [--only NAME,...]
     improve.py --curve SECONDS PROGRAM DATA OUT.csv [--only NAME,...]
     improve.py --table OUT.csv      a table in Markdown of what was measured: medians, and of several seeds best and worst
 
-A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by `check --require-plan`. Rows are added
+0 seconds: without --improve. A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by `check --require-plan`. Rows are added
 to what is there.
 """
 import argparse
@@ -19,8 +19,8 @@ import tempfile
 
 # Name: set, first so many copies (0: all), options.
 JOBS = {
-    "tori48": ("tori48", 0, ["--tray", "120x120", "--voxel", "1", "--open-height"]),
-    "quick": ("quick", 0, ["--tray", "100x100", "--voxel", "1", "--open-height"]),
+    "tori48": ("tori48", 0, ["--tray", "120x120", "--open-height"]),
+    "quick": ("quick", 0, ["--tray", "100x100", "--open-height"]),
     "mixtures-120": ("mixtures", 120, ["--tray", "480x245", "--open-height"]),
     "pieces-500": ("pieces", 500, ["--tray", "480x245", "--open-height"]),
     "thousand": ("thousand", 0, ["--tray", "480x245x200", "--trays", "all"]),
@@ -31,7 +31,7 @@ JOBS = {
     "pieces fair": ("pieces", 0, ["--tray", "480x245x200"]),
     "locks fair": ("locks", 0, ["--tray", "480x245x200"]),
 }
-FIELDS = ["job", "seconds", "seed", "what", "before", "now", "steps", "wall", "cpu", "program"]
+FIELDS = ["job", "seconds", "seed", "voxel", "rotations", "what", "before", "now", "steps", "wall", "cpu", "program"]
 
 
 def write_set(data, name, copies, path):
@@ -82,15 +82,28 @@ def add_row(path, row):
         writer.writerow(row)
 
 
+def first_packing(job, packing):
+    """What metrics.improvement would say of a packing that is not improved."""
+    trays, options = packing["trays"], JOBS[job][2]
+    if "--trays" in options:
+        what, value = "trays", len(trays) - 1 + trays[-1]["density"]
+    elif "--open-height" in options:
+        what, value = "height", trays[0]["height"]
+    else:
+        what, value = "density", trays[0]["density"]
+    return {"what": what, "before": value, "now": value, "steps": 0}
+
+
 def measure(arguments, jobs):
     for seconds in arguments.seconds.split(","):
         for job in jobs:
-            for seed in range(arguments.seeds):
+            for seed in range(arguments.seeds if float(seconds) > 0 else 1):
+                options = ["--improve", seconds, "--seed", str(seed)] if float(seconds) > 0 else []
                 with tempfile.TemporaryDirectory() as folder:
-                    packing, wall, cpu = run(arguments.program, arguments.data, job,
-                                             ["--improve", seconds, "--seed", str(seed)], folder)
-                gain = packing["metrics"]["improvement"]
-                row = dict(zip(FIELDS, [job, seconds, seed, gain["what"], round(gain["before"], 4),
+                    packing, wall, cpu = run(arguments.program, arguments.data, job, options, folder)
+                gain = packing["metrics"]["improvement"] or first_packing(job, packing)
+                row = dict(zip(FIELDS, [job, seconds, seed, packing["options"]["voxel"],
+                                        packing["options"]["rotations"], gain["what"], round(gain["before"], 4),
                                         round(gain["now"], 4), gain["steps"], round(wall, 1), round(cpu, 1),
                                         packing["program"]]))
                 add_row(arguments.out, row)
@@ -99,15 +112,18 @@ def measure(arguments, jobs):
 
 def measure_curves(arguments, jobs):
     for job in jobs:
-        points = []
+        points, last = [], []
 
         def on_line(line):
-            if line.get("phase") == "improve" and (not points or points[-1][1] != line["now"]):
-                points.append((line["seconds"], line["now"], line["done"]))
+            if line.get("phase") != "improve":
+                return
+            last[:] = [(line["seconds"], line["now"], line["done"])]
+            if not points or points[-1][1] != line["now"]:
+                points.extend(last)
 
         with tempfile.TemporaryDirectory() as folder:
             run(arguments.program, arguments.data, job, ["--improve", str(arguments.curve)], folder, on_line)
-        for second, now, steps in points:
+        for second, now, steps in points + last:
             add_row(arguments.out, {"job": job, "second": round(second, 1), "now": round(now, 4), "steps": steps})
         print(job, points[0], points[-1], flush=True)
 
@@ -120,20 +136,25 @@ def shown(what, value):
 def print_table(path):
     rows = rows_of(path)
     times = sorted({float(row["seconds"]) for row in rows})
-    print("| job | first packing | " + " | ".join(f"{t:g} s more" for t in times) + " | orders tried |")
+    titles = ["packed once" if t == 0 else f"{t:g} s more" for t in times]
+    print("| job | " + " | ".join(titles) + " | grid | orders tried |")
     print("| --- " * (len(times) + 3) + "|")
     for job in dict.fromkeys(row["job"] for row in rows):
-        of_job = [row for row in rows if row["job"] == job]
-        what = of_job[0]["what"]
-        cells = [job, shown(what, statistics.median(float(row["before"]) for row in of_job))]
+        cells, grids, steps = [job], [], []
         for t in times:
-            values = sorted(float(row["now"]) for row in of_job if float(row["seconds"]) == t)
-            if what in ("density", "copies", "value"):
-                values.reverse()
+            of_time = [row for row in rows if row["job"] == job and float(row["seconds"]) == t]
+            if not of_time:
+                cells.append("–")
+                continue
+            what = of_time[0]["what"]
+            values = sorted((float(row["now"]) for row in of_time), reverse=what in ("density", "copies", "value"))
             spread = f" ({shown(what, values[0])}, {shown(what, values[-1])})" if len(values) > 1 else ""
-            cells.append(f"**{shown(what, statistics.median(values))}**{spread}" if values else "–")
-        cells.append(", ".join(f"{statistics.median(int(row['steps']) for row in of_job if float(row['seconds']) == t):.0f}"
-                               for t in times if any(float(row["seconds"]) == t for row in of_job)))
+            cells.append(f"**{shown(what, statistics.median(values))}**{spread}")
+            if t == 0:
+                continue
+            grids.append(f"{float(of_time[0]['voxel']):g} mm, {of_time[0]['rotations']}")
+            steps.append(f"{statistics.median(int(row['steps']) for row in of_time):.0f}")
+        cells += ["; ".join(dict.fromkeys(grids)), ", ".join(steps)]
         print("| " + " | ".join(cells) + " |")
 
 
@@ -141,7 +162,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--table")
     parser.add_argument("--curve", type=int)
-    parser.add_argument("--seconds", default="10,60")
+    parser.add_argument("--seconds", default="0,10,60")
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--only", default=",".join(JOBS))
     parser.add_argument("program", nargs="?")

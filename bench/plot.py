@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Draws what search_bench tells as an SVG.
+"""Draws what search_bench and improve.py tell as an SVG.
 
     plot.py trace OUT.svg NAME=TRACE [NAME=TRACE ...]    milliseconds a search against objects placed, running medians
                                                          (traces of search_bench --trace)
     plot.py volume OUT.svg NAME=LINES [NAME=LINES ...]   the mean of a run against the voxels of its tray (a file of
                                                          search_bench's lines, one for each tray)
+    plot.py curve OUT.svg JOB=CSV [JOB=CSV ...]          height against seconds of --improve (improve.py --curve)
 """
+import csv
 import math
 import re
 import statistics
@@ -39,6 +41,19 @@ def read_lines(path):
     return sorted(points)
 
 
+def read_curve(path, job):
+    """Stairs, from a second on: what is best stays so until something is better."""
+    points = []
+    with open(path) as text:
+        rows = [row for row in csv.DictReader(text) if row["job"] == job]
+    for row in rows:
+        second = max(1, float(row["second"]) - float(rows[0]["second"]))
+        if points:
+            points.append((second, points[-1][1]))
+        points.append((second, float(row["now"])))
+    return points
+
+
 class Axis:
     """Maps values to pixels, from..to, by their logarithms or not."""
 
@@ -61,10 +76,10 @@ class Axis:
         return [round(self.low + (self.high - self.low) * k / 4) for k in range(5)]
 
 
-def draw(path, series, label, logarithmic_x):
+def draw(path, series, x_label, logarithmic_x, y_label="ms a search", logarithmic_y=True):
     points = [point for _, line in series for point in line]
     x_axis = Axis([x for x, _ in points], LEFT, WIDTH - RIGHT, logarithmic_x)
-    y_axis = Axis([y for _, y in points], HEIGHT - BOTTOM, TOP, True)
+    y_axis = Axis([y for _, y in points], HEIGHT - BOTTOM, TOP, logarithmic_y)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
            f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>']
     for value in y_axis.ticks():
@@ -73,8 +88,8 @@ def draw(path, series, label, logarithmic_x):
         out.append(f'<text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
     for value in x_axis.ticks():
         out.append(f'<text x="{x_axis.pixel(value):.1f}" y="{HEIGHT - BOTTOM + 16}" text-anchor="middle">{value:g}</text>')
-    out.append(f'<text x="{WIDTH / 2}" y="{HEIGHT - 8}" text-anchor="middle">{label}</text>')
-    out.append(f'<text x="14" y="{HEIGHT / 2}" text-anchor="middle" transform="rotate(-90 14 {HEIGHT / 2})">ms a search</text>')
+    out.append(f'<text x="{WIDTH / 2}" y="{HEIGHT - 8}" text-anchor="middle">{x_label}</text>')
+    out.append(f'<text x="14" y="{HEIGHT / 2}" text-anchor="middle" transform="rotate(-90 14 {HEIGHT / 2})">{y_label}</text>')
     for k, (name, line) in enumerate(series):
         colour = COLOURS[k % len(COLOURS)]
         pixels = " ".join(f"{x_axis.pixel(x):.1f},{y_axis.pixel(y):.1f}" for x, y in line)
@@ -87,11 +102,14 @@ def draw(path, series, label, logarithmic_x):
 
 def main():
     kinds = {"trace": (read_trace, "searches", False), "volume": (read_lines, "million voxels of the tray", True)}
-    if len(sys.argv) < 4 or sys.argv[1] not in kinds:
+    if len(sys.argv) < 4 or sys.argv[1] not in (*kinds, "curve"):
         sys.exit(__doc__)
+    named = [word.rsplit("=", 1) for word in sys.argv[3:]]
+    if sys.argv[1] == "curve":
+        series = [(name, read_curve(path, name)) for name, path in named]
+        return draw(sys.argv[2], series, "seconds of --improve", True, "height, mm", False)
     read, label, logarithmic_x = kinds[sys.argv[1]]
-    series = [(name, read(path)) for name, path in (word.rsplit("=", 1) for word in sys.argv[3:])]
-    draw(sys.argv[2], series, label, logarithmic_x)
+    draw(sys.argv[2], [(name, read(path)) for name, path in named], label, logarithmic_x)
 
 
 main()

@@ -9,14 +9,15 @@
 namespace spectralpack {
 namespace {
 
-// Of the time to improve, what a pass may be expected to take. More ways to stand pay only where many orders can be
-// tried. Finer voxels mostly pay even where hardly any can.
-constexpr double kMoreWays = 0.2, kFiner = 1.2;
-
-// Other orders give more than finer voxels where large copies go first into a tray that overflows, unless there are so
-// many that moving a few does little; and so they do for several trays.
-constexpr double kFinerThanOrders = 0.1;
+// Of the time to improve, what a pass may be expected to take: finer voxels mostly pay even where hardly any other
+// order can be tried. Other orders give more where large copies go first into a tray that overflows, unless there are
+// so many that moving a few does little; and so they do for several trays.
+constexpr double kFinerVoxels = 1.2, kFinerThanOrders = 0.1;
 constexpr std::size_t kManyCopies = 1000;
+
+// The same for more ways to stand, times the copies: they make most first packings higher, and pay where many orders
+// can be tried for each copy.
+constexpr double kMoreWays = 14;
 
 constexpr double kShort = 10;  // seconds: who gives less is in a hurry, and takes the usual grid
 
@@ -27,23 +28,24 @@ double time_to_improve(const PackOptions& options) {
 
 double most_of_time(const Plan& plan, const PackOptions& options) {
     const bool fair = plan.overflows && options.goal == Goal::fair && plan.items.size() < kManyCopies;
-    return fair || options.trays != 1 ? kFinerThanOrders : kFiner;
+    return fair || options.trays != 1 ? kFinerThanOrders : kFinerVoxels;
 }
 
-/// Seconds that one pass takes on two cores, within a factor of two (docs/benchmarks.md, Improving): at 1 mm about one
-/// for a square metre of the faces of all copies' boxes, counted once for each way to stand. For the least box, all
-/// passes.
+/// Seconds that one pass takes on two cores, within a factor of two (docs/benchmarks.md, Improving): at 1 mm one for a
+/// twenty-fourth of a square metre of the faces of all copies' boxes, if each may stand in the usual 24 ways. For the
+/// least box, that of all passes.
 double expected_pass(const LoadedJob& loaded, const Plan& plan, const PackOptions& options) {
-    constexpr double kOfFace = 1e-6;  // s / mm^2
-    constexpr double kBases = 40;     // that the search for the least box tries, about
-    const double voxel = voxel_size(options);
+    constexpr double kOfFace = 2.4e-5;  // s / mm^2
+    constexpr double kUsualWays = 24;
+    constexpr double kBases = 40;  // that the search for the least box tries, about
     double faces = 0;
     for (const Copy& copy : plan.items) {
         const auto part = static_cast<std::size_t>(copy.part);
-        faces += std::pow(loaded.box_volume[part], 2.0 / 3) * static_cast<double>(plan.orientations[part]->size());
+        const double ways = static_cast<double>(plan.orientations[part]->size());
+        faces += std::pow(loaded.box_volume[part], 2.0 / 3) * std::sqrt(ways / kUsualWays);
     }
     const double passes = options.minimise == Minimise::box ? kBases : 1;
-    return passes * kOfFace * faces / std::pow(voxel, 1.5);
+    return passes * kOfFace * faces / std::pow(voxel_size(options), 1.5);
 }
 
 }  // namespace
@@ -63,10 +65,10 @@ Plan choose_grid(const LoadedJob& loaded, const Container& container, std::span<
             if (grid.voxel == options.voxel && grid.rotations == options.rotations) break;
             Plan plan = plan_for(grid);
             if (plan.memory > plan.memory_limit || !plan.keeps_all) continue;
-            const double most = most_of_time(plan, options);
             const bool more_ways = grid.rotations != rotations_of(options);
-            const double share = more_ways ? std::min(most, kMoreWays) : most;
-            if (expected_pass(loaded, plan, grid) > share * seconds) continue;
+            const auto copies = static_cast<double>(plan.items.size());
+            const double most = std::min(most_of_time(plan, options), more_ways ? kMoreWays / copies : kFinerVoxels);
+            if (expected_pass(loaded, plan, grid) > most * seconds) continue;
             options = grid;
             return plan;
         }

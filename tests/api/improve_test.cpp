@@ -187,6 +187,20 @@ TEST(Improve, ThePackingSaysWhichGridItTook) {
     EXPECT_EQ(result.packing.options.rotations, "90+box");
 }
 
+TEST(Improve, TheLastOfSeveralTraysBecomesLower) {
+    Job job = job_of(10, {44, 40, 32});
+    job.options.trays = 0;
+    const PackResult first = pack(job);
+    job.options.improve_steps = 12;
+    const PackResult lower = pack(job);
+    expect_sound(lower);
+    EXPECT_EQ(lower.packing.metrics.placed, 40);
+    EXPECT_EQ(lower.packing.metrics.improvement->steps, 12);
+    ASSERT_EQ(lower.packing.trays.size(), first.packing.trays.size());
+    EXPECT_NEAR(lower.packing.trays.back().density, first.packing.trays.back().density, 1e-9);
+    EXPECT_LT(lower.packing.trays.back().height, first.packing.trays.back().height - 1);
+}
+
 TEST(Improve, FixedCopiesStayAndCapsHold) {
     Job job = job_of(2, {60, 50, 60});
     const PackResult build = pack(job);

@@ -95,11 +95,15 @@ class FewestTrays {
             placed.push_back(&tray.placed);
         }
         const PackingScore of_all = score_packing(job_.copies, placed, measures_);
-        double last = 0;
+        std::map<int, int> counts;  // of the last tray's copies, by part: equal sums whatever their order
         if (!placed.empty()) {
             for (const PlacedCopy& copy : *placed.back()) {
-                last += std::max(0.0, measures_.volume(copy.copy.part));
+                ++counts[copy.copy.part];
             }
+        }
+        double last = 0;
+        for (const auto& [part, count] : counts) {
+            last += count * std::max(0.0, measures_.volume(part));
         }
         return {of_all.left_over, of_all.trays, last, of_all.top};
     }
