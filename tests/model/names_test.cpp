@@ -42,8 +42,8 @@ TEST(Names, EveryEnumIsReadAsItIsWritten) {
                       FindingKind::transform, FindingKind::density, FindingKind::count, FindingKind::plan});
     expect_both_ways({Phase::load, Phase::voxelize, Phase::search, Phase::disassemble, Phase::reinsert, Phase::check,
                       Phase::render, Phase::write, Phase::improve});
-    expect_both_ways({Improves::height, Improves::density, Improves::copies, Improves::value, Improves::trays,
-                      Improves::box});
+    expect_both_ways(
+        {Improves::height, Improves::density, Improves::copies, Improves::value, Improves::trays, Improves::box});
     expect_both_ways({Goal::fair, Goal::volume, Goal::copies, Goal::value});
     expect_both_ways({EventKind::tray_begun, EventKind::copy_placed, EventKind::copy_moved, EventKind::copy_taken_out,
                       EventKind::copy_put_back, EventKind::tray_finished});
