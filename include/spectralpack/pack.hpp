@@ -29,9 +29,9 @@ struct PackResult {
 
 /// What a run would take, known before it starts.
 struct Estimate {
-    Vec3 container;  ///< size, mm
-    Extent grid;     ///< voxels of the tray
-    double voxel;    ///< their size, mm
+    Vec3 container;    ///< size, mm
+    Extent grid;       ///< voxels of the tray
+    double voxel = 0;  ///< their size, mm
     int orientations = 0;
     int parts = 0;                       ///< that have copies to pack
     std::int64_t copies = 0;             ///< to pack: none that stand fixed, are too large or of a file without a mesh
