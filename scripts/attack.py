@@ -349,6 +349,7 @@ class Campaign:
         ("orders", 6, 132, ["--tray", "91x78x65", "--voxel", "2", "--restarts", "4", "--beam", "2"]),
         ("improved", 5, 60, ["--tray", "78x71", "--voxel", "2", "--open-height", "--improve-steps", "8"]),
         ("improved trays", 5, 80, ["--tray", "78x71x52", "--voxel", "2", "--trays", "all", "--improve-steps", "2"]),
+        ("improved box", 4, 20, ["--tray", "104x104x104", "--voxel", "2", "--minimise", "box", "--improve-steps", "25"]),
         ("fill", 3, 13, ["--tray", "117x104x78", "--voxel", "2", "--fill"]),
         ("reachable", 6, 264, ["--tray", "117x104x91", "--voxel", "1.5", "--interlock", "place"]),
         ("links", 6, 352, ["--tray", "130x117x104", "--voxel", "1.5", "--links", "allow", "--unpack", "any"]),
