@@ -5,8 +5,8 @@
     improve.py --curve SECONDS PROGRAM DATA OUT.csv [--only NAME,...]
     improve.py --table OUT.csv      a table in Markdown of what was measured: medians, and of several seeds best and worst
 
-0 seconds: without --improve. A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by `check --require-plan`. Rows are added
-to what is there.
+0 seconds: without --improve. A row of OUT.csv is one run, or with --curve one gain. Every packing is judged by
+`check --require-plan`. Rows are added to what is there.
 """
 import argparse
 import csv

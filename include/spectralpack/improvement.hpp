@@ -18,7 +18,7 @@ enum class Improves {
 struct Improved {
     Improves what = Improves::height;
     double before = 0, now = 0;  ///< of the first packing, and of the best so far
-    std::int64_t steps = 0;      ///< orders tried: --improve-steps with this number comes to the same packing
+    std::int64_t steps = 0;      ///< orders tried: --improve-steps with this number repeats it on the same grid
     int starts = 0;              ///< of orders far from each other
     double seconds = 0;          ///< spent
 

@@ -26,9 +26,10 @@ double time_to_improve(const PackOptions& options) {
     return options.improve && seconds >= kShort ? seconds : 0;
 }
 
-double most_of_time(const Plan& plan, const PackOptions& options) {
+double most_of_time(const Plan& plan, const PackOptions& options, bool more_ways) {
     const bool fair = plan.overflows && options.goal == Goal::fair && plan.items.size() < kManyCopies;
-    return fair || options.trays != 1 ? kFinerThanOrders : kFinerVoxels;
+    const double most = fair || options.trays != 1 ? kFinerThanOrders : kFinerVoxels;
+    return more_ways ? std::min(most, kMoreWays / static_cast<double>(plan.items.size())) : most;
 }
 
 /// Seconds that one pass takes on two cores, within a factor of two (docs/benchmarks.md, Improving): at 1 mm one for a
@@ -66,9 +67,7 @@ Plan choose_grid(const LoadedJob& loaded, const Container& container, std::span<
             Plan plan = plan_for(grid);
             if (plan.memory > plan.memory_limit || !plan.keeps_all) continue;
             const bool more_ways = grid.rotations != rotations_of(options);
-            const auto copies = static_cast<double>(plan.items.size());
-            const double most = std::min(most_of_time(plan, options), more_ways ? kMoreWays / copies : kFinerVoxels);
-            if (expected_pass(loaded, plan, grid) > most * seconds) continue;
+            if (expected_pass(loaded, plan, grid) > most_of_time(plan, options, more_ways) * seconds) continue;
             options = grid;
             return plan;
         }

@@ -36,6 +36,11 @@ class RandomStream {
     std::uint64_t state_;
 };
 
+/// The seed of the stream with that number among those that belong to `seed`; that of number 0 is `seed` itself.
+inline std::uint64_t numbered_seed(std::uint64_t seed, int number) {
+    return seed + 0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(number);
+}
+
 /// Fisher-Yates; std::shuffle may differ between standard libraries.
 template <class T>
 void shuffle(std::vector<T>& items, RandomStream& random) {

@@ -19,7 +19,8 @@ struct TraysScore {
 };
 
 /// Packs all trays anew on the grid, in orders in which what ended in the last trays goes earlier, and makes each
-/// packing that is better come apart. It becomes `packed` where it is better then, too. As improve().
+/// packing that is better come apart. It becomes `packed` where it is better then, too. Where nothing better is found
+/// for some time, the last tray becomes lower. As improve().
 void improve_trays(TraysPacker& packer, const ImprovementOptions& options, const TellProgress& tell,
                    TrayObserver* observer, PackedJob& packed);
 

@@ -20,7 +20,6 @@ constexpr std::size_t kMostFound = 5;  // layouts that wait for that: where the 
 constexpr std::int64_t kSettled = 25;  // steps without a better layout: then the best is made to come apart
 constexpr double kFair = 2;            // with Goal::fair, copies with boxes at most so many times as large are passed
 
-constexpr std::uint64_t kNextSeed = 0x9e3779b97f4a7c15u;
 constexpr std::int64_t kOnBase = 20;  // steps without a better layout: then it goes on on another base
 
 // Bases beside the best so far, in voxels of its sides. Once they gained nothing: such whose sides are drawn from e^-s
@@ -64,8 +63,9 @@ class Improving {
 
     /// One of several, of the copies in it.
     void run(int number) {
+        of_job_ = false;
         FilledTray& tray = packed_.trays.trays[static_cast<std::size_t>(number)];
-        run(tray, {number, in_order(tray.placed), false, 0, {}, {}});
+        run(tray, {number, order_of(tray.placed), false, 0, {}, {}});
     }
 
   private:
@@ -87,8 +87,6 @@ class Improving {
         packer_.with_filler({fill, options_.stop},
                             [&](TrayFiller& filler) { improve(filler, wanted, tray, std::nullopt); });
     }
-
-    bool is_only() const { return packed_.trays.trays.size() == 1; }
 
     static Improves improves_of(Goal goal) {
         return goal == Goal::copies ? Improves::copies : goal == Goal::value ? Improves::value : Improves::density;
@@ -122,7 +120,7 @@ class Improving {
                 best = *packed_.base;
                 next = 0;
             }
-            if (tray.placed.size() == wanted.copies.size()) wanted.copies = in_order(tray.placed);
+            if (tray.placed.size() == wanted.copies.size()) wanted.copies = order_of(tray.placed);
             base = next < std::size(kBeside) ? BaseSize{best.x + kBeside[next].x, best.y + kBeside[next].y}
                                              : farther_base(best);
             base = {std::clamp(base.x, 1, most.x), std::clamp(base.y, 1, most.y)};
@@ -130,7 +128,7 @@ class Improving {
     }
 
     BaseSize farther_base(const BaseSize& from) const {
-        RandomStream random(options_.seed + kNextSeed * static_cast<std::uint64_t>(starts_before_));
+        RandomStream random(numbered_seed(options_.seed, starts_before_));
         const auto drawn = [&](int side) {
             return static_cast<int>(std::lround(side * std::exp(kFarther * (2 * random.unit() - 1))));
         };
@@ -139,14 +137,6 @@ class Improving {
     }
 
     int voxels(double length) const { return static_cast<int>(std::lround(length / job_.fill.tray.voxel_size)); }
-
-    static std::vector<Copy> in_order(const std::vector<PlacedCopy>& placed) {
-        std::vector<Copy> order;
-        for (const PlacedCopy& copy : placed) {
-            order.push_back(copy.copy);
-        }
-        return order;
-    }
 
     bool goes_on(std::int64_t steps) const {
         return !options_.enough.stopped() &&
@@ -163,7 +153,7 @@ class Improving {
             if (!shape) shape = packer_.lasting_shape(part);
             return *shape;
         };
-        const std::uint64_t seed = options_.seed + (base ? kNextSeed * static_cast<std::uint64_t>(starts_before_) : 0);
+        const std::uint64_t seed = numbered_seed(options_.seed, base ? starts_before_ : 0);
         TrayImproverOptions improver_options{wanted.copies, job_.ranks, {}, {}, {}, seed, job_.fill.refine};
         improver_options.measures = {worth_, measures_.top, job_.fill.tray.voxel_size, job_.fill.wall_gap};
         const bool fair = packed_.improvement->what == Improves::density && options_.goal == Goal::fair;
@@ -237,7 +227,7 @@ class Improving {
         tray = std::move(better);
         best_ = reached;
         packed_.improvement->now = figure(tray, best_);
-        if (is_only()) packed_.trays.left_over = without(wanted.copies, copies_in(tray.placed));
+        if (of_job_) packed_.trays.left_over = without(wanted.copies, copies_in(tray.placed));
         if (!observer_) return;
         tell_anew(*observer_, wanted.number, tray.placed);
         observer_->tray_finished();
@@ -246,7 +236,7 @@ class Improving {
     void keep(const FilledTray& tray) const {
         const Improved& improved = *packed_.improvement;
         const BaseSize base = packed_.base.value_or(BaseSize{});
-        if (packer_.decisions() && is_only()) {
+        if (packer_.decisions() && of_job_) {
             packer_.decisions()->keep(ImprovedTray{improved.steps, improved.starts, seconds(), base.x, base.y, tray});
         }
     }
@@ -254,7 +244,7 @@ class Improving {
     /// Steps are repeated where their number counts; else the best that a run before had found stands, and the next
     /// start begins.
     void go_on_from_journal(const TrayCopies& wanted, FilledTray& tray) {
-        if (!packer_.decisions() || !is_only()) return;
+        if (!packer_.decisions() || !of_job_) return;
         packer_.decisions()->begin_filling();
         std::optional<ImprovedTray> known = packer_.decisions()->recall_improved();
         if (!known || options_.most_steps > 0) return;
@@ -287,6 +277,7 @@ class Improving {
     std::int64_t steps_before_ = 0;
     int starts_before_ = 0;             // on other bases, too
     std::int64_t steps_on_others_ = 0;  // on bases before this one
+    bool of_job_ = true;                // the tray is to hold all of the job, and the journal hears of it
     TraysPacker& packer_;
     const PackingJob& job_;
     const ImprovementOptions& options_;

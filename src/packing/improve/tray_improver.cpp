@@ -35,7 +35,7 @@ TrayImprover::TrayImprover(StartedTray& started, const RefineOptions& refining, 
 void TrayImprover::begin_start(int number) {
     start_ = number;
     fresh_ = true;
-    random_ = RandomStream(options_.seed + 0x9e3779b97f4a7c15u * static_cast<std::uint64_t>(number));
+    random_ = RandomStream(numbered_seed(options_.seed, number));
     order_ = number == 0 ? options_.copies : perturbed(options_.copies, options_.ranks, random_);
 }
 

@@ -189,10 +189,7 @@ class Untangling {
     }
 
     void put_back_what_was(const std::vector<PlacedCopy>& removed) {
-        std::vector<Copy> copies;
-        for (const PlacedCopy& placed : removed) {
-            copies.push_back(placed.copy);
-        }
+        std::vector<Copy> copies = order_of(removed);
         const std::set<Copy> taken_out(copies.begin(), copies.end());
         copies.insert(copies.end(), options_.waiting.begin(), options_.waiting.end());
         put_in({std::move(copies), taken_out, freed_, result_.plan.steps}, context_);

@@ -141,11 +141,7 @@ Settled StartedTray::settle_again(const PlacedCopy& placed) {
 }
 
 void StartedTray::stand(std::vector<PlacedCopy>& placed, const TrayContext& context) {
-    std::vector<Copy> copies;
-    for (const PlacedCopy& copy : placed) {
-        copies.push_back(copy.copy);
-    }
-    if (!refinement_) context.shapes.start_tray(copies);
+    if (!refinement_) context.shapes.start_tray(order_of(placed));
     for (std::size_t i = 0; i < placed.size(); ++i) {
         PlacedCopy& copy = placed[i];
         if (refinement_) {

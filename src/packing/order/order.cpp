@@ -72,12 +72,17 @@ std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>&
     return rest;
 }
 
-std::set<Copy> copies_in(const std::vector<PlacedCopy>& placed) {
-    std::set<Copy> copies;
+std::vector<Copy> order_of(const std::vector<PlacedCopy>& placed) {
+    std::vector<Copy> copies;
     for (const PlacedCopy& copy : placed) {
-        copies.insert(copy.copy);
+        copies.push_back(copy.copy);
     }
     return copies;
+}
+
+std::set<Copy> copies_in(const std::vector<PlacedCopy>& placed) {
+    const std::vector<Copy> copies = order_of(placed);
+    return {copies.begin(), copies.end()};
 }
 
 std::vector<Copy> order_copies(const std::vector<PartSize>& parts, Order order, std::uint64_t seed) {

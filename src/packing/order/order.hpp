@@ -15,8 +15,9 @@ namespace spectralpack {
 /// `copies` but those in `out`, in their order.
 std::vector<Copy> without(const std::vector<Copy>& copies, const std::set<Copy>& out);
 
-/// Those that are placed.
+// Those that are placed; in the order of `placed`.
 std::set<Copy> copies_in(const std::vector<PlacedCopy>& placed);
+std::vector<Copy> order_of(const std::vector<PlacedCopy>& placed);
 
 /// What ordering needs to know of a part.
 struct PartSize {
