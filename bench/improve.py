@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What --improve makes of sets: heights, contents of trays, and curves over time.
 
-    improve.py PROGRAM DATA OUT.csv [--seconds 0,10,60] [--seeds 5] [--only NAME,...]
+    improve.py PROGRAM DATA OUT.csv [--seconds 0,10,60] [--seeds 0,1,2,3,4] [--only NAME,...]
     improve.py --curve SECONDS PROGRAM DATA OUT.csv [--only NAME,...]
     improve.py --table OUT.csv      a table in Markdown of what was measured: medians, and of several seeds best and worst
 
@@ -97,8 +97,8 @@ def first_packing(job, packing):
 def measure(arguments, jobs):
     for seconds in arguments.seconds.split(","):
         for job in jobs:
-            for seed in range(arguments.seeds if float(seconds) > 0 else 1):
-                options = ["--improve", seconds, "--seed", str(seed)] if float(seconds) > 0 else []
+            for seed in arguments.seeds.split(",") if float(seconds) > 0 else ["0"]:
+                options = ["--improve", seconds, "--seed", seed] if float(seconds) > 0 else []
                 with tempfile.TemporaryDirectory() as folder:
                     packing, wall, cpu = run(arguments.program, arguments.data, job, options, folder)
                 gain = packing["metrics"]["improvement"] or first_packing(job, packing)
@@ -163,7 +163,7 @@ def main():
     parser.add_argument("--table")
     parser.add_argument("--curve", type=int)
     parser.add_argument("--seconds", default="0,10,60")
-    parser.add_argument("--seeds", type=int, default=5)
+    parser.add_argument("--seeds", default="0,1,2,3,4")
     parser.add_argument("--only", default=",".join(JOBS))
     parser.add_argument("program", nargs="?")
     parser.add_argument("data", nargs="?")

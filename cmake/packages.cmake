@@ -10,6 +10,11 @@ if(SPECTRALPACK_REFERENCE)
             COMPONENT reference)
 endif()
 
+if(SPECTRALPACK_PYTHON)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    install(FILES LICENSE DESTINATION ${doc}/python3-spectralpack RENAME copyright COMPONENT python)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "spectralpack developers <spectralpack@localhost>")
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -28,6 +33,12 @@ set(CPACK_DEBIAN_REFERENCE_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_REFERENCE_DESCRIPTION "${PROJECT_DESCRIPTION}, with the reference engine
  The command spectralpack-reference: the same as spectralpack, with the plain
  method besides (FFTW), to compare with. Licensed under the GPL.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spectralpack)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION} (Python)
+ The package spectralpack for Python 3, with numpy arrays in and out.")
 
 # A static library names what it needs; a shared one has its own dependencies.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libspectralpack-dev)

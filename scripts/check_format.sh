@@ -8,6 +8,6 @@ if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
     echo "skipped: no clang-format 14"
     exit 0
 fi
-find apps bench fuzz include src tests \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) -print0 |
+find apps bench fuzz include python src tests \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) -print0 |
     xargs -0 clang-format --dry-run --Werror
 echo "formatted as .clang-format says"

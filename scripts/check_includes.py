@@ -47,6 +47,7 @@ ALLOWED = {
     "spectralpack": ["values", "model values"],
     "tools face": ["values", "model values", "spectralpack"],
     "cli": ["values", "model values", "spectralpack", "tools face"],
+    "python": ["values", "model values", "spectralpack", "tools face"],
     "docs": ["values", "model values", "spectralpack", "cli"],  # apps/docs
 }
 
@@ -61,6 +62,7 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"meshoptimizer": ["tools"],
     r"xxhash": ["api"],
     r"CLI/": ["cli", "docs"],
+    r"pybind11/|Python\.h": ["python"],
 }
 
 TYPE = re.compile(r"^(?:class|struct|enum class|enum) (\w+)(?: final)?(?: :[^;{]*)? {", re.M)
@@ -75,6 +77,8 @@ def room_of(path):
         return "values" if path.stem in VALUES else "model values" if path.stem in MODEL_VALUES else "spectralpack"
     if parts[0] == "apps":
         return parts[1]
+    if parts[0] == "python":
+        return "python"
     if parts[1:3] == ("search", "cpu"):
         return next(room for room in CPU if "/".join(parts[1:]).startswith(room))
     if parts[1] == "search" and parts[2] in ("reference", "cuda"):
@@ -105,7 +109,7 @@ def types_named_twice(files):
 
 def main():
     offences = []
-    files = [p for top in ("src", "include", "apps") for p in sorted((ROOT / top).rglob("*"))
+    files = [p for top in ("src", "include", "apps", "python") for p in sorted((ROOT / top).rglob("*"))
              if p.suffix in (".hpp", ".cpp", ".cu", ".h", ".cuh")]
     for path in files:
         room = room_of(path)

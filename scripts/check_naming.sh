@@ -9,14 +9,15 @@ if ! clang-tidy --version 2>/dev/null | grep -q 'version 14\.'; then
     echo "skipped: no clang-tidy 14"
     exit 0
 fi
-cmake -S . -B build-names -G Ninja -DSPECTRALPACK_UNITY=ON -DSPECTRALPACK_TESTS=OFF >/dev/null
+cmake -S . -B build-names -G Ninja -DSPECTRALPACK_UNITY=ON -DSPECTRALPACK_TESTS=OFF \
+    -DSPECTRALPACK_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3 >/dev/null
 files=$(python3 -c '
 import json
 print("\n".join(sorted({entry["file"] for entry in json.load(open("build-names/compile_commands.json"))})))' |
     grep -v '/commit\.cpp$')
 check() {
     local found
-    found=$(clang-tidy --quiet -p build-names --header-filter="$PWD/(apps|include|src)/" "$1" 2>/dev/null |
+    found=$(clang-tidy --quiet -p build-names --header-filter="$PWD/(apps|include|python|src)/" "$1" 2>/dev/null |
         grep -E '(error|warning):' || true)
     [ -z "$found" ] || { echo "$found" >&2; return 1; }
 }

@@ -7,7 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 (cd "$build" && cpack -B "$work/packages" >"$work/cpack.log") || { cat "$work/cpack.log"; exit 1; }
-for package in spectralpack libspectralpack-dev spectralpack-reference; do
+for package in spectralpack libspectralpack-dev spectralpack-reference python3-spectralpack; do
     file=$(echo "$work/packages/${package}"_*.deb)
     dpkg -I "$file" | grep -E '^ (Package|Depends|Installed-Size):'
     dpkg -c "$file" >"$work/$package.list"
@@ -16,6 +16,7 @@ for package in spectralpack libspectralpack-dev spectralpack-reference; do
     spectralpack) holds=usr/bin/spectralpack ;;
     libspectralpack-dev) holds=include/spectralpack/pack.hpp ;;
     spectralpack-reference) holds=usr/bin/spectralpack-reference ;;
+    python3-spectralpack) holds=spectralpack/__init__.py ;;
     esac
     grep -q "$holds\$" "$work/$package.list" || { echo "$package lacks $holds" >&2; exit 1; }
     # FFTW, which is GPL, is for the reference package alone.
@@ -36,4 +37,9 @@ if "$work/root/usr/bin/spectralpack" pack data/samples/box.stl:2 --engine refere
     exit 1
 fi
 grep -q 'spectralpack-reference has' "$work/said"
+PYTHONPATH="$work/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
+import spectralpack as sp
+job = sp.Job(tray=(80, 80, 80), voxel=4)
+job.add("data/samples/box.stl", count=2)
+assert sp.pack(job).check().ok'
 echo "packages: their programs run"

@@ -8,7 +8,8 @@ install_missing $packages $test_packages || exit 1
 log=build/build-tests.log
 mkdir -p build
 echo "Building the tests (log in $log) ..."
-if ! { cmake --preset release -DSPECTRALPACK_TESTS=ON -DSPECTRALPACK_WERROR=${SPECTRALPACK_WERROR:-OFF} && cmake --build build; } >"$log" 2>&1; then
+if ! { cmake --preset release -DSPECTRALPACK_TESTS=ON -DSPECTRALPACK_PYTHON=ON \
+    -DPython3_EXECUTABLE=/usr/bin/python3 -DSPECTRALPACK_WERROR=${SPECTRALPACK_WERROR:-OFF} && cmake --build build; } >"$log" 2>&1; then
     grep -E 'error|Error' "$log" | head -n 20 >&2
     echo "The build failed; the whole log is $log." >&2
     exit 1

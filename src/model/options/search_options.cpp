@@ -35,7 +35,7 @@ std::vector<Option> grid_options() {
              .help = "The voxel size in mm. Every position on a grid of this step is tried. Finer voxels pack "
                      "denser and take longer: halving them costs about ten times the time. Where nothing is said, "
                      "--improve takes 1 mm if its time is enough for that; the packing file says which it took.",
-             .default_means = "2: with --improve 1, if there is time",
+             .default_means = "2: perhaps 1 with --improve",
              .examples = {"1"},
              .hash_place = 2}),
         kept_in<&PackOptions::detail>(
@@ -65,7 +65,7 @@ std::vector<Option> grid_options() {
                  "lay the part's smallest box along the axes. A job file may allow less for single parts. Where nothing "
                  "is said, --improve takes 90+box if its time is enough for that; the packing file says which it "
                  "took.",
-             .default_means = "90: with --improve 90+box, if there is time",
+             .default_means = "90: perhaps 90+box with --improve",
              .examples = {"none", "45", "90+box", "icosahedron:1"},
              .hash_place = 10}),
         // It counts in the hash as the parts' orientations.
