@@ -15,13 +15,13 @@ ROOT = pathlib.Path(__file__).resolve().parent
 
 class CMakeBuild(build_ext):
     def build_extension(self, extension):
-        # A build folder of one's own is built on, not anew.
+        # A build folder of one's own is built on, not anew, and keeps the Python that it was made with.
         build = pathlib.Path(os.environ.get("SPECTRALPACK_BUILD", self.build_temp)).resolve()
         build.mkdir(parents=True, exist_ok=True)
         subprocess.run(
             ["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DSPECTRALPACK_PYTHON=ON",
-             *([] if "SPECTRALPACK_BUILD" in os.environ else ["-DSPECTRALPACK_TESTS=OFF"]),
-             f"-DPython3_EXECUTABLE={sys.executable}",
+             *([] if "SPECTRALPACK_BUILD" in os.environ
+               else ["-DSPECTRALPACK_TESTS=OFF", f"-DPython3_EXECUTABLE={sys.executable}"]),
              *os.environ.get("CMAKE_ARGS", "").split()],
             check=True)
         subprocess.run(["cmake", "--build", build, "--target", "spectralpack_python"], check=True)

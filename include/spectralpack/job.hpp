@@ -58,6 +58,9 @@ inline constexpr double kLeastScale = 1e-9, kMostScale = 1e9;
 struct Part {
     std::string name = {};  ///< for people; empty: as the file says
     MeshInput mesh = {};
+    /// Of a 3MF with several objects, the one to pack, by its id; `count` copies whatever the file's build says. None:
+    /// all of them, `count` times as often as the file holds each.
+    std::optional<std::string> object = {};
     int count = 1;
     double scale = 1;
     std::optional<double> gap = {};  ///< none: the job's

@@ -93,12 +93,13 @@ double unit_of(const py::handle& object) {
 
 void add(KeptJob& kept, const py::object& mesh, int count, const std::optional<std::string>& name, double scale,
          std::optional<double> gap, const py::object& orientations, const py::object& unit, double priority,
-         const std::string& due, const std::string& order, double value) {
+         const std::string& due, const std::string& order, double value, const std::optional<std::string>& object) {
     if (count < 1) throw py::value_error("count must be at least 1, not " + std::to_string(count));
     if (!(scale >= kLeastScale && scale <= kMostScale))
         throw py::value_error("scale must be above 0 and not too large");
     Part part;
     part.mesh = mesh_input(mesh);
+    part.object = object;
     part.count = count;
     part.scale = scale;
     part.gap = gap;
@@ -225,6 +226,7 @@ py::list job_parts(const KeptJob& kept) {
         py::dict one;
         one["name"] = part.name;
         one["mesh"] = part.mesh.file().empty() ? py::object(py::none()) : py::str(part.mesh.file());
+        one["object"] = part.object;
         one["count"] = part.count;
         one["scale"] = part.scale;
         one["gap"] = part.gap;
@@ -268,13 +270,13 @@ files or of six numbers x0, y0, z0, x1, y1, z1) and `onto` (a Packing whose copi
         .def("add", &add, py::arg("mesh"), py::arg("count") = 1, py::kw_only(), py::arg("name") = py::none(),
              py::arg("scale") = 1.0, py::arg("gap") = py::none(), py::arg("orientations") = "any",
              py::arg("unit") = py::none(), py::arg("priority") = 0.0, py::arg("due") = "", py::arg("order") = "",
-             py::arg("value") = 1.0, R"(Adds copies of a mesh.
+             py::arg("value") = 1.0, py::arg("object") = py::none(), R"(Adds copies of a mesh.
 
 `mesh`: a path (STL, 3MF, OBJ, PLY, OFF), a Mesh, or anything with .vertices, (n, 3), and .faces, (m, 3), such as a
 trimesh. `scale` multiplies its lengths; `unit` is that of this mesh, as Job(unit=) has it. `gap`: least distance to
 other copies, mm, where it is not the job's. `orientations`: 'any', 'upright', 'fixed', {'up': ['+z', '-x'], 'yaw': 90}
 or rotations, (k, 3, 3). Higher `priority` and earlier `due` ('2026-12-01') go first. `order` is whose it is, for people;
-`value` what a copy is worth with goal='value'. Raises ValueError for a shape or value that makes no sense.)")
+`value` what a copy is worth with goal='value'. `object`: of a 3MF with several, the id of the one to pack. Raises ValueError for a shape or value that makes no sense.)")
         .def(
             "set", [](KeptJob& kept, const py::kwargs& options) { set_all(kept, options); },
             "Sets options, as Job() does.")

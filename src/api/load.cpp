@@ -169,30 +169,42 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
                 place.empty() ? content.error->cause() : place + ": " + content.error->cause());
             continue;
         }
+        bool found = !source.object;
         for (std::size_t i = 0; i < content.meshes.size(); ++i) {
             const LoadedMesh& loaded = content.meshes[i];
-            if (loaded.instances > std::numeric_limits<int>::max() / source.count) {
+            // The same object in several orientations is there more than once: the first is packed.
+            if (source.object && (found || loaded.object != source.object)) continue;
+            found = true;
+            const int instances = source.object ? 1 : loaded.instances;
+            if (instances > std::numeric_limits<int>::max() / source.count) {
                 throw InputError(label_of(source), loaded.object ? "object " + *loaded.object : "",
                                  "comes to more copies than can be counted");
             }
-            part.name = source.name.empty()          ? loaded.name
-                        : content.meshes.size() == 1 ? source.name
-                                                     : source.name + " " + loaded.name;
+            part.name = source.name.empty()                           ? loaded.name
+                        : source.object || content.meshes.size() == 1 ? source.name
+                                                                      : source.name + " " + loaded.name;
             part.object = loaded.object;
             part.item_transform = loaded.item_transform;
-            part.count = source.count * loaded.instances;
+            part.count = source.count * instances;
             part.unit = loaded.unit.value_or(unit_of(source));
             part.repairs = loaded.repairs;
             const double mm = part.to_mm();
             part.volume = content.volume[i] * mm * mm * mm;
             add(source, part, content.shared[i], content.box_volume[i] * mm * mm * mm, "");
         }
+        if (!found) {
+            result.unusable.emplace_back(label_of(source), "object " + *source.object, "it has no such object");
+            part.name = name_of(source);
+            add(source, part, nullptr, 0, "object " + *source.object + ": it has no such object");
+        }
     }
     const std::vector<std::string> apart = names_apart(names);
     for (std::size_t i = 0; i < apart.size(); ++i) {
         result.parts[result.fixed_parts + i].name = apart[i];
     }
-    if (result.unusable.size() == inputs.size() && !inputs.empty()) {
+    const auto own = result.meshes.begin() + static_cast<std::ptrdiff_t>(result.fixed_parts);
+    const bool none_usable = std::all_of(own, result.meshes.end(), [](const auto& mesh) { return mesh == nullptr; });
+    if (none_usable && !result.unusable.empty()) {
         const InputError& first = result.unusable.front();
         if (inputs.size() == 1) throw InputError(first);
         throw InputError(first.file(), first.place(),

@@ -134,12 +134,13 @@ class JobReader {
     }
 
     void read_part(const Node& node) {
-        node.expect_keys(
-            {"name", "mesh", "count", "scale", "unit", "gap", "priority", "due", "order", "value", "orientations"});
+        node.expect_keys({"name", "mesh", "object", "count", "scale", "unit", "gap", "priority", "due", "order",
+                          "value", "orientations"});
         Part part;
         part.origin = node.path();
         part.mesh = path_of(node.at("mesh"));
         if (const auto v = node.find("name")) part.name = v->text();
+        if (const auto v = node.find("object")) part.object = v->text();
         if (const auto v = node.find("count")) part.count = v->integer<int>(1, kMostCopies);
         if (const auto v = node.find("scale")) part.scale = v->positive();
         if (const auto v = node.find("gap")) part.gap = v->number_from(0);

@@ -70,6 +70,7 @@ TEST(JobFile, ReadsEveryKey) {
     document["container"]["physical"] = true;
     document["parts"].push_back({{"name", "lid"},
                                  {"mesh", "../b.3mf"},
+                                 {"object", "4"},
                                  {"count", 12},
                                  {"scale", 0.5},
                                  {"gap", 2},
@@ -158,6 +159,7 @@ TEST(JobFile, ReadsEveryKey) {
     const Part& lid = file.parts[1];
     EXPECT_EQ(lid.name, "lid");
     EXPECT_EQ(lid.mesh.file(), "/jobs/week/../b.3mf");
+    EXPECT_EQ(lid.object, "4");
     EXPECT_EQ(lid.count, 12);
     EXPECT_EQ(lid.scale, 0.5);
     EXPECT_EQ(lid.gap, 2);
