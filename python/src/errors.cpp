@@ -23,14 +23,17 @@ const char* class_of(ErrorKind kind) {
     return "Error";
 }
 
+void set_raised(const py::object& exception) {
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+}
+
 py::object core() { return py::module_::import("spectralpack._core"); }
 
 void translate(std::exception_ptr pointer) {
     try {
         if (pointer) std::rethrow_exception(pointer);
     } catch (const Error& error) {
-        const py::object exception = exception_of(error);
-        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+        set_raised(exception_of(error));
     }
 }
 
@@ -47,7 +50,7 @@ py::object exception_of(const Error& error) {
 }
 
 void raise(const py::object& exception) {
-    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(exception.ptr())), exception.ptr());
+    set_raised(exception);
     throw py::error_already_set();
 }
 

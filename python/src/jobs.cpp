@@ -128,6 +128,12 @@ KeepOutSource keep_out_of(const py::handle& object) {
     return {box, std::nullopt};
 }
 
+/// The tray is the topped-up build's.
+void take_tray_of_onto(Job& job) {
+    job.options.tray = job.onto->packing.container.size;
+    job.container = container_source(job.onto->packing);
+}
+
 /// What is no option of packing, but of the job.
 bool set_of_job(KeptJob& kept, const std::string& name, const py::handle& value) {
     Job& job = kept.job;
@@ -151,8 +157,7 @@ bool set_of_job(KeptJob& kept, const std::string& name, const py::handle& value)
         job.onto.reset();
         if (value.is_none()) return true;
         job.onto = value.cast<std::shared_ptr<KeptPacking>>()->scene;
-        job.options.tray = job.onto->packing.container.size;
-        job.container = container_source(job.onto->packing);
+        take_tray_of_onto(job);
     } else if (name == "printer") {
         job.options.printer.reset();
         if (value.is_none()) return true;
@@ -208,10 +213,7 @@ std::shared_ptr<KeptJob> from_files(const py::args& files, const py::kwargs& sai
         if (settings.unit) kept->job.unit = in_mm(*settings.unit);
         if (settings.onto) {
             kept->job.onto = load_scene(*settings.onto);
-            if (!settings.sized) {
-                kept->job.options.tray = kept->job.onto->packing.container.size;
-                kept->job.container = container_source(kept->job.onto->packing);
-            }
+            if (!settings.sized) take_tray_of_onto(kept->job);
         }
     }
     kept->job.parts = std::move(inputs.parts);
@@ -276,7 +278,8 @@ files or of six numbers x0, y0, z0, x1, y1, z1) and `onto` (a Packing whose copi
 trimesh. `scale` multiplies its lengths; `unit` is that of this mesh, as Job(unit=) has it. `gap`: least distance to
 other copies, mm, where it is not the job's. `orientations`: 'any', 'upright', 'fixed', {'up': ['+z', '-x'], 'yaw': 90}
 or rotations, (k, 3, 3). Higher `priority` and earlier `due` ('2026-12-01') go first. `order` is whose it is, for people;
-`value` what a copy is worth with goal='value'. `object`: of a 3MF with several, the id of the one to pack. Raises ValueError for a shape or value that makes no sense.)")
+`value` what a copy is worth with goal='value'. `object`: of a 3MF with several, the id of the one to pack.
+Raises ValueError for a shape or value that makes no sense.)")
         .def(
             "set", [](KeptJob& kept, const py::kwargs& options) { set_all(kept, options); },
             "Sets options, as Job() does.")

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "interrupting.hpp"
 #include "packings.hpp"
+#include "words.hpp"
 
 namespace py = pybind11;
 
@@ -50,10 +51,7 @@ std::vector<TrayPlan> make_plans(KeptPacking& kept, std::optional<double> voxel,
     PlanOptions options;
     options.voxel = voxel;
     options.ray_spacing = ray_spacing;
-    if (unpack) {
-        options.unpack = from_string<Unpack>(*unpack);
-        if (!options.unpack) throw py::value_error("unpack is 'any' or 'top', not '" + *unpack + "'");
-    }
+    if (unpack) options.unpack = word<Unpack>("unpack", *unpack);
     options.threads = threads;
     std::vector<Disassembly> plans;
     interruptible([&](const StopToken& stop) { plans = plan_packing(kept.scene, options, {nullptr, stop}); });

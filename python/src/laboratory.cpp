@@ -1,12 +1,12 @@
 #include <pybind11/stl.h>
 
 #include <spectralpack/lab/search.hpp>
-#include <spectralpack/names.hpp>
 #include <spectralpack/orientations.hpp>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interrupting.hpp"
+#include "words.hpp"
 
 namespace py = pybind11;
 
@@ -19,17 +19,6 @@ std::vector<Mat3> rotations_in(const py::object& rotations) {
         return orientation_set(py::str(rotations).cast<std::string>());
     }
     return matrices_of(rotations, "rotations");
-}
-
-template <class Enum>
-Enum word(const std::string& what, const std::string& said) {
-    const auto value = from_string<Enum>(said);
-    if (value) return *value;
-    std::string words;
-    for (const std::string_view one : words_of<Enum>()) {
-        words += (words.empty() ? "'" : ", '") + std::string(one) + "'";
-    }
-    throw py::value_error(what + " is one of " + words + "; not '" + said + "'");
 }
 
 std::unique_ptr<lab::Tray> make_tray(const py::object& size, double voxel, int detail, const std::vector<double>& gaps,

@@ -12,21 +12,15 @@
 #include "bindings.hpp"
 #include "errors.hpp"
 #include "packings.hpp"
+#include "words.hpp"
 
 namespace py = pybind11;
 
 namespace spectralpack::python {
 namespace {
 
-tools::GeneratedSet set_of(const std::string& name) {
-    const auto set = from_string<tools::GeneratedSet>(name);
-    if (set) return *set;
-    throw py::value_error("there is no set '" + name +
-                          "'; pieces, mixtures, locks, tori, polyhedra, letters and segments are");
-}
-
 py::list generate(const std::string& set, std::uint64_t seed, std::optional<int> copies) {
-    const tools::GenerateOptions options{set_of(set), seed, copies};
+    const tools::GenerateOptions options{word<tools::GeneratedSet>("set", set), seed, copies};
     std::vector<tools::GeneratedPart> parts;
     {
         const py::gil_scoped_release release;
