@@ -48,6 +48,7 @@ ALLOWED = {
     "tools face": ["values", "model values", "spectralpack"],
     "cli": ["values", "model values", "spectralpack", "tools face"],
     "python": ["values", "model values", "spectralpack", "tools face"],
+    "server": ["values", "model values", "spectralpack", "tools face"],
     "docs": ["values", "model values", "spectralpack", "cli"],  # apps/docs
 }
 
@@ -58,7 +59,9 @@ LIBRARIES = {  # pattern of the header -> the rooms that may see it
     r"cuda|cufft": ["search/cuda"],
     r"embree|png\.h|stb": ["render"],
     r"fcl/": ["verify"],
-    r"zip\.h|expat\.h|nlohmann/|tiny_obj|fast_float": ["formats"],
+    r"zip\.h|expat\.h|tiny_obj|fast_float": ["formats"],
+    r"nlohmann/": ["formats", "server"],
+    r"boost/": ["server"],
     r"meshoptimizer": ["tools"],
     r"xxhash": ["api"],
     r"CLI/": ["cli", "docs"],
@@ -88,7 +91,7 @@ def room_of(path):
 
 def target_of(header, here):
     """The room a quoted or <spectralpack/...> header belongs to; None for the room's own neighbours."""
-    for base in (ROOT / "src", ROOT / "include", ROOT / "apps"):
+    for base in (ROOT / "src", ROOT / "include", ROOT / "apps", ROOT / "apps" / "server"):
         if (base / header).exists():
             return room_of(base / header)
     return None if (here.parent / header).exists() else "?"

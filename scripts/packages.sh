@@ -3,9 +3,10 @@
 
 packages="g++ cmake ninja-build pkg-config python3
     libfftw3-dev libtbb-dev libembree-dev libfcl-dev libcli11-dev libfmt-dev nlohmann-json3-dev libhwy-dev
-    libzip-dev libexpat1-dev libfast-float-dev libpng-dev libstb-dev libxxhash-dev libqhull-dev libmeshoptimizer-dev"
+    libzip-dev libexpat1-dev libfast-float-dev libpng-dev libstb-dev libxxhash-dev libqhull-dev libmeshoptimizer-dev
+    libboost-dev"
 python_packages="pybind11-dev python3-dev python3-venv python3-setuptools python3-wheel python3-numpy"
-test_packages="libgtest-dev librapidcheck-dev $python_packages python3-pytest python3-hypothesis"
+test_packages="libgtest-dev librapidcheck-dev $python_packages python3-pytest python3-hypothesis python3-jsonschema"
 attack_packages="libcgal-dev"
 
 # install_missing PACKAGE...

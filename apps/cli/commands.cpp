@@ -13,7 +13,7 @@ std::vector<Command> add_commands(CLI::App& app) {
         "option of pack.");
     return {add_pack_command(app),     add_bench_command(app),   add_check_command(app),   add_plan_command(app),
             add_generate_command(app), add_inspect_command(app), add_prepare_command(app), add_render_command(app),
-            add_help_command(app),     add_version_command(app)};
+            add_serve_command(app),    add_view_command(app),    add_help_command(app),    add_version_command(app)};
 }
 
 }  // namespace spectralpack::cli

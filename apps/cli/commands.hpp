@@ -23,6 +23,8 @@ Command add_inspect_command(CLI::App& app);
 Command add_prepare_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_plan_command(CLI::App& app);
+Command add_serve_command(CLI::App& app);
+Command add_view_command(CLI::App& app);
 Command add_help_command(CLI::App& app);
 Command add_version_command(CLI::App& app);
 

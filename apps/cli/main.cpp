@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <signal.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -27,8 +25,6 @@ namespace {
 using namespace spectralpack;
 using namespace spectralpack::cli;
 
-constexpr std::array kNotBuilt{"serve", "view"};
-
 int complain(const std::string& message, int status) {
     fmt::print(stderr, "spectralpack: {}\n", message);
     return status;
@@ -49,9 +45,6 @@ int run(int argc, char** argv) {
     CLI::App app;
     const std::vector<Command> commands = add_commands(app);
 
-    if (argc > 1 && std::find(kNotBuilt.begin(), kNotBuilt.end(), std::string(argv[1])) != kNotBuilt.end()) {
-        return complain(fmt::format("'{}' is not built yet; see spectralpack --help", argv[1]), kUsage);
-    }
     require_values(argc, argv);
     try {
         app.parse(argc, argv);

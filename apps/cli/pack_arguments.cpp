@@ -125,6 +125,7 @@ TakenOver settle_container(const PackArguments& arguments, const JobSettings& se
     } else if (box) {
         job.container.mesh.reset();
     }
+    if (settings.keep) job.keep = load_scene(*settings.keep);
     if (settings.onto) {
         job.onto = load_scene(*settings.onto);
         taken = take_gaps(arguments, settings, job);

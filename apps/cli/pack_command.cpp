@@ -57,7 +57,9 @@ std::int64_t most_trays(const Job& job) {
     for (const Part& part : job.parts) {
         copies += part.count;
     }
-    if (job.onto) before = static_cast<std::int64_t>(job.onto->packing.trays.size());
+    for (const std::optional<Scene>* build : {&job.onto, &job.keep}) {
+        if (*build) before = static_cast<std::int64_t>((*build)->packing.trays.size());
+    }
     const std::int64_t trays = job.options.trays > 0 ? std::min<std::int64_t>(job.options.trays, copies) : copies;
     return std::max(trays, before);
 }
@@ -150,17 +152,21 @@ JournalOptions journal_options(const PackArguments& arguments, const JobSettings
         journal.after = kWorthAJournal;
     }
     if (arguments.has("no-resume")) journal.resume = Resume::never;
+    if (arguments.has("keep-journal") && !arguments.has("journal") && !arguments.has("resume")) {
+        throw UsageError("--keep-journal keeps the file that --journal or --resume names");
+    }
     return journal;
 }
 
 /// What is left of the journal once the run is over. One that a signal ended, or a lack of memory, may go on.
-void settle_journal(const PackResult& result, bool written, ProgressDisplay& display) {
+void settle_journal(const PackResult& result, bool written, bool keep, ProgressDisplay& display) {
     if (!result.journal || !result.journal->on_disk) return;
     if (result.stopped == StopReason::cancelled || result.failure || !written) {
         display.on_warning(
             fmt::format("the same command goes on from here: {} has what was decided", result.journal->file.string()));
         return;
     }
+    if (keep) return;
     std::error_code ignored;
     std::filesystem::remove(result.journal->file, ignored);
 }
@@ -213,7 +219,7 @@ int run_job(const Job& job, const JobSettings& settings, const JournalOptions& j
         interrupts.begin_writing();
         if (!display.outputs().write(scene, interrupts.drawing(), facts)) status = kOutOfResources;
     }
-    settle_journal(result, status != kOutOfResources, display);
+    settle_journal(result, status != kOutOfResources, facts.keep_journal, display);
     display.end();
     if (settings.json.value_or(false)) {
         fmt::print("{}\n", packing_json(scene));
@@ -235,12 +241,13 @@ std::vector<InputError> problems_of(const std::vector<Part>& parts) {
     return problems;
 }
 
-RunFacts facts_of(const Job& job, const JobSettings& settings, const TakenOver& taken) {
+RunFacts facts_of(const Job& job, const JobSettings& settings, const PackArguments& arguments, const TakenOver& taken) {
     RunFacts facts;
     facts.files_named = !settings.outputs.empty() || !settings.reports.empty();
     facts.taken = taken;
     facts.own_printers = settings.own_printers;
     if (job.onto && job.onto->packing.trays.size() == 1) facts.onto_height = job.onto->packing.trays.front().height;
+    facts.keep_journal = arguments.has("keep-journal");
     facts.details = settings.details.value_or(false);
     facts.require_all = settings.require_all.value_or(false);
     facts.skip_unusable = settings.skip_unusable.value_or(false);
@@ -291,10 +298,10 @@ int run_pack(const PackArguments& arguments) {
     check_names(job, settings);
 
     bool unusable = false;
-    const int status =
-        settings.dry_run.value_or(false)
-            ? run_estimate(job, settings, display, interrupts, unusable)
-            : run_job(job, settings, journal, facts_of(job, settings, taken), display, interrupts, start, unusable);
+    const int status = settings.dry_run.value_or(false)
+                           ? run_estimate(job, settings, display, interrupts, unusable)
+                           : run_job(job, settings, journal, facts_of(job, settings, arguments, taken), display,
+                                     interrupts, start, unusable);
     const bool packed = status == kDone || status == kLeftOver || status == kNothingPlaced;
     if (packed && unusable && !settings.skip_unusable.value_or(false)) {
         return kUnusableInput;

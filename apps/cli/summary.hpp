@@ -31,6 +31,7 @@ struct RunFacts {
     bool details = false;
     bool require_all = false;
     bool skip_unusable = false;  ///< a file that cannot be used decides the exit status, unless it is
+    bool keep_journal = false;   ///< also of a run that is done
 };
 
 /// The copies that this run placed: those that stood there before aside.

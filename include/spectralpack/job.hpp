@@ -121,6 +121,9 @@ struct Job {
     /// one requests it whenever he requests that.
     std::optional<StopToken> enough_improved = {};
     std::optional<Scene> onto = {};  ///< its copies stand where they are; those placed come on top, tray by tray
+    /// Its copies of the parts above stand where they are and count as placed; the others are packed around them. Parts
+    /// are the same by mesh, scale and, where several are, name. What is no longer asked for is warned of and left out.
+    std::optional<Scene> keep = {};
     std::vector<Printer> own_printers = {};     ///< known besides printers(): named where a part needs a larger tray
     std::vector<SettingsSource> defaults = {};  ///< where options came from that nobody said; kept for the record
 };

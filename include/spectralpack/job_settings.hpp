@@ -31,6 +31,7 @@ struct JobSettings {
     ContainerSource container;
     std::vector<FixedSource> fixed;
     std::optional<std::string> onto;  ///< a packing file, usable from the working directory
+    std::optional<std::string> keep;  ///< likewise
 
     std::vector<std::string> outputs;        ///< usable from the working directory
     std::vector<std::string> reports;        ///< the same

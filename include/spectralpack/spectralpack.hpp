@@ -7,6 +7,7 @@
 ///     const auto result = spectralpack::pack(job);
 ///     spectralpack::write_output({result.packing, result.meshes}, "build.3mf", 0);
 
+#include "spectralpack/change.hpp"
 #include "spectralpack/check.hpp"
 #include "spectralpack/files.hpp"
 #include "spectralpack/journal.hpp"

@@ -158,6 +158,9 @@ bool set_of_job(KeptJob& kept, const std::string& name, const py::handle& value)
         if (value.is_none()) return true;
         job.onto = value.cast<std::shared_ptr<KeptPacking>>()->scene;
         take_tray_of_onto(job);
+    } else if (name == "keep") {
+        job.keep.reset();
+        if (!value.is_none()) job.keep = value.cast<std::shared_ptr<KeptPacking>>()->scene;
     } else if (name == "printer") {
         job.options.printer.reset();
         if (value.is_none()) return true;
@@ -215,6 +218,7 @@ std::shared_ptr<KeptJob> from_files(const py::args& files, const py::kwargs& sai
             kept->job.onto = load_scene(*settings.onto);
             if (!settings.sized) take_tray_of_onto(kept->job);
         }
+        if (settings.keep) kept->job.keep = load_scene(*settings.keep);
     }
     kept->job.parts = std::move(inputs.parts);
     kept->remarks = std::move(inputs.remarks);
@@ -263,7 +267,8 @@ void bind_jobs(py::module_& module) {
 Options are those of the command line, by name with _ for -: spectralpack.options_help() lists them. Lengths
 are mm. Besides them: `unit` ('mm', 'inch', 'm' or so many mm) of files that do not say theirs, `printer` (a name of
 printers()), `container` (a closed mesh file to fill), `container_is` ('solid' or 'vessel'), `keep_out` (a list of mesh
-files or of six numbers x0, y0, z0, x1, y1, z1) and `onto` (a Packing whose copies stay where they are).)")
+files or of six numbers x0, y0, z0, x1, y1, z1), `onto` (a Packing whose copies stay where they are, beside those asked
+for) and `keep` (a Packing whose copies stay and count as asked for).)")
         .def(py::init([](const py::kwargs& options) {
             auto kept = std::make_shared<KeptJob>();
             set_all(*kept, options);

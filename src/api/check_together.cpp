@@ -25,12 +25,15 @@ void check_together(const Job& job) {
         if (job.container.mesh || !job.container.keep_out.empty()) {
             refuse(open, "container meshes and keep-outs", "they have a height of their own");
         }
-        if (box && (job.onto || !job.fixed.empty())) {
-            refuse(open, "fixed copies and --onto", "they stand on a base that is given");
+        if (box && (job.onto || job.keep || !job.fixed.empty())) {
+            refuse(open, "fixed copies, --onto and --keep", "they stand on a base that is given");
         }
         if (options.trays != 1) refuse(open, "several trays", "without a ceiling one holds all");
         if (job.onto && job.onto->packing.trays.size() > 1) {
             refuse(open, "--onto a build of several trays", "without a ceiling one holds all");
+        }
+        if (job.keep && job.keep->packing.trays.size() > 1) {
+            refuse(open, "--keep of a build of several trays", "without a ceiling one holds all");
         }
         if (job.container.physical && options.interlock != Interlock::off) {
             refuse(open, "--physical",
@@ -38,6 +41,9 @@ void check_together(const Job& job) {
                    "does not look for them)");
         }
     }
+    if (job.keep && job.onto)
+        refuse("--keep", "--onto", "copies of a build either count as asked for, or stand beside it");
+    if (job.keep && options.fill) refuse("--keep", "--fill", "shares are counted from an empty tray");
     if (options.fill && options.trays != 1) {
         refuse("--fill", "several trays", "all would be alike; fill one and build it as often as needed");
     }

@@ -116,12 +116,70 @@ void add_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop) {
     }
 }
 
+/// The job's parts that are the same as one of a packing: by mesh and size, those of its name first.
+std::vector<std::size_t> parts_like(const PackedPart& part, const Mesh* mesh, const LoadedJob& loaded) {
+    std::vector<std::size_t> like;
+    for (std::size_t i = loaded.fixed_parts; mesh && i < loaded.parts.size(); ++i) {
+        const Mesh* own = loaded.meshes[i].get();
+        if (!own || loaded.parts[i].to_mm() != part.to_mm() || own->vertices != mesh->vertices ||
+            own->triangles != mesh->triangles) {
+            continue;
+        }
+        like.insert(loaded.parts[i].name == part.name ? like.begin() : like.end(), i);
+    }
+    return like;
+}
+
+/// A copy of one of `parts` that does not stand yet: of its own number where that is free.
+std::optional<Copy> free_copy(const Placement& placement, const std::vector<std::size_t>& parts,
+                              const LoadedJob& loaded) {
+    for (const std::size_t i : parts) {
+        const int count = loaded.parts[i].count;
+        const std::set<int>& standing = loaded.standing[i];
+        if (placement.copy < count && !standing.contains(placement.copy))
+            return Copy{static_cast<int>(i), placement.copy};
+        for (int number = 0; number < count; ++number) {
+            if (!standing.contains(number)) return Copy{static_cast<int>(i), number};
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 void load_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop) {
     if (job.onto) add_onto(*job.onto, loaded);
     add_fixed(job, loaded, stop);
     loaded.fixed_parts = loaded.parts.size();
+}
+
+void keep_copies(const Scene& keep, LoadedJob& loaded, Listener& listener) {
+    std::vector<std::vector<std::size_t>> same(keep.packing.parts.size());
+    for (std::size_t i = 0; i < same.size(); ++i) {
+        same[i] = parts_like(keep.packing.parts[i], keep.meshes[i].get(), loaded);
+    }
+    std::int64_t left_out = 0;
+    for (std::size_t tray = 0; tray < keep.packing.trays.size(); ++tray) {
+        for (const Placement& placement : keep.packing.trays[tray].placements) {
+            if (placement.fixed && !placement.before) continue;  // the job says itself what it fixes
+            const std::optional<Copy> copy =
+                free_copy(placement, same[static_cast<std::size_t>(placement.part)], loaded);
+            if (!copy) {
+                ++left_out;
+                continue;
+            }
+            Placement fixed = placement;
+            fixed.part = copy->part;
+            fixed.copy = copy->number;
+            fixed.fixed = fixed.before = true;
+            loaded.standing[static_cast<std::size_t>(copy->part)].insert(copy->number);
+            loaded.fixed.push_back({static_cast<int>(tray), fixed});
+        }
+    }
+    if (left_out > 0) {
+        listener.on_warning(std::to_string(left_out) + (left_out == 1 ? " copy" : " copies") +
+                            " of the build that is kept are no longer asked for, and left out");
+    }
 }
 
 std::vector<TrayPacking> fixed_trays(const LoadedJob& loaded) {
@@ -141,7 +199,7 @@ void require_sound(const LoadedJob& loaded, const Container& container, const Pa
     packing.container = container;
     packing.container.open_height = is_open(options);
     packing.options = options;
-    packing.parts.assign(loaded.parts.begin(), loaded.parts.begin() + static_cast<std::ptrdiff_t>(loaded.fixed_parts));
+    packing.parts = loaded.parts;
     packing.trays = fixed_trays(loaded);
     Listener quiet;  // of a part's mesh that is not closed it has been told when the build was packed
     const CheckReport report = check_packing(packing, loaded.meshes, workers, quiet, stop);

@@ -10,6 +10,9 @@ namespace spectralpack {
 /// that cannot be used and for transforms that are not a rotation times a scale, Stopped once `stop` is requested.
 void load_fixed(const Job& job, LoadedJob& loaded, const StopToken& stop);
 
+/// Lets those copies of `keep` stand that the job's parts, all of which are loaded, ask for. The others are warned of.
+void keep_copies(const Scene& keep, LoadedJob& loaded, Listener& listener);
+
 /// The fixed copies of every tray; `trays` of them at least.
 std::vector<TrayPacking> fixed_trays(const LoadedJob& loaded);
 

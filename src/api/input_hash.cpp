@@ -164,7 +164,10 @@ std::vector<InputFact> input_facts(const LoadedJob& loaded, const Container& con
     // First what people most often say another time; parts take their gaps and orientations from it.
     for (const Option& option : option_table()) {
         if (!option.in_pack.get || is_about_the_run(option)) continue;
-        facts.push_back({"option " + std::string(option.name), text_of(option, option.in_pack.get(options))});
+        const OptionValue value = option.in_pack.get(options);
+        // How long it improves is nothing to what it goes on from.
+        const bool seconds = option.name == "improve" && !std::holds_alternative<std::monostate>(value);
+        facts.push_back({"option " + std::string(option.name), seconds ? "so many seconds" : text_of(option, value)});
     }
     std::map<const Mesh*, std::string> meshes;
     const auto mesh_hash = [&](const std::shared_ptr<const Mesh>& mesh) -> const std::string& {

@@ -202,6 +202,8 @@ LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener)
     for (std::size_t i = 0; i < apart.size(); ++i) {
         result.parts[result.fixed_parts + i].name = apart[i];
     }
+    result.standing.resize(result.parts.size());
+    if (job.keep) keep_copies(*job.keep, result, listener);
     const auto own = result.meshes.begin() + static_cast<std::ptrdiff_t>(result.fixed_parts);
     const bool none_usable = std::all_of(own, result.meshes.end(), [](const auto& mesh) { return mesh == nullptr; });
     if (none_usable && !result.unusable.empty()) {

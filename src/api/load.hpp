@@ -1,6 +1,7 @@
 #pragma once
 /// Mesh files into parts: each file is read once, in parallel; what cannot be used is set aside, not fatal.
 
+#include <set>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -20,9 +21,10 @@ struct LoadedJob {
     std::vector<PackedPart> parts;
     std::size_t fixed_parts = 0;  ///< so many of them have fixed copies only
     std::vector<FixedPlacement> fixed;
-    PartMeshes meshes;                 ///< by part, file's own coordinates; null where unusable
-    std::vector<double> box_volume;    ///< by part: of the scaled mesh's box in file orientation, mm^3
-    std::vector<std::string> problem;  ///< by part: why it cannot be used; empty where it can
+    std::vector<std::set<int>> standing;  ///< by part: the copies of it that stand already (Job::keep)
+    PartMeshes meshes;                    ///< by part, file's own coordinates; null where unusable
+    std::vector<double> box_volume;       ///< by part: of the scaled mesh's box in file orientation, mm^3
+    std::vector<std::string> problem;     ///< by part: why it cannot be used; empty where it can
     std::vector<InputError> unusable;
 };
 
@@ -30,9 +32,9 @@ struct LoadedJob {
 /// workers are asked to stop.
 LoadedJob load_parts(const Job& job, const Workers& workers, Listener& listener);
 
-/// How many copies of the part are to be packed: none of those that stand fixed.
+/// How many copies of the part are to be packed: none of those that stand already.
 inline int copies_to_pack(const LoadedJob& loaded, std::size_t part) {
-    return part < loaded.fixed_parts ? 0 : loaded.parts[part].count;
+    return part < loaded.fixed_parts ? 0 : loaded.parts[part].count - static_cast<int>(loaded.standing[part].size());
 }
 
 }  // namespace spectralpack

@@ -26,7 +26,9 @@ std::set<std::string> mesh_files(const Job& job) {
     for (const FixedSource& fixed : job.fixed) {
         files.insert(fixed.mesh.file);
     }
-    if (job.onto) add_parts(job.onto->packing, files);
+    for (const std::optional<Scene>& build : {job.onto, job.keep}) {
+        if (build) add_parts(build->packing, files);
+    }
     add_container(job.container, files);
     files.erase("");  // meshes in memory
     return files;

@@ -195,7 +195,7 @@ class JobRun {
 
     void pack(TraysPacker& packer, PackedJob& packed) {
         const TellProgress tell = [&](const Progress& progress) { listener_.on_progress(progress); };
-        TrayEvents events(packer.job().parts, listener_);
+        TrayEvents events(packer.job().parts, loaded_, listener_);
         if (options_.minimise == Minimise::box) {
             pack_in_least_box(packer, {plan_.grid.x, plan_.grid.y}, stop_, tell, &events, packed);
         } else if (options_.restarts > 1 || options_.beam > 1) {

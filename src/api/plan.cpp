@@ -136,6 +136,21 @@ int first_layers(const LoadedJob& loaded, const Plan& plan, const PackOptions& o
            voxels_in(kFilled * boxes / (space.x * space.y) + longest, voxel_size(options));
 }
 
+/// Copies are ordered as numbers 0, 1, 2 ...; of parts that have some standing they become those that are left.
+void number_apart_from_standing(const LoadedJob& loaded, std::vector<Copy>& items) {
+    std::vector<std::vector<int>> numbers(loaded.parts.size());
+    for (std::size_t i = loaded.fixed_parts; i < numbers.size(); ++i) {
+        if (loaded.standing[i].empty()) continue;
+        for (int number = 0; number < loaded.parts[i].count; ++number) {
+            if (!loaded.standing[i].contains(number)) numbers[i].push_back(number);
+        }
+    }
+    for (Copy& copy : items) {
+        const std::vector<int>& left = numbers[static_cast<std::size_t>(copy.part)];
+        if (!left.empty()) copy.number = left[static_cast<std::size_t>(copy.number)];
+    }
+}
+
 }  // namespace
 
 Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOptions& options,
@@ -191,6 +206,7 @@ Plan make_plan(const LoadedJob& loaded, const Container& container, const PackOp
     plan.overflows = !is_open(options) && options.trays == 1 && plan.box_ratio > kOverflow;
     const bool by_goal = plan.overflows && options.goal != Goal::fair && options.order == Order::size;
     plan.items = by_goal ? order_copies(sizes, options.goal) : order_copies(sizes, options.order, options.seed);
+    number_apart_from_standing(loaded, plan.items);
     plan.ranks = urgency_ranks(sizes);
     plan.height_penalty = options.height_penalty.value_or(
         automatic_height_penalty(sizes, is_open(options) ? std::numeric_limits<double>::infinity() : container_volume));

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "api/load.hpp"
 #include "packing/job/packing_job.hpp"
 #include "packing/tray/tray_observer.hpp"
 #include "spectralpack/events.hpp"
@@ -12,11 +13,18 @@ namespace spectralpack {
 class TrayEvents final : public TrayObserver {
   public:
     /// Both outlive it.
-    TrayEvents(const std::vector<JobPart>& parts, Listener& listener) : parts_(parts), listener_(listener) {}
+    TrayEvents(const std::vector<JobPart>& parts, const LoadedJob& loaded, Listener& listener)
+        : parts_(parts), loaded_(loaded), listener_(listener) {}
 
+    /// Copies of its own that stand already (Job::keep) are told of as placed.
     void tray_begun(int number) override {
         tray_ = number;
         tell(EventKind::tray_begun);
+        for (const auto& [tray, copy] : loaded_.fixed) {
+            const std::set<int>& standing = loaded_.standing[static_cast<std::size_t>(copy.part)];
+            if (tray != tray_ || !standing.contains(copy.copy)) continue;
+            listener_.on_event({EventKind::copy_placed, tray_, copy.part, copy.copy, copy.orientation, copy.transform});
+        }
     }
     void copy_placed(const PlacedCopy& placed) override { tell(EventKind::copy_placed, placed); }
     void copy_moved(const PlacedCopy& placed) override { tell(EventKind::copy_moved, placed); }
@@ -33,6 +41,7 @@ class TrayEvents final : public TrayObserver {
     }
 
     const std::vector<JobPart>& parts_;
+    const LoadedJob& loaded_;
     Listener& listener_;
     int tray_ = 0;
 };

@@ -95,6 +95,7 @@ TEST(JobFile, ReadsEveryKey) {
                            {"verify-with", "reference:5"},
                            {"try-per-tray", 30},
                            {"onto", "old.json"},
+                           {"keep", "half.json"},
                            {"time-limit", 2.5},
                            {"output", {"b.json"}},
                            {"report", "/r/r.html"},
@@ -116,6 +117,7 @@ TEST(JobFile, ReadsEveryKey) {
     EXPECT_EQ(s.options.try_per_tray, 30);
     EXPECT_TRUE(s.sized);
     EXPECT_EQ(s.onto, "/jobs/week/old.json");
+    EXPECT_EQ(s.keep, "/jobs/week/half.json");
     EXPECT_TRUE(s.container.physical);
     ASSERT_EQ(s.container.keep_out.size(), 2u);
     EXPECT_EQ(s.container.keep_out[0].box, (Box{{1, 2, 3}, {4, 5, 6}}));

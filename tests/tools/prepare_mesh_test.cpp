@@ -5,9 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include "geometry/mesh_edges.hpp"
+#include "spectralpack/tools/simplify.hpp"
 #include "support/names.hpp"
 #include "support/shapes.hpp"
-#include "tools/prepare/simplify.hpp"
 
 namespace spectralpack::test {
 namespace {

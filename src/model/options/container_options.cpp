@@ -168,6 +168,17 @@ std::vector<Option> container_options() {
              .help = "A packing file (.json). What is packed is placed beside and on top of the copies in it, tray "
                      "by tray, in the same tray unless another is given.",
              .examples = {"yesterday.json"}}),
+        kept_in<&JobSettings::keep>(
+            {.name = "keep",
+             .group = Group::tray,
+             .type = Type::file,
+             .placeholder = "FILE",
+             .line = "copies of this build of the same parts stay where they stand",
+             .help =
+                 "A packing file (.json). Its copies count as placed; what else is asked for is packed around them. "
+                 "A build that lacks some copies is packed to the end so, or one of which a few were taken out. "
+                 "Parts are known by mesh, scale and name.",
+             .examples = {"build.json"}}),
     };
 }
 

@@ -143,6 +143,11 @@ std::vector<Option> program_options() {
                  "program.",
          .examples = {"build.3mf.journal"}},
         {.name = "no-resume", .group = Group::result, .line = "begin anew, whatever journal is there"},
+        {.name = "keep-journal",
+         .group = Group::result,
+         .line = "do not remove the journal when the run is done",
+         .help = "A later run with more --improve then goes on from the best that was found. Needs --journal or "
+                 "--resume."},
         kept_in<&JobSettings::dry_run>(
             {.name = "dry-run",
              .group = Group::packing,

@@ -6,7 +6,7 @@
 
 #include "geometry/mesh_edges.hpp"
 #include "geometry/mesh_repair.hpp"
-#include "tools/prepare/simplify.hpp"
+#include "spectralpack/tools/simplify.hpp"
 
 namespace spectralpack::tools {
 namespace {

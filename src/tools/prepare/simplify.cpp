@@ -1,4 +1,4 @@
-#include "tools/prepare/simplify.hpp"
+#include "spectralpack/tools/simplify.hpp"
 
 #include <meshoptimizer.h>
 

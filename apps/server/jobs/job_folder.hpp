@@ -1,0 +1,46 @@
+#pragma once
+/// Where a job's files lie. A job is its folder: whoever copies it has copied the job.
+///
+///     ID/meta.json           what the server knows of it
+///     ID/files/NAME          what was sent; paths in job and packing files begin here
+///     ID/files/.job.json     the job file
+///     ID/previews/NAME.json  what a file holds; NAME.coarse, NAME.fine: its meshes to look at
+///     ID/run/                of the run: how.json (StartJob of openapi.json), events.jsonl, journal, process.json,
+///     end.json ID/packing.json ...    what came of it: also check.json, picture.png, packing.3mf ID/history/3.json the
+///     packing of an earlier revision, to go back to; read from ID/, where its paths begin ID/exports/            files
+///     made when they were asked for ID/incoming/           what is being sent
+
+#include <filesystem>
+#include <string>
+
+namespace spectralpack::server {
+
+struct JobFolder {
+    std::filesystem::path root;
+
+    std::filesystem::path meta() const { return root / "meta.json"; }
+    std::filesystem::path files() const { return root / "files"; }
+    std::filesystem::path file(const std::string& name) const { return files() / name; }
+    std::filesystem::path job_file() const { return files() / ".job.json"; }
+    std::filesystem::path previews() const { return root / "previews"; }
+    std::filesystem::path preview(const std::string& name) const { return previews() / (name + ".json"); }
+    /// `detail`: coarse or fine.
+    std::filesystem::path meshes(const std::string& name, const std::string& detail) const {
+        return previews() / (name + "." + detail);
+    }
+    std::filesystem::path run() const { return root / "run"; }
+    std::filesystem::path events() const { return run() / "events.jsonl"; }
+    std::filesystem::path journal() const { return run() / "journal"; }
+    std::filesystem::path how() const { return run() / "how.json"; }
+    std::filesystem::path process() const { return run() / "process.json"; }
+    std::filesystem::path end() const { return run() / "end.json"; }
+    std::filesystem::path packing(const char* ending) const { return root / (std::string("packing.") + ending); }
+    std::filesystem::path history() const { return root / "history"; }
+    std::filesystem::path revision(int number) const { return history() / (std::to_string(number) + ".json"); }
+    std::filesystem::path check() const { return root / "check.json"; }
+    std::filesystem::path picture() const { return root / "picture.png"; }
+    std::filesystem::path exports() const { return root / "exports"; }
+    std::filesystem::path incoming() const { return root / "incoming"; }
+};
+
+}  // namespace spectralpack::server

@@ -1,0 +1,212 @@
+/// Between a build and its 3D view: hands on what changed since the last time, no more.
+
+import type { CopyKey, Size, Transform, TrayView, ViewCopy, ViewPart } from "../../view/view";
+import type { MoveState } from "../change/mover";
+import { type BuildView, isHidden } from "../state/build_view";
+import type { Sides } from "../state/draft";
+import { copyId, type LiveRun } from "../state/live_run";
+import type { PackedTray, Packing, Placement } from "../state/packing";
+import type { Session } from "../state/session";
+import { traySize } from "../state/tray_size";
+import type { BuildPart } from "./build_parts";
+
+/// So many triangles in all are drawn fluently; finer meshes are only asked for below it.
+const mostTriangles = 3_000_000;
+const fineTriangles = 10_000;
+
+export class TrayScene {
+  private parts = "";
+  private standing = "";
+  private hidden: readonly unknown[] = [];
+  private ready = false;
+  private asked = "";
+  private labelled = "";
+  private readonly refined = new Set<number>();
+  private shown: PackedTray | null = null;
+  private moving: CopyKey | null = null;
+  private movedTo: Transform | null = null;
+
+  constructor(
+    private readonly session: Session,
+    private readonly view: TrayView,
+    private readonly changed: () => void,
+  ) {}
+
+  /// Changes whenever all copies are placed anew; empty while there are none.
+  get placed(): string {
+    return this.ready ? this.standing : "";
+  }
+
+  /// The tray while it packs: from the draft.
+  showLive(parts: readonly BuildPart[], live: LiveRun, tray: number): void {
+    const { draft, info } = this.session;
+    const meshes = this.session.parts.meshes;
+    const size = traySize(draft, info, meshes) ?? [100, 100, 100];
+    const boxes = draft.keepOut.flatMap((own) => ("box" in own ? [own.box] : []));
+    const container = draft.tray.kind === "mesh" ? draft.tray.file : null;
+    this.setTray(size, draft.openHeight, boxes, container);
+    if (!this.setParts(parts)) return;
+    const key = `live ${tray}`;
+    const whole = key !== this.standing;
+    const first = this.standing === "";
+    if (whole) this.view.clear();
+    this.standing = key;
+    const { cleared, placed, removed } = live.drain(tray, whole);
+    if (cleared && !whole) this.view.clear();
+    if (removed.length > 0) this.view.remove(removed);
+    const newest = live.newest?.tray === tray ? live.newest.copy : null;
+    const landing = placed.filter((copy) => copy.part === newest?.part && copy.copy === newest.copy);
+    const others = placed.filter((copy) => !landing.includes(copy));
+    if (others.length > 0) this.view.place(others);
+    if (landing.length > 0) this.view.place(landing, true);
+    if (first) this.view.frame(null);
+  }
+
+  /// A tray of the finished build. `changes`: of the one that is shown already, only what is another is placed anew.
+  showPacked(parts: readonly BuildPart[], packing: Packing, tray: PackedTray, changes = false): void {
+    const container = this.session.draft.tray.kind === "mesh" ? this.session.draft.tray.file : null;
+    this.setTray(packing.size, packing.openHeight, packing.keepOut, container);
+    if (!this.setParts(parts)) return;
+    const key = `packed ${tray.number} ${numberOf(tray)}`;
+    if (key === this.standing) return;
+    const first = this.standing === "";
+    const before = this.standing.startsWith(`packed ${tray.number} `) ? this.shown : null;
+    this.standing = key;
+    this.shown = tray;
+    if (changes && before) this.placeChanged(before, tray);
+    else {
+      this.view.clear();
+      this.view.place(tray.placements.map(viewCopy));
+    }
+    if (first) this.view.frame(null);
+    void this.refine(parts, tray);
+  }
+
+  private placeChanged(before: PackedTray, tray: PackedTray): void {
+    const gone = [...before.byId].filter(([id]) => !tray.byId.has(id)).map(([, placement]) => placement);
+    if (gone.length > 0) this.view.remove(gone);
+    const others = tray.placements.filter((placement) => !alike(before.byId.get(copyId(placement)), placement));
+    if (others.length > 0) this.view.place(others.map(viewCopy));
+  }
+
+  /// A copy that is moved by hand, and what it touches; null: none, and all stand where the tray has them.
+  showMove(move: MoveState, tray: PackedTray | undefined, close: readonly CopyKey[]): void {
+    const { copy, transform } = move;
+    if (this.moving && (!copy || copyId(copy) !== copyId(this.moving))) {
+      const back = tray?.byId.get(copyId(this.moving));
+      if (back) this.view.place([viewCopy(back)]);
+      else this.view.remove([this.moving]);
+      this.moving = null;
+      this.movedTo = null;
+    }
+    this.view.setMoving(copy);
+    this.view.setLeaving(copy ? [copy] : []);
+    this.view.setMarked(close, copy !== null, "bad");
+    if (!copy || transform === this.movedTo || !this.ready) return;
+    this.moving = copy;
+    this.movedTo = transform;
+    this.view.place([{ part: copy.part, copy: copy.copy, transform, order: tray?.byId.get(copyId(copy))?.index ?? 0 }]);
+  }
+
+  /// What is looked at, and how.
+  showView(build: BuildView, locked: readonly CopyKey[] = []): void {
+    this.view.setLocked(locked);
+    this.view.setColouring(build.colouring);
+    this.view.setSection(build.section);
+    this.view.setSelected(build.selected);
+    const hidden = [build.hiddenParts, build.hiddenCopies, build.isolated];
+    if (hidden.every((set, i) => set === this.hidden[i])) return;
+    this.hidden = hidden;
+    this.view.setHidden((copy: CopyKey) => isHidden(build, copy));
+  }
+
+  /// The names of the copy that is selected and of the one under the pointer.
+  showLabels(parts: readonly BuildPart[], selected: readonly CopyKey[], hovered: CopyKey | null): void {
+    const named = [...(selected.length === 1 ? selected : []), ...(hovered ? [hovered] : [])];
+    const labels = new Map(
+      named.map((copy) => {
+        const part = parts.find((own) => own.index === copy.part);
+        return [copyId(copy), { copy, text: `${part?.name ?? ""} ${copy.copy + 1}` }];
+      }),
+    );
+    const key = [...labels.keys()].join();
+    if (key === this.labelled) return;
+    this.labelled = key;
+    this.view.setLabels([...labels.values()]);
+  }
+
+  private setTray(size: Sides, open: boolean, boxes: readonly (readonly [Sides, Sides])[], file: string | null): void {
+    const mesh = file === null ? null : this.session.parts.meshes.find((own) => own.file === file);
+    const data = mesh ? this.session.meshes.mesh(mesh) : null;
+    if (mesh && !data) void this.session.meshes.load([mesh]).then(this.changed);
+    const key = JSON.stringify([size, open, boxes, file, data !== null]);
+    if (key === this.asked) return;
+    this.asked = key;
+    const keepOut = boxes.map((box) => [...box] as Size[]);
+    this.view.setTray([size[0], size[1], open ? null : size[2]], data ?? undefined, keepOut);
+  }
+
+  /// False while meshes are still to come.
+  private setParts(parts: readonly BuildPart[]): boolean {
+    const key = parts.map((part) => `${part.index}:${part.mesh?.id}:${part.mesh?.volume}`).join();
+    if (key !== this.parts) {
+      this.parts = key;
+      this.ready = false;
+      this.standing = "";
+      this.refined.clear();
+      const meshes = parts.flatMap((part) => (part.mesh ? [part.mesh] : []));
+      void this.session.meshes.load(meshes).then(() => {
+        if (key !== this.parts) return;
+        this.view.setParts(parts.flatMap((part) => this.viewPart(part)));
+        this.ready = true;
+        this.changed();
+      });
+    }
+    return this.ready;
+  }
+
+  private viewPart(part: BuildPart): ViewPart[] {
+    const mesh = part.mesh ? this.session.meshes.mesh(part.mesh) : null;
+    return mesh ? [{ index: part.index, name: part.name, mesh }] : [];
+  }
+
+  private async refine(parts: readonly BuildPart[], tray: PackedTray): Promise<void> {
+    const key = this.parts;
+    const copies = new Map<number, number>();
+    for (const { part } of tray.placements) copies.set(part, (copies.get(part) ?? 0) + 1);
+    const here = parts.filter((part) => part.mesh && copies.has(part.index));
+    const triangles = here.reduce(
+      (sum, part) => sum + Math.min(fineTriangles, part.mesh?.triangles ?? 0) * (copies.get(part.index) ?? 0),
+      0,
+    );
+    if (triangles > mostTriangles) return;
+    for (const part of here) {
+      if (!part.mesh || this.refined.has(part.index)) continue;
+      const fine = await this.session.meshes.fine(part.mesh);
+      if (key !== this.parts || !this.standing.startsWith(`packed ${tray.number} `)) return;
+      if (!fine || this.refined.has(part.index)) continue;
+      this.refined.add(part.index);
+      this.view.refine(new Map([[part.index, fine]]));
+    }
+  }
+}
+
+/// Trays are never changed, only replaced: each has a number of its own.
+const numbers = new WeakMap<PackedTray, number>();
+let trays = 0;
+
+function numberOf(tray: PackedTray): number {
+  const known = numbers.get(tray) ?? ++trays;
+  numbers.set(tray, known);
+  return known;
+}
+
+function alike(before: Placement | undefined, now: Placement): boolean {
+  if (!before || before.step !== now.step || before.index !== now.index) return false;
+  return before.transform.every((row, i) => row.every((value, j) => value === now.transform[i]?.[j]));
+}
+
+function viewCopy(placement: PackedTray["placements"][number]): ViewCopy {
+  const { part, copy, transform, index, step } = placement;
+  return step === null ? { part, copy, transform, order: index } : { part, copy, transform, order: index, step };
+}
