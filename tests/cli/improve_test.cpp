@@ -69,6 +69,20 @@ TEST_F(ImproveRuns, TheRestOfTheTimeLimitIsUsed) {
     EXPECT_EQ(packing["metrics"]["placed"], packing["metrics"]["copies"]);
 }
 
+TEST_F(ImproveRuns, GoesOnWithMoreSecondsWhereTheJournalIsKept) {
+    const std::vector<std::string> kept{"--journal", at("j"), "--keep-journal"};
+    ASSERT_EQ(run(kOpen + kept + std::vector<std::string>{"--improve", "1"}).status, 0);
+    const json first = result();
+    ASSERT_TRUE(std::filesystem::exists(folder_ / "j"));
+    const Ran more = run(kOpen + kept + std::vector<std::string>{"--improve", "2"});
+    ASSERT_EQ(more.status, 0) << more.err;
+    const json second = result();
+    EXPECT_GE(second["metrics"]["improvement"]["steps"], first["metrics"]["improvement"]["steps"]);
+    EXPECT_LE(second["trays"][0]["height"], first["trays"][0]["height"]);
+    EXPECT_GE(second["metrics"]["improvement"]["seconds"], 1.9);
+    expect_refused({{"--improve", "1", "--keep-journal"}}, kSamples);
+}
+
 TEST_F(ImproveRuns, CtrlCWritesTheBestSoFar) {
     const Ran ran = run(kOpen + std::vector<std::string>{"--improve", "600", "--progress", "json"},
                         reported([](const json& line) { return line.value("phase", "") == "improve"; }));

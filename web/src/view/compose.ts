@@ -40,6 +40,7 @@ uniform float reach; // mm: depth that counts as a full step
 uniform vec3 accent;
 uniform vec3 mark;
 uniform vec3 rim;
+uniform vec2 through; // how strongly what is hidden is seen: of the accent, of the mark
 out vec4 colour;
 
 float distanceAt(vec2 at) {
@@ -100,8 +101,9 @@ void main() {
     // What is hidden: a faint tint and a thin line, so that a copy deep in the tray can be found.
     vec2 covered = inside.yw * (1.0 - inside.xz);
     vec2 thin = covered * (1.0 - hiddenLeast.yw);
-    c = mix(c, vec4(accent, 1.0), covered.x * 0.10 + thin.x * 0.5);
-    c = mix(c, vec4(mark, 1.0), covered.y * 0.10 + thin.y * 0.5);
+    vec2 seen = covered * through + thin * 0.5 * step(0.001, through);
+    c = mix(c, vec4(accent, 1.0), min(seen.x, 1.0));
+    c = mix(c, vec4(mark, 1.0), min(seen.y, 1.0));
     c = line(inside.zw, least.z, most.z, mark, c);
     c = line(inside.xy, least.x, most.x, accent, c);
   }
@@ -156,6 +158,7 @@ export class Compose {
           accent: { value: new Vector3() },
           mark: { value: new Vector3() },
           rim: { value: new Vector3() },
+          through: { value: new Vector2() },
         },
         blending: NoBlending,
         depthTest: false,
@@ -174,6 +177,11 @@ export class Compose {
     set("accent", accent);
     set("mark", mark);
     set("rim", rim);
+  }
+
+  /// From 0, not at all, to 1.
+  setThrough(accent: number, mark: number): void {
+    (this.uniform("through").value as Vector2).set(accent, mark);
   }
 
   /// `reach`: how deep a step must be to be drawn as dark as any, in mm.

@@ -105,6 +105,13 @@ export class Looks {
     return { accent: t.accent, mark: this.mark === "bad" ? t.bad : t.warnMark };
   }
 
+  /// How strongly outlined copies are seen through those before them. What is moved by hand is looked for; that copies are
+  /// locked is said of those in sight.
+  get through(): { accent: number; mark: number } {
+    const moved = this.othersPale && this.mark === "bad" ? 0.45 : 0.1;
+    return { accent: moved, mark: this.marked.size === 0 ? 0 : moved };
+  }
+
   /// Least and greatest value of the colouring, from the copies that stand.
   measure(copies: Copies): void {
     this.low = Infinity;

@@ -93,6 +93,8 @@ export class Tag {
       lineHeight: "20px",
       fontVariantNumeric: "tabular-nums",
       willChange: "transform",
+      // Out of sight until it has its place.
+      transform: "translate(-9999px, 0)",
     });
     if (boxed) {
       Object.assign(this.element.style, {

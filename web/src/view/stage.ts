@@ -340,6 +340,8 @@ export class Stage {
     this.daylight.sun.showGround(eye[2] > 0);
     const { accent, mark } = this.pieces.looks.outlineColour;
     this.compose.setColours(accent, mark, tokens(this.theme).rim);
+    const { through } = this.pieces.looks;
+    this.compose.setThrough(through.accent, through.mark);
     const side = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
     const outlines = this.pieces.hasOutlines ? this.pieces.passes.outlines : null;
     const factor = size.width / Math.max(1, renderer.domElement.width);

@@ -127,7 +127,7 @@ export class ApartPage extends Piece {
           <sp-steps .session=${session} .apart=${apart}></sp-steps>
         </aside>
         <sp-divider property="--left" side="left" label="Width of the list" most="480"></sp-divider>
-        <sp-apart-tray .session=${session} .apart=${apart}></sp-apart-tray>
+        <div class="middle"><sp-apart-tray .session=${session} .apart=${apart}></sp-apart-tray></div>
         <sp-divider property="--right" side="right" label="Width of the step" least="264" most="480"></sp-divider>
         <aside class="side right" aria-label="Step">
           <sp-step .session=${session} .apart=${apart}></sp-step>

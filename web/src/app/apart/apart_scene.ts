@@ -73,7 +73,7 @@ export class ApartScene {
   private paint(apart: Apart, look: Look): void {
     const { player, selected, hovered, blockers, time } = look;
     const { view } = this;
-    const { plan, tray } = apart;
+    const { tray } = apart;
     const step = shownStep(player);
     const all = player.show === "apart";
     const keys = (indices: readonly number[]) => indices.flatMap((index) => tray.placements[index] ?? []).map(keyOf);

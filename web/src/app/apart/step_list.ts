@@ -34,6 +34,8 @@ export class StepList extends Piece {
   private height = 900;
   private followed = -1;
   private readonly sizes = new ResizeObserver(() => {
+    // In a drawer that opens, it is looked for anew.
+    if (this.height === 0) this.followed = -1;
     this.height = this.scroller.clientHeight;
     this.requestUpdate();
   });
@@ -69,7 +71,11 @@ export class StepList extends Piece {
     const y = (this.places[step] ?? this.rows.length) * this.rowHeight;
     const low = scrollTop + margin * clientHeight;
     const high = scrollTop + (1 - margin) * clientHeight - this.rowHeight;
-    if (y < low || y > high) this.scroller.scrollTop = y - 0.4 * clientHeight;
+    if (y >= low && y <= high) return;
+    this.scroller.scrollTop = y - 0.4 * clientHeight;
+    // At once: the scroll event would come a frame later.
+    this.top = this.scroller.scrollTop;
+    this.requestUpdate();
   }
 
   private get rowHeight(): number {

@@ -120,7 +120,7 @@ export class Timeline extends Piece {
     const { steps } = this;
     const { step } = this.player.state.value;
     const now = Math.min(step + 1, steps);
-    const room = tickRoom / Math.max(1, this.width / steps);
+    const room = (tickRoom * steps) / Math.max(1, this.width);
     const place = (number: number) => `${(100 * (number - 0.5)) / steps}%`;
     return [
       ...ticksOf(steps, room)

@@ -104,7 +104,7 @@ export class BuildList extends Piece {
   private row(part: BuildPart, placed: number): TemplateResult {
     const { session, live } = this;
     const { selected, hiddenParts } = session.build.value;
-    const newest = session.run.live.newest;
+    const newest = session.run.doing === "improve" ? null : session.run.live.newest;
     const isSelected = live ? newest?.copy.part === part.index : selected.some((copy) => copy.part === part.index);
     const hidden = hiddenParts.has(part.index);
     const { mesh } = part;

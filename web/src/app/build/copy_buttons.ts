@@ -22,7 +22,7 @@ export function copyButtons(session: Session): TemplateResult | typeof nothing {
         title=${all ? "Unlock (L)" : "Lock: it stays where it is when the rest is packed again (L)"}
         @click=${() => work.toggleLock(own)}
       >
-        ${icon(all ? "lock" : "unlock")}${all ? "Locked" : "Lock"}<kbd class="hide-s">L</kbd>
+        ${icon(all ? "lock" : "unlock")}${all ? "Locked" : html`Lock<kbd class="hide-s">L</kbd>`}
       </button>
       ${
         own.length === 1

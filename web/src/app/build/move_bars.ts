@@ -24,8 +24,8 @@ export function moveHint(): TemplateResult {
 /// The copies that are lit up: those that are too near, as the server says; before it has answered, those that touch.
 export function closeCopies({ clearance, touching }: MoveState): readonly CopyKey[] {
   if (!clearance) return touching;
-  const near = [clearance.nearest, clearance.next].filter((own) => own !== null && own.distance < own.gap);
+  const near = [clearance.nearest, clearance.next].filter((own) => own && own.distance < own.gap);
   const said = near.flatMap((own) => (own ? [{ part: own.part, copy: own.copy }] : []));
-  // It names two; those that touch as well are on the page's own meshes.
-  return clearance.clear ? [] : said.length > 1 ? [...said, ...touching] : said;
+  // It names two; more may touch.
+  return clearance.clear ? [] : [...said, ...touching];
 }

@@ -99,7 +99,7 @@ export class MovePanel extends Piece {
               html`<button
                 type="button"
                 ?disabled=${seeking}
-                aria-label="Turn by 90° about ${axis.toUpperCase()}"
+                title="Turn by 90° about ${axis.toUpperCase()}"
                 @click=${() => this.move.turn(axis)}
               >
                 ${axis.toUpperCase()} 90°

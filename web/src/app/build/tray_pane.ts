@@ -110,7 +110,7 @@ export class TrayPane extends Piece {
     const { packing } = session.run.state.value;
     view.setTheme(app.value.theme);
     const tray = packing?.trays[this.tray - 1];
-    if (this.live) scene.showLive(this.parts, session.run.live, this.tray);
+    if (this.live) scene.showLive(this.parts, session.run.live, this.tray, session.run.doing !== "improve");
     else if (packing && tray) scene.showPacked(this.parts, packing, tray, true);
     const { work } = session;
     scene.showView(session.build.value, this.live ? [] : lockedIn(work.state.value.locks, this.tray));
@@ -145,7 +145,7 @@ export class TrayPane extends Piece {
       <div class="stage"></div>
       <p class="out">${this.summary()}</p>
       <div class="hud tl">
-        ${this.live ? justPlaced(session, this.parts) : moving ? moveLegend() : colourBar(session, this.legend)}
+        ${this.live ? (session.run.doing === "improve" ? nothing : justPlaced(session, this.parts)) : moving ? moveLegend() : colourBar(session, this.legend)}
       </div>
       <div class="hud tr">
         <div class="glass">

@@ -37,8 +37,8 @@ export class TrayScene {
     return this.ready ? this.standing : "";
   }
 
-  /// The tray while it packs: from the draft.
-  showLive(parts: readonly BuildPart[], live: LiveRun, tray: number): void {
+  /// The tray while it packs: from the draft. `lands`: the newest copy is seen to land.
+  showLive(parts: readonly BuildPart[], live: LiveRun, tray: number, lands = true): void {
     const { draft, info } = this.session;
     const meshes = this.session.parts.meshes;
     const size = traySize(draft, info, meshes) ?? [100, 100, 100];
@@ -54,7 +54,7 @@ export class TrayScene {
     const { cleared, placed, removed } = live.drain(tray, whole);
     if (cleared && !whole) this.view.clear();
     if (removed.length > 0) this.view.remove(removed);
-    const newest = live.newest?.tray === tray ? live.newest.copy : null;
+    const newest = lands && live.newest?.tray === tray ? live.newest.copy : null;
     const landing = placed.filter((copy) => copy.part === newest?.part && copy.copy === newest.copy);
     const others = placed.filter((copy) => !landing.includes(copy));
     if (others.length > 0) this.view.place(others);

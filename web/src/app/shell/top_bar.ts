@@ -56,7 +56,8 @@ export class TopBar extends Piece {
   private state(session: Session): TemplateResult | typeof nothing {
     const shown = app.value.route.page === "job" && app.value.route.step !== "parts" && session.run.checking;
     if (!isRunning(session.job) || shown) return nothing;
-    return badge("run", stateWords(session.job).text);
+    const improves = session.job.status === "running" && session.run.doing === "improve";
+    return badge("run", improves ? "Improving" : stateWords(session.job).text);
   }
 
   private steps(session: Session, step: Step): TemplateResult {

@@ -54,7 +54,7 @@ export class Player {
   private until = Number.POSITIVE_INFINITY;
   private glide: { readonly from: number; readonly to: number; readonly start: number } | null = null;
   private request = 0;
-  private timer = 0;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   private before = 0;
 
   /// The tray to take apart; another one begins at its first step.
@@ -97,7 +97,7 @@ export class Player {
     this.glide = null;
     cancelAnimationFrame(this.request);
     clearTimeout(this.timer);
-    this.request = this.timer = 0;
+    this.request = 0;
     this.state.set({ playing: false });
   }
 
@@ -166,7 +166,7 @@ export class Player {
   private run(): void {
     this.before = performance.now();
     if (reducedMotion() && !this.glide) {
-      this.timer = window.setTimeout(() => this.jump(), stepTime / this.state.value.speed);
+      this.timer = setTimeout(() => this.jump(), stepTime / this.state.value.speed);
       return;
     }
     this.request = requestAnimationFrame((now) => this.frame(now));

@@ -11,11 +11,6 @@ export type Place =
   | { readonly kind: "moves"; readonly offset: Sides }
   | { readonly kind: "out" };
 
-/// The step that runs at a time; null once all are done.
-export function stepAt(plan: Plan, time: number): PlanStep | null {
-  return plan.steps[Math.max(0, Math.floor(time))] ?? null;
-}
-
 /// How far a copy is from its place in the packing.
 export function placeAt(plan: Plan, placement: number, time: number): Place {
   const now = Math.floor(time);

@@ -134,7 +134,9 @@ export class Runner {
   async cancel(): Promise<void> {
     this.state.set({ stopping: true });
     try {
-      this.take(await api.cancel(this.id));
+      const job = await api.cancel(this.id);
+      // It may have ended before the answer came.
+      if (isRunning(this.state.value.job)) this.take(job);
     } catch (error) {
       this.state.set({ stopping: false });
       throw error;

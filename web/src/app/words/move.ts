@@ -53,7 +53,7 @@ export function touched(copies: readonly { part: number; copy: number }[], name:
 }
 
 const length = (value: number, digits: number): string => `${value.toFixed(digits)}${thin}mm`;
-const asked = (gap: number): string => `${length(gap, 1)} ${gap > 0 ? "is asked for." : "apart would do."}`;
+const asked = (gap: number): string => (gap > 0 ? `A gap of ${length(gap, 1)} is asked for.` : "Move it farther away.");
 
 /// As many digits as it takes to see that it is less.
 function lacking(distance: number, gap: number): string {
