@@ -18,6 +18,8 @@ if [ -e "$work/prefix/bin/spectralpack-reference" ]; then
         --progress none -o "$work/two.json" >/dev/null
 fi
 
+scripts/check_serve.sh "$work/prefix/bin/spectralpack"
+
 # A copy, so that nothing is found because it lies in this tree.
 cp -r examples "$work/examples"
 cmake -S "$work/examples" -B "$work/examples/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \

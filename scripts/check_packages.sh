@@ -13,7 +13,7 @@ for package in spectralpack libspectralpack-dev spectralpack-reference python3-s
     dpkg -c "$file" >"$work/$package.list"
     depends=$(dpkg-deb -f "$file" Depends)
     case "$package" in
-    spectralpack) holds=usr/bin/spectralpack ;;
+    spectralpack) holds=usr/bin/spectralpack-server ;;
     libspectralpack-dev) holds=include/spectralpack/pack.hpp ;;
     spectralpack-reference) holds=usr/bin/spectralpack-reference ;;
     python3-spectralpack) holds=spectralpack/__init__.py ;;
@@ -32,6 +32,7 @@ for program in spectralpack spectralpack-reference; do
         -o "$work/$program.json" >/dev/null
     "$work/root/usr/bin/$program" check "$work/$program.json"
 done
+scripts/check_serve.sh "$work/root/usr/bin/spectralpack"
 if "$work/root/usr/bin/spectralpack" pack data/samples/box.stl:2 --engine reference -o "$work/none.json" 2>"$work/said"; then
     echo "the permissive program has the reference engine" >&2
     exit 1

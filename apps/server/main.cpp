@@ -39,12 +39,12 @@ fs::path own_path() {
 }
 
 std::string new_token() {
-    constexpr std::string_view letters = "abcdefghijkmnpqrstuvwxyz23456789";
+    constexpr std::string_view kLetters = "abcdefghijkmnpqrstuvwxyz23456789";
     std::random_device random;
-    std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
+    std::uniform_int_distribution<std::size_t> letter(0, kLetters.size() - 1);
     std::string token;
     while (token.size() < kTokenLength) {
-        token += letters[letter(random)];
+        token += kLetters[letter(random)];
     }
     return token;
 }

@@ -1,6 +1,6 @@
 /// The whole way, as an operator goes it: from files to a build that is checked, exported and found again.
 
-import { readFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
@@ -35,8 +35,8 @@ async function longJob(page: Page): Promise<void> {
   const id = (await (await fetch(jobs, { method: "POST", body: JSON.stringify({ sample: true }) })).json()).id;
   const job = await (await fetch(`${jobs}/${id}/job.json`)).json();
   job.container = { size: [320, 240, 240] };
-  job.options = { voxel: 1, "height-at": "top" };
-  for (const part of job.parts) part.count = 30;
+  job.options = { voxel: 0.6, "height-at": "top" };
+  for (const part of job.parts) part.count = 40;
   await fetch(`${jobs}/${id}/job.json`, { method: "PUT", body: JSON.stringify(job) });
   await page.goto(`${server.url}#/job/${id}/parts`);
   await packButton(page).waitFor();
@@ -67,7 +67,7 @@ describe("from parts to the printer", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("files are dropped, a bad one among them", async () => {
+  test("files are chosen, a bad one among them", async () => {
     const { page } = await open(browser, server.url);
     const names = ["bracket.stl", "gear.stl", "mug.stl"];
     const files = names.map((name) => ({ name, mimeType: "model/stl", buffer: readFileSync(join(samples, name)) }));
@@ -85,6 +85,23 @@ describe("from parts to the printer", () => {
     await packButton(page).click();
     await verdict(page).waitFor({ timeout: 60_000 });
     expect(check(server.jobFolder(jobOf(page)))).toBe(0);
+  });
+
+  test("a folder is dropped onto the page", async () => {
+    const { page, wrong } = await open(browser, server.url);
+    const folder = join(server.folder, "parts");
+    mkdirSync(join(folder, "small"), { recursive: true });
+    copyFileSync(join(samples, "nut.stl"), join(folder, "small", "nut.stl"));
+    copyFileSync(join(samples, "ring.stl"), join(folder, "ring.stl"));
+    const devtools = await page.context().newCDPSession(page);
+    const data = { items: [], files: [folder], dragOperationsMask: 1 };
+    for (const type of ["dragEnter", "dragOver", "drop"] as const) {
+      await devtools.send("Input.dispatchDragEvent", { type, x: 500, y: 400, data });
+      if (type === "dragOver") await picture(page, "dragged-over");
+    }
+    await packButton(page).waitFor();
+    for (const name of ["nut", "ring"]) await page.getByText(name, { exact: true }).first().waitFor();
+    expect(wrong).toEqual([]);
   });
 
   test("the section, colours and a copy are looked at in the dark", async () => {
@@ -175,6 +192,10 @@ describe("on smaller screens", () => {
       await sample(page);
       await picture(page, `parts-${width}`);
       await packButton(page).click();
+      await page.getByRole("button", { name: "Export" }).waitFor({ timeout: 60_000 });
+      // Where the panels are drawers, the verdict is in one of them.
+      const figures = page.getByRole("button", { name: "Figures" });
+      if (await figures.isVisible()) await figures.click();
       await page
         .getByText(/^(Comes apart: checked|Checked)$/)
         .and(page.locator(":visible"))

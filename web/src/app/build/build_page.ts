@@ -128,8 +128,10 @@ export class BuildPage extends Piece {
     const { packing, loading } = session.run.state.value;
     // What was seen to land stays until the finished build is there.
     const landed = loading && !packing && session.run.live.standing > 0;
-    // What is made better is looked at until there is something better.
-    const improves = session.run.packs && session.run.doing === "improve" && session.run.live.standing === 0;
+    // What is made better is looked at until it is made better.
+    const { curve, standing } = session.run.live;
+    const improves =
+      session.run.packs && session.run.doing === "improve" && (standing === 0 || curve.points.length < 2);
     if ((session.run.packs || landed) && !(improves && packing)) return this.live();
     if (!packing) return this.nothingThere();
     const parts = this.partsOf(packing, () => packedParts(session, packing));

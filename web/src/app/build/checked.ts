@@ -5,6 +5,7 @@ import type { Job } from "../../api/types";
 import { type IconName, icon, spinner } from "../common/icons";
 import type { Packing } from "../state/packing";
 import type { Session } from "../state/session";
+import { namedCopies } from "../words/named";
 import { counted, mm } from "../words/numbers";
 import { sentence } from "../words/sentence";
 
@@ -48,7 +49,7 @@ export function checkedList(job: Job, packing: Packing): TemplateResult {
     ${
       findings.length > 0
         ? html`<ul class="said bad-text">
-            ${findings.slice(0, most).map((text) => html`<li>${sentence(text)}</li>`)}
+            ${findings.slice(0, most).map((text) => html`<li>${sentence(namedCopies(text, packing))}</li>`)}
             ${findings.length > most ? html`<li>And ${findings.length - most} more.</li>` : nothing}
           </ul>`
         : nothing

@@ -15,6 +15,8 @@ import { clock } from "../words/times";
 import { curveFigure } from "./curve_figure";
 
 const day = 86_400;
+/// What comes once it is over.
+const ending: ReadonlySet<string> = new Set(["write", "render", "check"]);
 
 @customElement("sp-improve")
 export class ImprovePanel extends Piece {
@@ -39,7 +41,7 @@ export class ImprovePanel extends Piece {
   override render() {
     const { job } = this.session.run.state.value;
     const { curve, progress } = this.session.run.live;
-    const ends = progress !== null && curve.isThere && progress.phase !== "improve";
+    const ends = progress !== null && curve.isThere && ending.has(progress.phase);
     return html`<div class="head">
         <h2 class="grow">Improving</h2>
         ${ends || job.status === "queued" ? nothing : html`<span class="count">${clock(curve.seconds)} so far</span>`}
@@ -59,8 +61,9 @@ export class ImprovePanel extends Piece {
   }
 
   private beginning(): TemplateResult {
+    const { progress } = this.session.run.live;
     return html`<section class="sec">
-      <p class="row">${spinner}<span>Getting ready</span></p>
+      <p class="row">${spinner}<span>${progress ? phaseText(progress.phase) : "Getting ready"}</span></p>
       <p class="small faint after">The build that stands is kept until a better one is found.</p>
     </section>`;
   }
@@ -113,6 +116,7 @@ export function improveMenu(session: Session): TemplateResult | typeof nothing {
   const { job } = session.run.state.value;
   if (job.can_improve !== true) return nothing;
   const held = session.work.unchecked;
+  const locked = session.work.state.value.locks.size > 0;
   return html`<div class="improve">
     <sp-menu
       buttonClasses="btn fill"
@@ -125,7 +129,8 @@ export function improveMenu(session: Session): TemplateResult | typeof nothing {
             html`<button type="button" class="mi plain" role="menuitem" @click=${() => void session.improve(seconds)}>
               <span>${text}${more ? html`<span>${more}</span>` : nothing}</span>
             </button>`,
-        )}`}
+        )}
+        ${locked ? html`<p class="menu-head small dim after">Locked copies may move: all orders are tried.</p>` : nothing}`}
     ></sp-menu>
   </div>`;
 }

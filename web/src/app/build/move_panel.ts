@@ -39,7 +39,7 @@ export class MovePanel extends Piece {
     if (!copy) return nothing;
     return html`<div class="head">
         <h2 class="grow">${this.move.state.value.from ? "Move" : "Put back"}</h2>
-        <span class="count">Esc puts it back</span>
+        <span class="count">Esc ${this.move.state.value.from ? "puts it back" : "leaves it out"}</span>
       </div>
       <div class="scroll">
         <section class="sec">${this.heading()}${this.place()}${this.turns()}</section>
@@ -131,7 +131,7 @@ export class MovePanel extends Piece {
     const value = (own: { distance: number; gap: number } | null | undefined, text: string) => {
       if (!clearance) return html`<dd class="faint">…</dd>`;
       if (!own) return html`<dd>none</dd>`;
-      return html`<dd class=${own.distance < own.gap ? "bad-text b" : ""}>${text} · ${mm(own.distance, 1)}</dd>`;
+      return html`<dd class=${own.distance < own.gap ? "bad-text b" : ""}>${text} · ${near(own.distance)}</dd>`;
     };
     return html`<dl class="kv">
       <dt>Nearest copy</dt>
@@ -152,7 +152,7 @@ export class MovePanel extends Piece {
       ?disabled=${!wrong || seeking}
       @click=${() => void this.move.seek()}
     >
-      ${seeking ? spinner : nothing}To the nearest free place
+      ${seeking ? spinner : nothing}Back to the nearest free place
     </button>`;
   }
 
@@ -176,6 +176,8 @@ export class MovePanel extends Piece {
       <p class="small faint after">After a change the build is checked again before it can be exported.</p>`;
   }
 }
+
+const near = (distance: number): string => (distance < 0 ? `${mm(-distance, 1)} outside` : mm(distance, 1));
 
 function note(tone: string, sign: TemplateResult, bold: string, text: string): TemplateResult {
   return html`<div class="note ${tone}" role="status">${sign}<p><b>${bold}</b> ${text}</p></div>`;

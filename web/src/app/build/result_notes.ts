@@ -71,6 +71,9 @@ function ends(session: Session, packing: Packing): TemplateResult[] {
       ),
     ];
   }
+  if (job.status === "cancelled" && packing.improvement) {
+    return [note("info", "info", "Stopped.", "The best build that was found is kept.", [])];
+  }
   if (job.status === "cancelled") {
     return [
       note("info", "info", "Stopped.", "This is the best packing so far.", [

@@ -115,7 +115,8 @@ export class TrayPane extends Piece {
     const { work } = session;
     scene.showView(session.build.value, this.live ? [] : lockedIn(work.state.value.locks, this.tray));
     scene.showMove(work.move.state.value, tray, closeCopies(work.move.state.value));
-    scene.showLabels(this.parts, session.build.value.selected, this.hovered);
+    // Beside a copy that is moved a name would lie over the handles.
+    scene.showLabels(this.parts, work.move.active ? [] : session.build.value.selected, this.hovered);
     const legend = view.legend();
     if (JSON.stringify(legend) !== JSON.stringify(this.legend)) this.legend = legend;
   }

@@ -11,6 +11,7 @@ import { isRunning } from "../state/runner";
 import type { Session } from "../state/session";
 import { Store } from "../state/store";
 import { toast } from "../state/toasts";
+import { namedCopies } from "../words/named";
 import { BuildHistory, type Entry, type Lists, type Locks, type Revision } from "./build_history";
 import { applyChanges, type CopyChange, inverseOf, placementOf, type TrayCopy, trayCopyId } from "./change";
 import { followed, keepLocks, keptLocks, standing, withLocks } from "./locks";
@@ -26,6 +27,9 @@ export interface WorkState {
   readonly waits: boolean;
 }
 
+/// What a run does with the copies that stand: packs them anew, keeps some of them where they are, or makes all of it better.
+export type Packs = "anew" | "keeps" | "improves";
+
 export class BuildWork {
   readonly state: Store<WorkState>;
   readonly move: Mover;
@@ -35,7 +39,7 @@ export class BuildWork {
   private taken: Lists = this.history.now;
   private sending: Lists = this.history.now;
   /// What a packing that runs will have changed.
-  private packing: { readonly entry: Entry; readonly before: Packing; readonly keeps: boolean } | null = null;
+  private packing: { readonly entry: Entry; readonly before: Packing; readonly how: Packs } | null = null;
   /// The packing that the server goes back to.
   private revision: Revision | null = null;
   private wasRunning = false;
@@ -143,7 +147,7 @@ export class BuildWork {
     this.move.end();
     this.history.restore(this.taken);
     this.count();
-    tell(sentence);
+    tell(namedCopies(sentence, this.session.run.state.value.stored));
   }
 
   // Locks ----------------------------------------------------------------------------------------------------------
@@ -230,22 +234,22 @@ export class BuildWork {
   // Packing --------------------------------------------------------------------------------------------------------
 
   /// Before the build is packed again or made better: one step that can be undone.
-  packs(keeps: boolean): void {
+  packs(how: Packs): void {
     const { job } = this.session;
     const before = this.session.run.state.value.stored;
     this.move.end();
     this.packing = null;
     if (!before || (job.revision ?? null) === null) return;
     const entry: Entry = { kind: "pack", before: this.revisionNow(job.revision ?? 0), after: null };
-    this.packing = { entry, before, keeps };
+    this.packing = { entry, before, how };
   }
 
   /// It was started: or else nothing happened.
-  started(done: boolean, keeps: boolean): void {
+  started(done: boolean, how: Packs): void {
     if (!done) this.packing = null;
     else if (this.packing) this.history.push(this.packing.entry);
     else this.history.restore({ past: [], future: [] });
-    if (done && !keeps) this.setLocks(new Set());
+    if (done && how === "anew") this.setLocks(new Set());
     this.count();
   }
 
@@ -288,7 +292,7 @@ export class BuildWork {
       this.setLocks(before.locks);
       return;
     }
-    if (own.keeps) this.setLocks(followed(before.locks, own.before, packing));
+    if (own.how === "keeps") this.setLocks(followed(before.locks, own.before, packing));
     this.history.replace(own.entry, { ...own.entry, after: this.revisionNow(job.revision) });
   }
 

@@ -3,7 +3,7 @@
 import { api } from "../../api/client";
 import type { Info, Job, Parts, Start } from "../../api/types";
 import { copyOfId } from "../change/locks";
-import { BuildWork } from "../change/work";
+import { BuildWork, type Packs } from "../change/work";
 import { attempt, tell } from "./app_state";
 import { newBuildView } from "./build_view";
 import type { Draft } from "./draft";
@@ -247,7 +247,7 @@ export class Session {
     }
     const locked = [...this.work.state.value.locks].map(copyOfId);
     const how: Start | null = keeps === "none" ? null : { keep: keeps === "all" ? "all" : locked };
-    if (!(await this.begin("pack", how, keeps !== "none"))) return;
+    if (!(await this.begin(keeps === "none" ? "anew" : "keeps", how))) return;
     keep(`packed.${this.id}`, fingerprint(this.draft));
     this.build.set({ follow: true, selected: [], section: null, find: null });
     go({ page: "job", id: this.id, step: "build" });
@@ -256,16 +256,16 @@ export class Session {
   /// Makes the packing that stands better for so many seconds.
   async improve(seconds: number): Promise<void> {
     if (this.locked || this.work.unchecked) return;
-    await this.begin("improve", { improve: seconds }, true);
+    await this.begin("improves", { improve: seconds });
   }
 
-  private async begin(kind: "pack" | "improve", how: Start | null, keeps: boolean): Promise<boolean> {
-    this.work.packs(keeps);
+  private async begin(packs: Packs, how: Start | null): Promise<boolean> {
+    this.work.packs(packs);
     const started = await attempt(async () => {
-      await this.run.start(kind, () => api.start(this.id, how));
+      await this.run.start(packs === "improves" ? "improve" : "pack", () => api.start(this.id, how));
       return true;
     });
-    this.work.started(started === true, keeps);
+    this.work.started(started === true, packs);
     return started === true;
   }
 
