@@ -12,9 +12,9 @@ namespace spectralpack::server {
 namespace {
 
 const char* word_of(OptionType type) {
-    constexpr std::array words{"flag",      "integer", "natural", "bytes", "number", "size",  "word",
-                               "rotations", "verify",  "text",    "file",  "files",  "folder"};
-    return words.at(static_cast<std::size_t>(type));
+    constexpr std::array kWords{"flag",      "integer", "natural", "bytes", "number", "size",  "word",
+                                "rotations", "verify",  "text",    "file",  "files",  "folder"};
+    return kWords.at(static_cast<std::size_t>(type));
 }
 
 Json option_json(const Option& option) {

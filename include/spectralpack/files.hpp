@@ -25,9 +25,9 @@ struct ExpandedInputs {
     std::vector<std::string> own_builds;   ///< 3MF files in folders that this program wrote: builds, no parts
 };
 
-/// Each argument is a mesh file, FILE:COUNT, FILE@SCALE, FILE:COUNT@SCALE, a folder of meshes (searched through, sorted
-/// bytewise), a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty) or a
-/// job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
+/// Each argument is a mesh file, `FILE:COUNT`, `FILE@SCALE`, `FILE:COUNT@SCALE`, a folder of meshes (searched through,
+/// sorted bytewise), a set file (.csv; its paths are relative to `mesh_dir`, or to the set file when that is empty) or
+/// a job file (.json, one at most). A file whose name really ends in ":3" is taken as named. Throws UsageError for a
 /// count or scale that is not positive and for what a job file asks for and is not built, InputError for a job
 /// file that cannot be read: what it says of the others is not known then. A job file says what it says over
 /// `defaults`.

@@ -100,6 +100,7 @@ def test_names_that_are_not_utf8(server):
     ({"parts": [], "keep_out": [{"mesh": "../../x"}]}, "keep_out[0].mesh"),
     ({"parts": [], "fixed": [{"mesh": "../../x"}]}, "fixed[0].mesh"),
     ({"parts": [], "onto": "/tmp/b.json"}, "onto"),
+    ({"parts": [], "keep": "/tmp/b.json"}, "keep"),
     ({"parts": [], "options": {"output": ["/tmp/x.3mf"]}}, "options.output"),
     ({"parts": [], "options": {"report": ["/tmp/x.html"]}}, "options.report"),
     ({"parts": [], "options": {"journal": "/tmp/j"}}, "options.journal"),

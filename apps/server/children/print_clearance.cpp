@@ -15,7 +15,7 @@ namespace {
 
 /// Nearest of the box's sides, as one looks at the tray from the front.
 Json wall_of(const Box& copy, const Packing& packing) {
-    constexpr std::array<const char*, 3> lower{"left", "front", "bottom"}, upper{"right", "back", "top"};
+    constexpr std::array<const char*, 3> kLower{"left", "front", "bottom"}, kUpper{"right", "back", "top"};
     const Container& container = packing.container;
     Json nearest;
     double least = std::numeric_limits<double>::infinity();
@@ -26,8 +26,8 @@ Json wall_of(const Box& copy, const Packing& packing) {
     };
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        look(lower[i], copy.min[axis]);
-        if (axis < 2 || !container.open_height) look(upper[i], container.size[axis] - copy.max[axis]);
+        look(kLower[i], copy.min[axis]);
+        if (axis < 2 || !container.open_height) look(kUpper[i], container.size[axis] - copy.max[axis]);
     }
     return nearest;
 }

@@ -59,8 +59,8 @@ std::string disposition(const std::string& name) {
         const bool simple = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
                             c == '_' || c == '.';
         plain += simple || c == ' ' ? c : '_';
-        constexpr std::string_view digits = "0123456789ABCDEF";
-        encoded += simple ? std::string(1, c) : std::string{'%', digits[byte / 16], digits[byte % 16]};
+        constexpr std::string_view kDigits = "0123456789ABCDEF";
+        encoded += simple ? std::string(1, c) : std::string{'%', kDigits[byte / 16], kDigits[byte % 16]};
     }
     return "attachment; filename=\"" + plain + "\"; filename*=UTF-8''" + encoded;
 }

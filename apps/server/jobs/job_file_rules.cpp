@@ -39,9 +39,9 @@ bool is_allowed_here(const std::string& name) {
     const Option* option = find_option(name);
     if (!option) return true;  // which is no option: pack says so
     // The server's own: how it talks with the program, and what of the machine it gives to one job.
-    constexpr std::array own{"progress", "dry-run", "json",    "details", "threads",
-                             "memory",   "config",  "profile", "journal", "resume"};
-    if (std::find(own.begin(), own.end(), name) != own.end()) return false;
+    constexpr std::array kOwn{"progress", "dry-run", "json",    "details", "threads",
+                              "memory",   "config",  "profile", "journal", "resume"};
+    if (std::find(kOwn.begin(), kOwn.end(), name) != kOwn.end()) return false;
     switch (option->type) {
         case OptionType::file:
         case OptionType::files:
@@ -60,7 +60,9 @@ void require_harmless(const Json& said, const Job& job) {
     if (const auto container = said.find("container"); container != said.end() && container->is_object()) {
         if (container->contains("mesh")) require_mesh((*container)["mesh"], "container.mesh", job);
     }
-    if (said.contains("onto")) throw Refusal(kBadRequest, "onto: a build cannot be named here");
+    for (const char* build : {"onto", "keep"}) {
+        if (said.contains(build)) throw Refusal(kBadRequest, std::string(build) + ": a build cannot be named here");
+    }
     const auto options = said.find("options");
     if (options == said.end() || !options->is_object()) return;
     for (const auto& [name, value] : options->items()) {

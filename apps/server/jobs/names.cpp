@@ -72,8 +72,8 @@ FileKind kind_of(std::string_view name) {
     std::string ending(name.substr(dot));
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    constexpr std::array<std::string_view, 6> meshes{".stl", ".3mf", ".obj", ".ply", ".off", ".binvox"};
-    if (std::find(meshes.begin(), meshes.end(), ending) != meshes.end()) return FileKind::mesh;
+    constexpr std::array<std::string_view, 6> kMeshes{".stl", ".3mf", ".obj", ".ply", ".off", ".binvox"};
+    if (std::find(kMeshes.begin(), kMeshes.end(), ending) != kMeshes.end()) return FileKind::mesh;
     return ending == ".csv" ? FileKind::set : ending == ".json" ? FileKind::job : FileKind::other;
 }
 

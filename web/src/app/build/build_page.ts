@@ -3,7 +3,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import "../common/divider";
-import { icon, spinner } from "../common/icons";
+import { icon } from "../common/icons";
 import type { Menu } from "../common/menu";
 import { Piece } from "../common/piece";
 import type { ExportMenu } from "../shell/export_menu";
@@ -11,12 +11,10 @@ import { holdKeys } from "../shell/keys";
 import { announce } from "../state/app_state";
 import type { Layers } from "../state/layers";
 import type { Packing } from "../state/packing";
-import { go } from "../state/route";
 import type { Session } from "../state/session";
 import { traySize } from "../state/tray_size";
 import { stateWords, verdictWords } from "../words/jobs";
 import { copies, percent } from "../words/numbers";
-import { sentence } from "../words/sentence";
 import { buildKeys } from "./build_keys";
 import "./build_list";
 import { type BuildPart, liveParts, packedParts } from "./build_parts";
@@ -24,7 +22,9 @@ import { moveKeys } from "./change_keys";
 import "./improve_panel";
 import "./layer_strip";
 import { liveFigures } from "./live_figures";
+import { liveTabs } from "./live_tabs";
 import "./move_panel";
+import { nothingThere } from "./nothing_there";
 import "./packing_panel";
 import "./result_panel";
 import type { TrayPane } from "./tray_pane";
@@ -133,7 +133,7 @@ export class BuildPage extends Piece {
     const improves =
       session.run.packs && session.run.doing === "improve" && (standing === 0 || curve.points.length < 2);
     if ((session.run.packs || landed) && !(improves && packing)) return this.live();
-    if (!packing) return this.nothingThere();
+    if (!packing) return nothingThere(session);
     const parts = this.partsOf(packing, () => packedParts(session, packing));
     const tray = packing.trays.length < 2 ? 1 : Math.min(session.build.value.tray, packing.trays.length);
     return tray === 0 ? this.all(packing, parts) : this.one(packing, parts, tray);
@@ -161,7 +161,7 @@ export class BuildPage extends Piece {
       live: true,
       parts,
       tray,
-      tabs: live.trays.size > 1 ? this.liveTabs(tray) : nothing,
+      tabs: live.trays.size > 1 ? liveTabs(session, tray) : nothing,
       layers: figures.layers,
       height: Math.max(size[2], figures.height),
       average: figures.density,
@@ -234,25 +234,6 @@ export class BuildPage extends Piece {
       </main>`;
   }
 
-  private liveTabs(tray: number): TemplateResult {
-    const { live } = this.session.run;
-    return html`<nav class="tstrip" aria-label="Trays"><div class="tabs-row" role="tablist">
-      ${[...live.trays.values()].map(
-        (own) =>
-          html`<button
-            type="button"
-            class="tt plain ${own.number === tray ? "on" : ""}"
-            role="tab"
-            aria-selected=${own.number === tray}
-            @click=${() => this.session.build.set({ tray: own.number, follow: own.number === live.current })}
-          >
-            ${own.finished ? html`<span class="ok-text">${icon("check")}</span>` : spinner}
-            <span><b>Tray ${own.number}</b><small>${copies(own.copies.size)}</small></span>
-          </button>`,
-      )}
-    </div></nav>`;
-  }
-
   private drawers(): TemplateResult {
     const button = (side: "left" | "right", text: string) =>
       html`<button
@@ -266,43 +247,5 @@ export class BuildPage extends Piece {
         ${icon(side === "left" ? "list" : "info")}${text}
       </button>`;
     return html`<div class="drawers">${button("left", "Parts")}${button("right", "Figures")}</div>`;
-  }
-
-  /// Nothing to look at: it is loaded, or nothing came of the run.
-  private nothingThere(): TemplateResult {
-    const { session } = this;
-    const { job, loading, problem } = session.run.state.value;
-    if (loading || (job.has_packing && !problem)) {
-      return html`<main class="empty" aria-busy="true"><p class="dim row">${spinner}Opening the build …</p></main>`;
-    }
-    const texts: Readonly<Record<string, readonly [string, string]>> = {
-      failed: ["The run failed", job.error ? sentence(job.error) : "Nothing is said of why."],
-      cancelled: ["Stopped", "Nothing was placed by then."],
-      interrupted: ["Interrupted", "The computer or the program stopped before anything was placed."],
-    };
-    const [title, text] = texts[job.status] ?? ["No build yet", problem ?? "Press Pack on the Parts step."];
-    return html`<main class="empty">
-      <h2>${title}</h2>
-      <p class="dim">${text}</p>
-      <div class="row">
-        ${
-          job.status === "interrupted" || job.status === "cancelled"
-            ? html`<button type="button" class="btn primary" @click=${() => session.goOn()}>Continue packing</button>`
-            : nothing
-        }
-        <button
-          type="button"
-          class="btn ${job.status === "failed" ? "primary" : ""}"
-          @click=${() => go({ page: "job", id: session.id, step: "parts" })}
-        >
-          To the parts
-        </button>
-        ${
-          job.status === "failed"
-            ? html`<button type="button" class="btn" @click=${() => session.pack()}>Pack again</button>`
-            : nothing
-        }
-      </div>
-    </main>`;
   }
 }

@@ -9,6 +9,8 @@ const width = 272;
 const height = 96;
 /// Room above the best and below the worst value.
 const edge = 8;
+/// s; a longer time is until it is stopped.
+const longest = 43_200;
 
 export interface Plot {
   /// SVG path of the steps.
@@ -20,12 +22,12 @@ export interface Plot {
   readonly nowX: number;
 }
 
-/// Up is better. Null before there is anything to draw.
-export function plotOf(curve: Curve): Plot | null {
+/// Up is better. Null before there is anything to draw. `ends`: what time is left is not used.
+export function plotOf(curve: Curve, ends = false): Plot | null {
   const [first] = curve.points;
   if (!first) return null;
   const start = first.seconds;
-  const span = Math.max(1, curve.seconds - start + Math.max(0, curve.left ?? 0));
+  const span = Math.max(1, curve.seconds - start + timeLeft(curve, ends));
   const gains = curve.points.map(({ value }) => (lessIsBetter(curve.what) ? first.value - value : value - first.value));
   const most = Math.max(...gains, Math.abs(first.value) * 1e-4, 1e-9);
   const x = (seconds: number) => ((seconds - start) / span) * width;
@@ -46,13 +48,17 @@ export function plotOf(curve: Curve): Plot | null {
   };
 }
 
-export function curveFigure(curve: Curve): TemplateResult | typeof nothing {
-  const plot = plotOf(curve);
+/// A run without end is drawn up to now.
+const timeLeft = ({ left }: Curve, ends: boolean): number =>
+  ends || left === null || left > longest ? 0 : Math.max(0, left);
+
+export function curveFigure(curve: Curve, ends = false): TemplateResult | typeof nothing {
+  const plot = plotOf(curve, ends);
   if (!plot) return nothing;
   const { what, before, now } = curve;
   const [first] = curve.points;
   const start = first?.seconds ?? 0;
-  const end = curve.seconds - start + Math.max(0, curve.left ?? 0);
+  const end = curve.seconds - start + timeLeft(curve, ends);
   const gain = gainWords(what, before, now);
   const words = `${valueName(what)} from ${valueWords(what, before)} to ${valueWords(what, now)} within ${clock(curve.seconds - start)}`;
   return html`<figure class="curve">

@@ -8,6 +8,7 @@ import "../common/menu";
 import { Piece } from "../common/piece";
 import { app } from "../state/app_state";
 import type { Session } from "../state/session";
+import { startImproving } from "../state/start_packing";
 import { gainWords, valueName, valueWords } from "../words/improve";
 import { thin } from "../words/numbers";
 import { phaseText } from "../words/phases";
@@ -126,7 +127,7 @@ export function improveMenu(session: Session): TemplateResult | typeof nothing {
       .content=${() =>
         html`${times.map(
           ([seconds, text, more]) =>
-            html`<button type="button" class="mi plain" role="menuitem" @click=${() => void session.improve(seconds)}>
+            html`<button type="button" class="mi plain" role="menuitem" @click=${() => void startImproving(session, seconds)}>
               <span>${text}${more ? html`<span>${more}</span>` : nothing}</span>
             </button>`,
         )}

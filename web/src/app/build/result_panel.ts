@@ -86,7 +86,7 @@ export class ResultPanel extends Piece {
       <h3>How it went</h3>
       <p class="dim">Packed in ${duration(packing.seconds)}.</p>
       ${better ? html`<p class="dim">Made better: ${improvedWords(better.what, better.before, better.now)}</p>` : nothing}
-      ${curveFigure(this.session.run.live.curve)} ${improveMenu(this.session)}
+      ${curveFigure(this.session.run.live.curve, true)} ${improveMenu(this.session)}
     </section>`;
   }
 }

@@ -4,8 +4,7 @@
 import { api } from "../../api/client";
 import type { CopyKey } from "../../view/view";
 import { packedParts } from "../build/build_parts";
-import { announce, attempt, tell } from "../state/app_state";
-import { keep, kept } from "../state/kept";
+import { announce, tell } from "../state/app_state";
 import type { Packing } from "../state/packing";
 import { isRunning } from "../state/runner";
 import type { Session } from "../state/session";
@@ -14,10 +13,11 @@ import { toast } from "../state/toasts";
 import { namedCopies } from "../words/named";
 import { BuildHistory, type Entry, type Lists, type Locks, type Revision } from "./build_history";
 import { applyChanges, type CopyChange, inverseOf, placementOf, type TrayCopy, trayCopyId } from "./change";
-import { followed, keepLocks, keptLocks, standing, withLocks } from "./locks";
+import { keepLocks, keptLocks, standing, withLocks } from "./locks";
 import { Mover } from "./mover";
 import { keepPlaces, placeOf } from "./places";
 import { ChangeQueue } from "./queue";
+import { type Packs, Repacks } from "./repacks";
 
 export interface WorkState {
   readonly locks: Locks;
@@ -27,9 +27,6 @@ export interface WorkState {
   readonly waits: boolean;
 }
 
-/// What a run does with the copies that stand: packs them anew, keeps some of them where they are, or makes all of it better.
-export type Packs = "anew" | "keeps" | "improves";
-
 export class BuildWork {
   readonly state: Store<WorkState>;
   readonly move: Mover;
@@ -38,10 +35,7 @@ export class BuildWork {
   /// The history as it was when the server last took changes, and when some were sent: a refusal goes back there.
   private taken: Lists = this.history.now;
   private sending: Lists = this.history.now;
-  /// What a packing that runs will have changed.
-  private packing: { readonly entry: Entry; readonly before: Packing; readonly how: Packs } | null = null;
-  /// The packing that the server goes back to.
-  private revision: Revision | null = null;
+  private readonly repacks: Repacks;
   private wasRunning = false;
 
   constructor(private readonly session: Session) {
@@ -61,6 +55,10 @@ export class BuildWork {
         this.taken = this.sending;
       },
       refused: (sentence) => this.refused(sentence),
+    });
+    this.repacks = new Repacks(session, this.history, {
+      locks: () => this.state.value.locks,
+      setLocks: (locks) => this.setLocks(locks),
     });
     this.move = new Mover(
       session,
@@ -208,23 +206,14 @@ export class BuildWork {
     else if (entry?.after) await this.revert(entry.after, () => this.history.undo());
   }
 
+  private async revert(to: Revision, back: () => void): Promise<void> {
+    await this.repacks.revert(to, back);
+    this.count();
+  }
+
   private again(changes: readonly CopyChange[], locks: Locks): void {
     this.setLocks(locks);
     this.queue.add(changes);
-  }
-
-  private async revert(revision: Revision, back: () => void): Promise<void> {
-    const { session } = this;
-    this.revision = revision;
-    const done = await attempt(async () => {
-      await session.run.start("change", () => api.revert(session.id, revision.number));
-      return true;
-    });
-    if (!done) {
-      this.revision = null;
-      back();
-    }
-    this.count();
   }
 
   private count(): void {
@@ -233,28 +222,15 @@ export class BuildWork {
 
   // Packing --------------------------------------------------------------------------------------------------------
 
-  /// Before the build is packed again or made better: one step that can be undone.
+  /// Before the build is packed again or made better, and once that was started: one step that can be undone.
   packs(how: Packs): void {
-    const { job } = this.session;
-    const before = this.session.run.state.value.stored;
     this.move.end();
-    this.packing = null;
-    if (!before || (job.revision ?? null) === null) return;
-    const entry: Entry = { kind: "pack", before: this.revisionNow(job.revision ?? 0), after: null };
-    this.packing = { entry, before, how };
+    this.repacks.begins(how);
   }
 
-  /// It was started: or else nothing happened.
   started(done: boolean, how: Packs): void {
-    if (!done) this.packing = null;
-    else if (this.packing) this.history.push(this.packing.entry);
-    else this.history.restore({ past: [], future: [] });
-    if (done && how === "anew") this.setLocks(new Set());
+    this.repacks.started(done, how);
     this.count();
-  }
-
-  private revisionNow(number: number): Revision {
-    return { number, locks: this.state.value.locks, packed: kept(`packed.${this.session.id}`, null) };
   }
 
   private arrived(packing: Packing | null): void {
@@ -265,12 +241,7 @@ export class BuildWork {
       this.refused(job.error ?? "The change could not be checked.");
     }
     this.queue.loaded();
-    this.settlePacking(packing);
-    if (this.revision) {
-      if (this.revision.packed !== null) keep(`packed.${this.session.id}`, this.revision.packed);
-      this.setLocks(this.revision.locks);
-      this.revision = null;
-    }
+    this.repacks.arrived(packing);
     if (packing) {
       const locks = standing(this.state.value.locks, applyChanges(packing, this.queue.pending));
       if (locks !== this.state.value.locks) this.setLocks(locks);
@@ -279,21 +250,6 @@ export class BuildWork {
     this.count();
     // After the packing is shown: what waits is sent.
     queueMicrotask(() => void this.queue.next());
-  }
-
-  private settlePacking(packing: Packing | null): void {
-    const { job } = this.session;
-    const own = this.packing;
-    this.packing = null;
-    if (own?.entry.kind !== "pack") return;
-    const { before } = own.entry;
-    if (!packing || job.revision === before.number || job.revision === null) {
-      this.history.replace(own.entry, null);
-      this.setLocks(before.locks);
-      return;
-    }
-    if (own.how === "keeps") this.setLocks(followed(before.locks, own.before, packing));
-    this.history.replace(own.entry, { ...own.entry, after: this.revisionNow(job.revision) });
   }
 
   /// Somebody else packs it: what was done by hand is not of that packing.

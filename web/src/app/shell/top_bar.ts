@@ -81,16 +81,13 @@ export class TopBar extends Piece {
   private result(session: Session): TemplateResult | typeof nothing {
     if (session.run.packs || !session.run.state.value.packing) return nothing;
     const verdict = shownVerdict(session);
-    const apart = verdict?.tone === "ok";
+    // In full, and where there is less room.
+    const long = verdict?.tone === "ok" ? "Comes apart: checked" : verdict?.text;
+    const short = verdict?.tone === "ok" ? "Checked" : verdict?.text.replace("Changed: not", "Not");
     return html`<span class="rule hide-s"></span>
       ${
         verdict
-          ? badge(
-              verdict.tone,
-              apart
-                ? html`<span class="hide-s">Comes apart: checked</span><span class="show-s">Checked</span>`
-                : verdict.text,
-            )
+          ? badge(verdict.tone, html`<span class="hide-s">${long}</span><span class="show-s">${short}</span>`)
           : nothing
       }
       <sp-export .session=${session}></sp-export>`;

@@ -1,24 +1,23 @@
 /// One open job: its draft with undo, its files, its run. Components watch the stores; all that happens goes through here.
 
 import { api } from "../../api/client";
-import type { Info, Job, Parts, Start } from "../../api/types";
-import { copyOfId } from "../change/locks";
-import { BuildWork, type Packs } from "../change/work";
-import { attempt, tell } from "./app_state";
+import type { Info, Job, Parts } from "../../api/types";
+import { BuildWork } from "../change/work";
+import { attempt } from "./app_state";
 import { newBuildView } from "./build_view";
 import type { Draft } from "./draft";
 import { renameFile } from "./draft_edit";
 import { type NamedFile, nameFiles, type PickedFile, type RefusedFile } from "./file_names";
 import { History } from "./history";
 import { fromJobFile } from "./job_file_read";
-import { keep, kept } from "./kept";
+import { kept } from "./kept";
 import { MeshStore } from "./mesh_store";
 import { fingerprint, newDraft } from "./new_draft";
 import { PartSource } from "./part_source";
 import { newPartsView } from "./parts_view";
-import { go } from "./route";
 import { isRunning, Runner } from "./runner";
 import { Saver } from "./saver";
+import { type Keeps, startPacking } from "./start_packing";
 import { Store } from "./store";
 import { known, type Texts, takeIn } from "./take_in";
 import { toast } from "./toasts";
@@ -238,35 +237,9 @@ export class Session {
 
   // Packing --------------------------------------------------------------------------------------------------------
 
-  /// Packs what the draft says, and shows it. `keeps`: all copies or those that are locked stay where they are.
-  async pack(keeps: "none" | "locked" | "all" = "none"): Promise<void> {
-    if (this.locked || this.work.unchecked || this.draft.parts.length === 0) return;
-    if (!(await this.saver.flush())) {
-      tell(this.saver.state.value.problem);
-      return;
-    }
-    const locked = [...this.work.state.value.locks].map(copyOfId);
-    const how: Start | null = keeps === "none" ? null : { keep: keeps === "all" ? "all" : locked };
-    if (!(await this.begin(keeps === "none" ? "anew" : "keeps", how))) return;
-    keep(`packed.${this.id}`, fingerprint(this.draft));
-    this.build.set({ follow: true, selected: [], section: null, find: null });
-    go({ page: "job", id: this.id, step: "build" });
-  }
-
-  /// Makes the packing that stands better for so many seconds.
-  async improve(seconds: number): Promise<void> {
-    if (this.locked || this.work.unchecked) return;
-    await this.begin("improves", { improve: seconds });
-  }
-
-  private async begin(packs: Packs, how: Start | null): Promise<boolean> {
-    this.work.packs(packs);
-    const started = await attempt(async () => {
-      await this.run.start(packs === "improves" ? "improve" : "pack", () => api.start(this.id, how));
-      return true;
-    });
-    this.work.started(started === true, packs);
-    return started === true;
+  /// Packs what the draft says, and shows it.
+  pack(keeps: Keeps = "none"): Promise<void> {
+    return startPacking(this, keeps);
   }
 
   /// With another draft, as a remedy has it.
