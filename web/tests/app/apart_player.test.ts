@@ -84,7 +84,10 @@ describe("the player", () => {
     expect([...seen]).toEqual([1, 3, 4]);
     expect(player.time).toBe(5);
     expect(shownStep(player.state.value)).toBeNull();
-    player.playAlone(null);
+    player.seek(3);
+    expect(player.state.value.alone).toBe(1);
+    player.seek(5);
+    expect(player.state.value.alone).toBeNull();
     expect(shownStep(player.state.value)?.index).toBe(5);
   });
 

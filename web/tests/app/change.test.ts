@@ -5,6 +5,7 @@ import { ApiError } from "../../src/api/client";
 import { BuildHistory } from "../../src/app/change/build_history";
 import { applyChanges, type CopyChange, inverseOf, merged, placementOf } from "../../src/app/change/change";
 import { ChangeQueue, type QueueHost } from "../../src/app/change/queue";
+import { namedCopies } from "../../src/app/words/named";
 import { at, packingOf } from "./packing_of";
 
 const change = (part: number, copy: number, x: number | null, tray = 1): CopyChange => ({
@@ -184,5 +185,25 @@ describe("undo and redo of the build", () => {
     expect(own.redo()).toMatchObject({ after: { number: 4 } });
     own.replace(own.last ?? packed, null);
     expect(own.last).toBeNull();
+  });
+});
+
+describe("the program's sentences", () => {
+  const packing = packingOf([
+    [0, 0, 10],
+    [0, 1, 20],
+    [1, 0, 30],
+  ]);
+
+  it("name copies as the page does", () => {
+    expect(namedCopies("2 bracket and 3 lid overlap, at least 2.02 mm deep", packing)).toBe(
+      "bracket 2 and lid 1 overlap, at least 2.02 mm deep",
+    );
+  });
+
+  it("stay as they are where a number is of no copy", () => {
+    const text = "9 bracket and 2 mug overlap by 1.2 lid";
+    expect(namedCopies(text, packing)).toBe(text);
+    expect(namedCopies(text, null)).toBe(text);
   });
 });

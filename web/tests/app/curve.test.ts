@@ -86,6 +86,8 @@ describe("what was gained", () => {
   it("is nothing where nothing was", () => {
     expect(gainWords("height", 375, 375)).toBeNull();
     expect(improvedWords("height", 375, 375)).toBe("Nothing better was found.");
-    expect(improvedWords("height", 375, 362.7)).toBe(`12.3${thin}mm lower: 362.7${thin}mm instead of 375.0${thin}mm.`);
+    expect(improvedWords("height", 375, 362.7)).toBe(
+      `Made better: 12.3${thin}mm lower, 362.7${thin}mm instead of 375.0${thin}mm.`,
+    );
   });
 });

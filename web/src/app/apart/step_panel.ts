@@ -112,7 +112,10 @@ export class StepPanel extends Piece {
     </section>`;
   }
 
-  private hint(): TemplateResult {
+  private hint(): TemplateResult | typeof nothing {
+    // Of an empty tray there is nothing to click.
+    if (this.player.state.value.step >= this.apart.plan.steps.length && this.apart.plan.staying.length === 0)
+      return nothing;
     return html`<section class="sec">
       <p class="dim">Click a copy in the tray to see when it leaves, and what is in its way.</p>
     </section>`;

@@ -64,7 +64,7 @@ export function curveFigure(curve: Curve, ends = false): TemplateResult | typeof
   return html`<figure class="curve">
     <div class="row between small">
       <span class="dim">at first ${valueWords(what, before)}</span>
-      <span class=${gain ? "b accent" : "dim"}>${gain ? `best ${valueWords(what, now)}` : "nothing better yet"}</span>
+      <span class="b accent">${gain ? `best ${valueWords(what, now)}` : ""}</span>
     </div>
     <svg viewBox="0 0 ${width} ${height}" preserveAspectRatio="none" role="img" aria-label=${words}>
       ${svg`<path class="area" d=${plot.area} />

@@ -144,7 +144,7 @@ export class MovePanel extends Piece {
   }
 
   private back(): TemplateResult {
-    const { clearance, touching, outside, seeking } = this.move.state.value;
+    const { clearance, touching, outside, seeking, from } = this.move.state.value;
     const wrong = clearance ? !clearance.clear : touching.length > 0 || outside;
     return html`<button
       type="button"
@@ -152,7 +152,7 @@ export class MovePanel extends Piece {
       ?disabled=${!wrong || seeking}
       @click=${() => void this.move.seek()}
     >
-      ${seeking ? spinner : nothing}Back to the nearest free place
+      ${seeking ? spinner : nothing}${from ? "Back to" : "To"} the nearest free place
     </button>`;
   }
 

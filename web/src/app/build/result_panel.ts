@@ -85,7 +85,7 @@ export class ResultPanel extends Piece {
     return html`<section class="sec">
       <h3>How it went</h3>
       <p class="dim">Packed in ${duration(packing.seconds)}.</p>
-      ${better ? html`<p class="dim">Made better: ${improvedWords(better.what, better.before, better.now)}</p>` : nothing}
+      ${better ? html`<p class="dim">${improvedWords(better.what, better.before, better.now)}</p>` : nothing}
       ${curveFigure(this.session.run.live.curve, true)} ${improveMenu(this.session)}
     </section>`;
   }

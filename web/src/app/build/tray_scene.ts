@@ -24,6 +24,7 @@ export class TrayScene {
   private readonly refined = new Set<number>();
   private shown: PackedTray | null = null;
   private moving: CopyKey | null = null;
+  private handled: CopyKey | null = null;
   private movedTo: Transform | null = null;
 
   constructor(
@@ -99,7 +100,9 @@ export class TrayScene {
       this.moving = null;
       this.movedTo = null;
     }
-    this.view.setMoving(copy);
+    // Said again it would let go of a handle that is held.
+    if (copy !== this.handled) this.view.setMoving(copy);
+    this.handled = copy;
     this.view.setLeaving(copy ? [copy] : []);
     this.view.setMarked(close, copy !== null, "bad");
     if (!copy || transform === this.movedTo || !this.ready) return;

@@ -104,6 +104,8 @@ export class Player {
   /// To a time, at once.
   seek(time: number): void {
     this.pause();
+    // Who goes elsewhere has done with the group that was shown by itself.
+    if (!this.stepsAlone().includes(Math.floor(time))) this.state.set({ alone: null });
     this.show(time);
   }
 
@@ -114,7 +116,7 @@ export class Player {
     const to = Math.max(0, Math.min(this.steps, whole + by));
     this.pause();
     if (Math.abs(by) > 1 || reducedMotion() || this.state.value.show === "apart") {
-      this.show(to);
+      this.seek(to);
       return;
     }
     this.glide = { from: this.time, to, start: performance.now() };

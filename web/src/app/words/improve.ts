@@ -58,9 +58,9 @@ export function gainWords(what: string, before: number, now: number): string | n
   }
 }
 
-/// A sentence: "12.3 mm lower: 362.7 instead of 375.0 mm."
+/// A sentence: "Made better: 12.3 mm lower, 362.7 mm instead of 375.0 mm."
 export function improvedWords(what: string, before: number, now: number): string {
   const gain = gainWords(what, before, now);
   if (!gain) return "Nothing better was found.";
-  return `${gain}: ${valueWords(what, now)} instead of ${valueWords(what, before)}.`;
+  return `Made better: ${gain}, ${valueWords(what, now)} instead of ${valueWords(what, before)}.`;
 }
