@@ -20,7 +20,7 @@ class Disassembler {
     struct Rules {
         /// The steps of a plan that was there before (null: none), which are tried where nothing else is found.
         const std::vector<RemovalStep>* told = nullptr;
-        /// top: upwards, the uppermost first (docs/algorithm.md, section 9).
+        /// top: upwards, the uppermost first (docs/algorithm/disassembly.md, step 9).
         Unpack unpack = Unpack::any;
         /// With Unpack::top, a part that never moves: the walls of a container that may give way. What has no other way
         /// out leaves straight through them, or as told.

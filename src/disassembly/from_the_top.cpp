@@ -3,7 +3,7 @@
 
 #include "disassembly/dismantler.hpp"
 
-/// Taking a tray apart as one digs (docs/algorithm.md, section 9): upwards, between walls that stand.
+/// Taking a tray apart as one digs (docs/algorithm/disassembly.md, step 9): upwards, between walls that stand.
 
 namespace spectralpack {
 namespace {

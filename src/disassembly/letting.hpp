@@ -1,5 +1,6 @@
 #pragma once
-/// How one part is let into a plan: by going through the plan's steps (docs/algorithm.md, section 11). For PlanRepair.
+/// How one part is let into a plan: by going through the plan's steps (docs/algorithm/interlocking.md, step 4). For
+/// PlanRepair.
 
 #include <optional>
 #include <vector>

@@ -41,7 +41,7 @@ struct Untangled {
 /// `tray` end as the packing that the plan is of. When stopped, the plan is complete only if all that stands had been
 /// planned by then, and what has been found interlocked until then is out; what had not been tried by then is not among
 /// `interlocked`. The context's observer is told of what changes in the end: what may stay after all, and a packing
-/// that is given up again, are no change. (docs/algorithm.md, section 11)
+/// that is given up again, are no change. (docs/algorithm/interlocking.md)
 Untangled untangle(Tray& tray, std::vector<PlacedCopy>& placed, const TrayContext& context,
                    const UntangleOptions& options);
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The fast exact engine: the same answers as the definition in search/placement_search.hpp,
 /// without transforms. Collisions by bits, rho by prefix sums, positions ruled out by bounds
-/// (docs/algorithm.md tells why each bound is one). Integers throughout, so the answers do not
+/// (docs/algorithm/fast-engine.md tells why each bound is one). Integers throughout, so the answers do not
 /// depend on threads, instruction set or memory.
 
 #include <cstdint>

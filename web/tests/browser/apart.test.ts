@@ -2,7 +2,7 @@
 
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { expectAccessible, launch, open, picture } from "./browser";
+import { expectAccessible, further, launch, open, picture } from "./browser";
 import { Server } from "./server";
 
 let browser: Browser;
@@ -86,7 +86,7 @@ describe("taking apart", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("is scrubbed, and gone through by keys", async () => {
+  further("is scrubbed, and gone through by keys", async () => {
     const { page, wrong } = await open(browser, server.url);
     await takenApart(page);
     const canvas = page.locator("canvas").first();
@@ -139,7 +139,7 @@ describe("taking apart", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("draws all of it apart", async () => {
+  further("draws all of it apart", async () => {
     const { page, wrong } = await open(browser, server.url);
     await takenApart(page);
     await page.getByRole("button", { name: "All, drawn apart" }).click();
@@ -156,7 +156,7 @@ describe("on smaller screens", () => {
     [1024, 768],
     [820, 1180],
   ] as const) {
-    test(`${width} by ${height}`, async () => {
+    further(`${width} by ${height}`, async () => {
       const { page } = await open(browser, server.url, { width, height });
       await takenApart(page);
       await expectAccessible(page);

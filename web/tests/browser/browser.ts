@@ -4,9 +4,12 @@ import { existsSync, mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { AxeBuilder } from "@axe-core/playwright";
 import { type Browser, chromium, type Page } from "playwright-core";
-import { expect } from "vitest";
+import { expect, test } from "vitest";
 
 const paths = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/google-chrome"];
+/// Tests that go ways beside the main ones; PAGE_TESTS=short leaves them out.
+export const further = test.skipIf(process.env.PAGE_TESTS === "short");
+
 const pictures = process.env.PICTURES ?? resolve("../out/page");
 
 export async function launch(): Promise<Browser> {

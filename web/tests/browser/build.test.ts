@@ -4,7 +4,7 @@ import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { coloursDrawn, expectAccessible, launch, open, picture } from "./browser";
+import { coloursDrawn, expectAccessible, further, launch, open, picture } from "./browser";
 import { check, Server, samples } from "./server";
 
 let browser: Browser;
@@ -104,7 +104,7 @@ describe("from parts to the printer", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("the section, colours and a copy are looked at in the dark", async () => {
+  further("the section, colours and a copy are looked at in the dark", async () => {
     const { page, wrong } = await open(browser, server.url);
     await page.emulateMedia({ colorScheme: "dark" });
     await sample(page);
@@ -153,7 +153,7 @@ describe("while it is packed", () => {
     await picture(page, "stopped");
   });
 
-  test("the server is killed and begins again: the page goes on", async () => {
+  further("the server is killed and begins again: the page goes on", async () => {
     const { page } = await open(browser, server.url);
     await longJob(page);
     await packButton(page).click();
@@ -168,7 +168,7 @@ describe("while it is packed", () => {
 });
 
 describe("jobs", () => {
-  test("are found again, copied and deleted", async () => {
+  further("are found again, copied and deleted", async () => {
     const { page } = await open(browser, server.url);
     await sample(page);
     await packButton(page).click();
@@ -187,7 +187,7 @@ describe("on smaller screens", () => {
     [1024, 768],
     [820, 1180],
   ] as const) {
-    test(`${width} by ${height}`, async () => {
+    further(`${width} by ${height}`, async () => {
       const { page } = await open(browser, server.url, { width, height });
       await sample(page);
       await picture(page, `parts-${width}`);

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from "vitest";
-import { expectAccessible, launch, open, picture } from "./browser";
+import { expectAccessible, further, launch, open, picture } from "./browser";
 import { check, Server } from "./server";
 
 let browser: Browser;
@@ -76,7 +76,7 @@ async function checked(page: Page, change: () => Promise<void>): Promise<void> {
 }
 
 describe("a build", () => {
-  test("loses a copy, which is put back by undo", async () => {
+  further("loses a copy, which is put back by undo", async () => {
     const { page, wrong } = await open(browser, server.url);
     await sampleBuild(page);
     const before = placed(page);
@@ -179,7 +179,7 @@ describe("a build", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("is packed again, and undo goes back to the one before", async () => {
+  further("is packed again, and undo goes back to the one before", async () => {
     const { page } = await open(browser, server.url);
     await sampleBuild(page);
     await select(page, "nut");

@@ -1,5 +1,5 @@
-/// What decides of the positions that pruning leaves: the remaining look-ups, rho (docs/algorithm.md, 6.8); for each
-/// instruction set, as scan_kernels-inl.h.
+/// What decides of the positions that pruning leaves: the remaining look-ups, rho (docs/algorithm/fast-engine.md, step
+/// 7); for each instruction set, as scan_kernels-inl.h.
 
 #if defined(SPECTRALPACK_CPU_EVALUATOR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPECTRALPACK_CPU_EVALUATOR_INL_H

@@ -2,7 +2,8 @@
 /// The search over one orientation's positions, brick layer by brick layer, in two stages. Prune: leave out what lies
 /// in a crowd (a few look-ups for many blocks) or in the open (a few values of phi a block), then stacks (a few
 /// look-ups for four positions one above the other), then single positions (a few look-ups each), then blocks by a
-/// bound of rho (pooled phi). Evaluate what is left: the remaining look-ups, the exact rho. Docs: algorithm.md, 6.8.
+/// bound of rho (pooled phi). Evaluate what is left: the remaining look-ups, the exact rho
+/// (docs/algorithm/fast-engine.md, step 7).
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 /// The look-ups that come first, for whole brick layers: crowd tables, stacks, single positions
-/// (docs/algorithm.md, 6.8); for each instruction set, as scan_kernels-inl.h.
+/// (docs/algorithm/fast-engine.md, step 7); for each instruction set, as scan_kernels-inl.h.
 
 #if defined(SPECTRALPACK_CPU_PRUNER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SPECTRALPACK_CPU_PRUNER_INL_H

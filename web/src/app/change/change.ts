@@ -74,7 +74,8 @@ function changedTray(packing: Packing, tray: PackedTray, changes: readonly CopyC
   const placements = [...byId.values()];
   const volume = volumeIn(packing, tray.placements);
   const share = volume > 0 ? volumeIn(packing, placements) / volume : 1;
-  return { ...tray, placements, byId, density: tray.density * share };
+  // The plan to take it apart is made anew, too.
+  return { ...tray, placements, byId, density: tray.density * share, steps: 0, complete: false };
 }
 
 const noWayOut = { step: null, path: [], together: 0 } as const;
