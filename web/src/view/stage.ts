@@ -78,6 +78,7 @@ export class Stage {
   private timerAt = Infinity;
   private sectionAt = -Infinity;
   private lostNow = false;
+  private shown = false;
   private coarse = false;
 
   constructor(
@@ -297,6 +298,10 @@ export class Stage {
     const timed = this.pace.wantsTime(now, moving);
     const before = performance.now();
     const goesOn = this.drawAt(now, size, this.ratio);
+    if (!this.shown && this.pieces.copies.size > 0) {
+      this.shown = true;
+      performance.mark("copies drawn"); // what bench/page.mjs waits for
+    }
     if (timed) {
       // Reading a pixel waits until the frame is drawn.
       const gl = this.renderer.getContext();

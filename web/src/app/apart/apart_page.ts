@@ -75,7 +75,8 @@ export class ApartPage extends Piece {
 
   protected override willUpdate(): void {
     super.willUpdate();
-    const { packing } = this.session.run.state.value;
+    // Until a change is checked, the plan is that of the packing before it.
+    const { stored: packing } = this.session.run.state.value;
     const number = this.trayNumber(packing);
     const tray = packing?.trays[number - 1] ?? null;
     this.player.take(tray);
@@ -108,7 +109,7 @@ export class ApartPage extends Piece {
 
   override render() {
     const { session, apart } = this;
-    const { packing, loading } = session.run.state.value;
+    const { stored: packing, loading } = session.run.state.value;
     if (isRunning(session.job)) return this.message("It is being packed", "How it comes apart is found at the end.");
     if (!packing || !apart) {
       if (loading || session.job.has_packing) {
