@@ -128,12 +128,12 @@ TEST_F(PrusaSlicer, FindsEveryCopyWhereItWasPlaced) {
     EXPECT_FALSE(test::contains(ran.out, "manifold = no"));
 }
 
-/// What README.md says to add.
+/// What docs/guide.md says to add.
 TEST_F(PrusaSlicer, KeepsCopiesWhereTheyArePlacedWhereItIsTold) {
     expect_near(exported({"--no-ensure-on-bed", "--dont-arrange"}), expected_);
 }
 
-/// Why. The day that this fails, README.md need no longer say so.
+/// Why. The day that this fails, docs/guide.md need no longer say so.
 TEST_F(PrusaSlicer, DropsCopiesToTheBedOtherwise) {
     Boxes dropped = expected_;
     for (std::array<double, 6>& box : dropped) {
@@ -143,7 +143,7 @@ TEST_F(PrusaSlicer, DropsCopiesToTheBedOtherwise) {
     expect_near(exported({"--dont-arrange"}), dropped);
 }
 
-/// What README.md points to instead: all of it is moved as one.
+/// What docs/guide.md points to instead: all of it is moved as one.
 TEST_F(PrusaSlicer, KeepsTheMergedStlInOnePiece) {
     write_stl(packing_, meshes_, folder_ / "p.stl");
     expect_near(from_their_corner(exported({}, "p.stl")), from_their_corner(expected_));

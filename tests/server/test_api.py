@@ -138,15 +138,19 @@ def test_jobs_are_listed_copied_renamed_and_deleted(server):
 def test_a_packing_from_elsewhere_is_shown(tmp_path, start_server):
     packing = tmp_path / "elsewhere" / "build.json"
     packing.parent.mkdir()
-    subprocess.run([PROGRAM, "pack", SAMPLES / "gear.stl:4", "--tray", "120x100x60", "-o", packing], check=True,
-                   capture_output=True)
+    ways = {"axes": ["+z", "-z"], "yaw": 90}
+    asked = {"format": "spectralpack/job", "version": 1, "container": {"size": [120, 100, 60]},
+             "parts": [{"mesh": str(SAMPLES / "gear.stl"), "count": 4, "orientations": ways}]}
+    (tmp_path / "job.json").write_text(json.dumps(asked))
+    subprocess.run([PROGRAM, "pack", tmp_path / "job.json", "-o", packing], check=True, capture_output=True)
     viewer = start_server(command=("view", packing))
     job = viewer.said.split("#/job/")[1].split("/")[0]
     state = viewer.wait(job)
     assert state["status"] == "done" and state["name"] == "build" and state["verdict"]["ok"] and state["has_picture"]
     shown = viewer.get(f"/api/jobs/{job}/packing.json").json
     assert shown["parts"][0]["mesh"] == "files/gear.stl" and len(shown["trays"][0]["placements"]) == 4
-    # It can be packed again.
+    # It can be packed again, and its parts may stand as before.
+    assert viewer.get(f"/api/jobs/{job}/job.json").json["parts"][0]["orientations"] == ways
     assert viewer.ask("POST", f"/api/jobs/{job}/start").status == 202
     assert viewer.wait(job)["summary"]["placed"] == 4
 

@@ -36,13 +36,15 @@ class Meshes {
     std::map<std::string, std::string> names_;
 };
 
-/// The packing's parts as a job would ask for them.
-Json job_of(const Packing& packing, const std::vector<std::string>& meshes) {
+/// The packing's parts as a job would ask for them. `file`: the packing file, which has orientations as job files do.
+Json job_of(const Packing& packing, const std::vector<std::string>& meshes, const Json& file) {
     Json parts = Json::array();
     for (std::size_t i = 0; i < packing.parts.size(); ++i) {
         const PackedPart& part = packing.parts[i];
         Json one{
             {"name", part.name}, {"mesh", meshes[i]}, {"count", part.count}, {"scale", part.scale}, {"gap", part.gap}};
+        const Json& orientations = file.at("parts").at(i).value("orientations", Json());
+        if (!orientations.is_null()) one["orientations"] = orientations;
         if (part.object) one["object"] = *part.object;
         if (part.unit == 25.4) one["unit"] = "inch";
         if (part.unit == 1000) one["unit"] = "m";
@@ -79,7 +81,7 @@ int import_packing(const std::vector<std::string>& arguments) {
     for (KeepOut& keep_out : container.keep_out) {
         if (keep_out.mesh) keep_out.mesh->file = "files/" + meshes.take(keep_out.mesh->file);
     }
-    write_text(job.job_file(), job_of(scene.packing, names).dump(1));
+    write_text(job.job_file(), job_of(scene.packing, names, read_json(arguments.at(0)).value()).dump(1));
     write_text(job.packing("json"), packing_json(scene));
     return 0;
 }
