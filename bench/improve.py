@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+from measured import add_row, commit_of, machine, rows_of
+
 # Name: set, first so many copies (0: all), options.
 JOBS = {
     "tori48": ("tori48", 0, ["--tray", "120x120", "--open-height"]),
@@ -31,7 +33,8 @@ JOBS = {
     "pieces fair": ("pieces", 0, ["--tray", "480x245x200"]),
     "locks fair": ("locks", 0, ["--tray", "480x245x200"]),
 }
-FIELDS = ["job", "seconds", "seed", "voxel", "rotations", "what", "before", "now", "steps", "wall", "cpu", "program"]
+FIELDS = ["job", "seconds", "seed", "voxel", "rotations", "what", "before", "now", "steps", "wall", "cpu", "program",
+          "command", "commit", "machine"]
 
 
 def write_set(data, name, copies, path):
@@ -66,22 +69,6 @@ def run(program, data, job, options, folder, on_line=None):
     return packing, after.elapsed - before.elapsed, after.children_user - before.children_user
 
 
-def rows_of(path):
-    if not os.path.exists(path):
-        return []
-    with open(path) as text:
-        return list(csv.DictReader(text))
-
-
-def add_row(path, row):
-    fresh = not os.path.exists(path)
-    with open(path, "a", newline="") as text:
-        writer = csv.DictWriter(text, list(row), lineterminator="\n")
-        if fresh:
-            writer.writeheader()
-        writer.writerow(row)
-
-
 def first_packing(job, packing):
     """What metrics.improvement would say of a packing that is not improved."""
     trays, options = packing["trays"], JOBS[job][2]
@@ -95,6 +82,8 @@ def first_packing(job, packing):
 
 
 def measure(arguments, jobs):
+    command = f"bench/improve.py PROGRAM DATA OUT.csv --seconds {arguments.seconds}"
+    commit = commit_of(arguments.program)
     for seconds in arguments.seconds.split(","):
         for job in jobs:
             for seed in arguments.seeds.split(",") if float(seconds) > 0 else ["0"]:
@@ -105,8 +94,8 @@ def measure(arguments, jobs):
                 row = dict(zip(FIELDS, [job, seconds, seed, packing["options"]["voxel"],
                                         packing["options"]["rotations"], gain["what"], round(gain["before"], 4),
                                         round(gain["now"], 4), gain["steps"], round(wall, 1), round(cpu, 1),
-                                        packing["program"]]))
-                add_row(arguments.out, row)
+                                        packing["program"], command, commit, machine(packing["metrics"]["threads"])]))
+                add_row(arguments.out, row, FIELDS)
                 print(row, flush=True)
 
 
@@ -124,7 +113,8 @@ def measure_curves(arguments, jobs):
         with tempfile.TemporaryDirectory() as folder:
             run(arguments.program, arguments.data, job, ["--improve", str(arguments.curve)], folder, on_line)
         for second, now, steps in points + last:
-            add_row(arguments.out, {"job": job, "second": round(second, 1), "now": round(now, 4), "steps": steps})
+            add_row(arguments.out, {"job": job, "second": round(second, 1), "now": round(now, 4), "steps": steps},
+                    ["job", "second", "now", "steps"])
         print(job, points[0], points[-1], flush=True)
 
 

@@ -74,7 +74,7 @@ std::string pack_help_foot() {
 
 std::string PackHelp::make_help(const CLI::App*, std::string, CLI::AppFormatMode mode) const {
     const bool all = mode == CLI::AppFormatMode::All;
-    const char* more = all ? "'spectralpack help OPTION' explains an option, docs/options.md all of them.\n"
+    const char* more = all ? "'spectralpack help OPTION' explains an option, docs/cli.md all of them.\n"
                            : "--help-all shows all options, 'spectralpack help OPTION' explains one.\n";
     return fmt::format("{}{}\n{}{}", pack_help_head(), options_text(all), more, pack_help_foot());
 }

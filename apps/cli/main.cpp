@@ -62,7 +62,7 @@ int run(int argc, char** argv) {
 }
 
 /// One heap for all threads: with one for each of them, what one gave back is of no use to the others, and a run takes
-/// a tenth more memory (docs/benchmarks.md). What runs most often has room of its own (search/cpu/pass_rooms).
+/// a tenth more memory. What runs most often has room of its own (search/cpu/pass_rooms).
 void use_one_heap() {
 #ifdef __GLIBC__
     mallopt(M_ARENA_MAX, 1);

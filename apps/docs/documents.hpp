@@ -8,10 +8,10 @@
 
 namespace spectralpack::docs {
 
-std::string job_schema();        ///< docs/job.schema.json
-std::string option_reference();  ///< docs/options.md
+std::string job_schema();  ///< docs/job.schema.json
 
-std::string man_page(const std::vector<CommandInfo>& commands);  ///< spectralpack.1
+std::string command_line(const std::vector<CommandInfo>& commands);  ///< docs/cli.md
+std::string man_page(const std::vector<CommandInfo>& commands);      ///< spectralpack.1
 
 std::string bash_completion(const std::vector<CommandInfo>& commands);  ///< spectralpack.bash
 std::string zsh_completion(const std::vector<CommandInfo>& commands);   ///< _spectralpack

@@ -15,10 +15,10 @@ using namespace spectralpack;
 
 std::string document(const std::string& kind) {
     if (kind == "schema") return docs::job_schema();
-    if (kind == "options") return docs::option_reference();
     CLI::App app;
     cli::add_commands(app);
     const auto commands = docs::commands_of(app);
+    if (kind == "cli") return docs::command_line(commands);
     if (kind == "man") return docs::man_page(commands);
     if (kind == "bash") return docs::bash_completion(commands);
     if (kind == "zsh") return docs::zsh_completion(commands);
@@ -31,7 +31,7 @@ std::string document(const std::string& kind) {
 int main(int argc, char** argv) {
     const std::string text = argc == 2 || argc == 3 ? document(argv[1]) : "";
     if (text.empty()) {
-        fmt::print(stderr, "usage: {} schema|options|man|bash|zsh|fish [FILE]\n", argv[0]);
+        fmt::print(stderr, "usage: {} schema|cli|man|bash|zsh|fish [FILE]\n", argv[0]);
         return 2;
     }
     if (argc == 2) {

@@ -112,7 +112,7 @@ std::string man_page(const std::vector<CommandInfo>& commands) {
            plain(pack.footer) + "\n.fi\n.SH OPTIONS OF PACK\n" + pack_options(pack) + ".SH OTHER COMMANDS\n" +
            other_commands(commands) +
            ".SH SEE ALSO\n"
-           "The options as a job file holds them: docs/options.md and docs/job.schema.json.\n";
+           "The options as a job file holds them: docs/cli.md and docs/job.schema.json.\n";
 }
 
 }  // namespace spectralpack::docs

@@ -1,6 +1,6 @@
 #pragma once
 /// The options of `pack`, each once: name, values, range, default, help, and where the value is kept. Command line, job
-/// files, packing files, docs/job.schema.json, docs/options.md, man page and completions are made from this table. A
+/// files, packing files, docs/job.schema.json, docs/cli.md, man page and completions are made from this table. A
 /// new option is its field in PackOptions, an entry in src/model/options, and its use.
 ///
 ///     PackOptions options;

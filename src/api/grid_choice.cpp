@@ -32,7 +32,7 @@ double most_of_time(const Plan& plan, const PackOptions& options, bool more_ways
     return more_ways ? std::min(most, kMoreWays / static_cast<double>(plan.items.size())) : most;
 }
 
-/// Seconds that one pass takes on two cores, within a factor of two (docs/benchmarks.md, Improving): at 1 mm one for a
+/// Seconds that one pass takes on two cores, within a factor of two (measured): at 1 mm one for a
 /// twenty-fourth of a square metre of the faces of all copies' boxes, if each may stand in the usual 24 ways. For the
 /// least box, that of all passes.
 double expected_pass(const LoadedJob& loaded, const Plan& plan, const PackOptions& options) {

@@ -29,7 +29,7 @@ namespace {
 constexpr double kShareOfFree = 0.85;
 
 // What engines may keep for copies where nobody said how much, in bytes per voxel of the tray and orientation: the
-// maps of a few parts. More is slower: fresh memory costs more than looking again (docs/benchmarks.md).
+// maps of a few parts. More is slower: fresh memory costs more than looking again.
 constexpr double kCacheUnasked = 0.5;
 
 // What engines keep takes up to this much more than they count: freed pieces of it are not always used again.

@@ -30,7 +30,7 @@ struct DisassemblyOptions {
     TraySetup grid;          ///< whose voxels the parts' objects are in
     Vec3 corner;             ///< of that grid, mm
     double ray_spacing = 1;  ///< mm
-    /// Finer rays tell little that sweeps would not, and take longer (docs/benchmarks.md).
+    /// Finer rays tell little that sweeps would not, and take longer.
     static constexpr double spacing_for(double voxel) { return 4 * voxel; }
     /// voxelize() of part `name`, for parts that stand off the grid.
     std::function<std::shared_ptr<const BitGrid>(int name)> on_grid;

@@ -1,5 +1,5 @@
 #pragma once
-/// Replays a tray's disassembly plan on the exact meshes (model/disassembly.hpp says what it means).
+/// Replays a tray's disassembly plan on the exact meshes (spectralpack/disassembly.hpp says what it means).
 
 #include <functional>
 #include <vector>

@@ -39,11 +39,11 @@ TEST_P(Kept, IsWhatTheTableMakesOfIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, Kept,
-                         testing::Values(std::pair("schema", "job.schema.json"), std::pair("options", "options.md")),
+                         testing::Values(std::pair("schema", "job.schema.json"), std::pair("cli", "cli.md")),
                          [](const auto& document) { return std::string(document.param.first); });
 
 TEST(Documents, NameEveryOptionWithItsHelp) {
-    const std::string reference = written("options"), man = written("man");
+    const std::string reference = written("cli"), man = written("man");
     for (const Option& option : option_table()) {
         EXPECT_TRUE(contains(reference, "### " + std::string(option.name) + "\n")) << option.name;
         EXPECT_TRUE(option.help.empty() || contains(reference, std::string(option.help))) << option.name;

@@ -9,7 +9,7 @@ namespace spectralpack {
 namespace {
 
 // Full trays hold boxes of 0.9 to 3 times their room and material of 0.2 to 0.6 times it; solid boxes hardly more than
-// 0.7 of both (docs/benchmarks.md, Where height counts).
+// 0.7 of both.
 constexpr double kBoxes = 1.2, kMaterial = 0.4, kSolidBoxes = 0.7;
 
 // A floor is mostly free where the boxes come to less than this part of the room up to the height reached.

@@ -1,6 +1,5 @@
 #pragma once
-/// Constants that decide how long a search takes, never its answer, and why they are what they are. What was measured
-/// besides stands in docs/tried.md.
+/// Constants that decide how long a search takes, never its answer, and why they are what they are.
 
 #include <cstddef>
 #include <cstdint>

@@ -22,7 +22,7 @@ struct Kind {
     bool round = false;  ///< about z
 };
 
-// The longest sides in mm at evenly spaced quantiles follow the sets of real parts in docs/benchmarks.md.
+// The longest sides in mm at evenly spaced quantiles follow the sets of real parts that docs/benchmarks.md measures.
 const std::vector<double> kPiecesSizes{8, 18, 25, 31, 39, 48, 62, 85, 105, 127};
 const std::vector<double> kMixturesSizes{9,  14, 20, 24, 29, 34, 40,  46,  52,  57, 61,
                                          66, 72, 78, 81, 83, 90, 105, 120, 150, 400};

@@ -8,7 +8,7 @@
 /// only, and kMostPooled where there are none or all are farther.
 /// Invariant: table a at X less table a at Y = sum of phi_W(X - i e_a) over 1 <= i <= X_a - Y_a, modulo 2^b, for any X
 /// and Y < X on a line along axis a of voxels below layer top(). Exact as long as the true sum is below 2^b;
-/// orientation_lists.cpp splits what is not. Above top() nothing is right: with a steep height penalty nobody asks for
+/// loads.cpp splits what is not. Above top() nothing is right: with a steep height penalty nobody asks for
 /// that part of a tray.
 ///
 /// phi_W bounds rho from below on a whole window of positions: for every candidate q + d with d in W,

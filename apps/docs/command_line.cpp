@@ -60,14 +60,51 @@ std::string section(const Option& option) {
     return text;
 }
 
+std::string overview(const std::vector<CommandInfo>& commands) {
+    std::string text = "| command | |\n| --- | --- |\n";
+    for (const CommandInfo& command : commands) {
+        text += fmt::format("| [{}](#{}) | {} |\n", code(command.name), command.name, cell(command.line));
+    }
+    return text + "\n";
+}
+
+/// A command whose options are not in the table.
+std::string command_section(const CommandInfo& command) {
+    std::string call = fmt::format("spectralpack {}", command.name);
+    for (const std::string& argument : command.arguments) {
+        call += fmt::format(" {}", argument);
+    }
+    std::string text = fmt::format("## {}\n\n{}: {}.\n\n", command.name, code(call), command.line);
+    if (!command.options.empty()) text += "| option | |\n| --- | --- |\n";
+    for (const OptionInfo& option : command.options) {
+        std::string names;
+        for (const std::string& name : option.names) {
+            names += (names.empty() ? "" : ", ") + name;
+        }
+        if (!option.placeholder.empty()) names += fmt::format(" {}", option.placeholder);
+        text += fmt::format("| {} | {} |\n", code(names), cell(option.line));
+    }
+    if (!command.options.empty()) text += "\n";
+    if (!command.footer.empty()) text += fmt::format("```\n{}\n```\n\n", command.footer);
+    return text;
+}
+
 }  // namespace
 
-std::string option_reference() {
+std::string command_line(const std::vector<CommandInfo>& commands) {
     std::string text =
-        "# Options of pack\n"
+        "# The command line\n"
         "\n"
-        "<!-- Made from the option table (src/model/options): `cmake --build build --target write_docs` writes it anew. "
-        "-->\n"
+        "<!-- Made from the commands and the option table (src/model/options): `cmake --build build --target write_docs` "
+        "writes it\n"
+        "anew. -->\n"
+        "\n";
+    text += overview(commands);
+    for (const CommandInfo& command : commands) {
+        if (command.name != "pack") text += command_section(command);
+    }
+    text +=
+        "## pack\n"
         "\n"
         "`spectralpack pack PART... [options]`. In a job file ([format.md](format.md#job-files)) an option stands by its "
         "name\n"
