@@ -118,7 +118,7 @@ describe("taking apart", () => {
     expect(wrong).toEqual([]);
   });
 
-  test("says what is in a copy's way, and plays until it is out", async () => {
+  further("says what is in a copy's way, and plays until it is out", async () => {
     const { page, wrong } = await open(browser, server.url);
     await page.emulateMedia({ colorScheme: "dark" });
     await takenApart(page);

@@ -133,7 +133,7 @@ describe("from parts to the printer", () => {
 });
 
 describe("while it is packed", () => {
-  test("copies are seen to land, a reload catches up, and stopping keeps the best so far", async () => {
+  further("copies are seen to land, a reload catches up, and stopping keeps the best so far", async () => {
     const { page } = await open(browser, server.url);
     await longJob(page);
     await packButton(page).click();
