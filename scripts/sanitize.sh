@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # scripts/sanitize.sh PART...: what looks longer than continuous integration always has time for.
 #
-#   rooms   address and undefined-behaviour sanitizers over the rooms' own tests (parsers, geometry, search, packing ...)
+#   parsers address and undefined-behaviour sanitizers over what reads files and makes meshes and voxels of them
+#   rooms   the same over all rooms' own tests (search, packing, disassembly, ... too)
 #   whole   the same over all tests, runs of the program and the server among them
 #   threads ThreadSanitizer over core, search and packing
 #   scalar  the fast engine's tests without vector instructions
@@ -27,6 +28,11 @@ address() {
 for part in "$@"; do
     echo "== sanitize: $part"
     case "$part" in
+    parsers)
+        address
+        build build-asan --target test_core test_geometry test_model test_formats test_voxel
+        tests --test-dir build-asan -R '^(core|geometry|model|formats|voxel)\.'
+        ;;
     rooms)
         address
         build build-asan --target test_core test_geometry test_model test_formats test_voxel test_refine test_search \
@@ -56,7 +62,7 @@ for part in "$@"; do
         build build-dev
         ;;
     *)
-        echo "there is no part $part: rooms, whole, threads, scalar, alone" >&2
+        echo "there is no part $part: parsers, rooms, whole, threads, scalar, alone" >&2
         exit 2
         ;;
     esac
