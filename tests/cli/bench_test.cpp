@@ -47,11 +47,12 @@ class Bench : public testing::Test {
 
     fs::path kept() const { return folder_ / "out" / "runs"; }
 
-    /// When each kept run was written.
+    /// When each kept run was written. One that is being written is beside its place, and hidden.
     std::map<std::string, fs::file_time_type> runs() const {
         std::map<std::string, fs::file_time_type> written;
         for (const auto& entry : fs::directory_iterator(kept())) {
-            if (entry.path().extension() == ".txt") written[entry.path().filename()] = entry.last_write_time();
+            const fs::path name = entry.path().filename();
+            if (name.extension() == ".txt" && !name.string().starts_with('.')) written[name] = entry.last_write_time();
         }
         return written;
     }
