@@ -1,6 +1,7 @@
 /// The routes by which people change a packing that is done: what stays, what moves, what goes.
 
 #include "jobs/refusal.hpp"
+#include "question.hpp"
 #include "request_values.hpp"
 #include "routes.hpp"
 
@@ -26,9 +27,7 @@ Json how_in(const Request& request) {
                 throw Refusal(kBadRequest, "keep is \"all\", or a list of copies");
             }
             for (const Json& copy : value) {
-                integer_in(copy, "tray", 1, kMostTrays);
-                integer_in(copy, "part", 0, kMostCopies);
-                integer_in(copy, "copy", 0, kMostCopies);
+                require_copy_name(copy);
             }
         } else {
             throw Refusal(kBadRequest, "a run can be told keep or improve, not " + key);
@@ -36,23 +35,6 @@ Json how_in(const Request& request) {
     }
     return how.empty() ? Json() : how;
 }
-
-/// Files of one question to a child of the server; they go when it is answered.
-struct Question {
-    fs::path asked, answer, errors;
-
-    Question(const fs::path& stem, const Json& said)
-        : asked(stem.string() + "-asked.json"), answer(stem.string() + ".json"), errors(stem.string() + ".txt") {
-        write_text(asked, said.dump());
-    }
-
-    void remove() const {
-        std::error_code none;
-        for (const fs::path& path : {asked, answer, errors}) {
-            fs::remove(path, none);
-        }
-    }
-};
 
 /// Why a child gave no answer.
 Response failure(const Ending& ending, const std::string& why) {
@@ -82,14 +64,13 @@ void Routes::change(const Request& request, Job& job, const Reply& reply) {
     if (body["changes"].empty()) throw Refusal(kBadRequest, "changes: one at least is wanted");
     Jobs::require_still(job);
     if (!job.has_packing()) throw Refusal(kNotThere, "there is no packing of this job yet");
-    fs::create_directories(job.folder.exports());
-    const Question question(job.folder.exports() / ("change-" + std::to_string(++asked_)), body);
+    const Question question(job.folder.exports(), "change-" + std::to_string(++asked_), body);
     Command command = tasks_.child({"change", question.asked.string(), question.answer.string()}, job.folder.root);
     command.errors = question.errors;
     job.changing = true;
     try {
         tasks_.start(std::move(command), [this, question, id = job.id, reply](Ending ending) {
-            const std::string why = last_line(question.errors);
+            const std::string why = question.why();
             if (!jobs_.contains(id)) return reply(error_response(kNotThere, "the job was deleted meanwhile"));
             Job& changed = jobs_.at(id);
             changed.changing = false;
@@ -110,9 +91,7 @@ void Routes::clearance(const Request& request, Job& job, const Reply& reply) {
     Json asked;
     if (request.method == "POST") {
         asked = body_of(request);
-        integer_in(asked, "tray", 1, kMostTrays);
-        integer_in(asked, "part", 0, kMostCopies);
-        integer_in(asked, "copy", 0, kMostCopies);
+        require_copy_name(asked);
         require_matrix(asked.value("transform", Json()));
         if (asked.contains("changes")) require_changes(asked["changes"], kMostChanges);
     } else {
@@ -120,15 +99,14 @@ void Routes::clearance(const Request& request, Job& job, const Reply& reply) {
                  {"placement", number_in(request, "placement", 0, kMostCopies)}};
         if (asked["tray"] == 0) throw Refusal(kBadRequest, "trays are counted from 1");
     }
-    fs::create_directories(job.folder.exports());
-    const Question question(job.folder.exports() / ("clearance-" + std::to_string(++asked_)), asked);
+    const Question question(job.folder.exports(), "clearance-" + std::to_string(++asked_), asked);
     Command command = tasks_.child({"clearance", question.asked.string()}, job.folder.root);
     command.output = question.answer;
     command.errors = question.errors;
     try {
         tasks_.start(std::move(command), [question, reply](Ending ending) {
             const std::optional<Json> said = read_json(question.answer);
-            const std::string why = last_line(question.errors);
+            const std::string why = question.why();
             question.remove();
             reply(ending.status == 0 && said ? json_response(*said) : failure(ending, why));
         });

@@ -64,28 +64,21 @@ void require_matrix(const Json& matrix) {
     }
 }
 
+void require_copy_name(const Json& copy) {
+    integer_in(copy, "tray", 1, kMostTrays);
+    integer_in(copy, "part", 0, kMostCopies);
+    integer_in(copy, "copy", 0, kMostCopies);
+}
+
 void require_changes(const Json& changes, std::size_t most) {
     if (!changes.is_array() || changes.size() > most) {
         throw Refusal(kBadRequest, "changes: a list of " + std::to_string(most) + " at most is wanted");
     }
     for (const Json& change : changes) {
-        integer_in(change, "tray", 1, kMostTrays);
-        integer_in(change, "part", 0, kMostCopies);
-        integer_in(change, "copy", 0, kMostCopies);
+        require_copy_name(change);
         if (!change.contains("transform")) throw Refusal(kBadRequest, "a change says where the copy stands: transform");
         if (!change["transform"].is_null()) require_matrix(change["transform"]);
     }
-}
-
-/// The last line that a process said before it ended.
-std::string last_line(const std::filesystem::path& file) {
-    std::string text = read_text(file).value_or("");
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
-        text.pop_back();
-    }
-    text = text.substr(text.rfind('\n') + 1);
-    constexpr std::string_view kProgram = "spectralpack: ";
-    return text.starts_with(kProgram) ? text.substr(kProgram.size()) : text;
 }
 
 }  // namespace spectralpack::server

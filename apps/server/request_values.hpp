@@ -1,7 +1,6 @@
 #pragma once
 /// What requests say, taken with care: each throws Refusal (400) where it is not what is wanted.
 
-#include <filesystem>
 #include <string>
 
 #include "http/message.hpp"
@@ -19,11 +18,10 @@ int integer_in(const Json& body, const char* key, int least, int most);
 /// Of the query; `otherwise` where it is not said.
 std::size_t number_in(const Request& request, const char* key, std::size_t otherwise, std::size_t most);
 
+/// Throws where it is no CopyName of openapi.json; it may say more.
+void require_copy_name(const Json& copy);
 /// Throws where these are no Changes of openapi.json, or more than `most`.
 void require_changes(const Json& changes, std::size_t most);
 void require_matrix(const Json& matrix);
-
-/// The last line that a process said before it ended.
-std::string last_line(const std::filesystem::path& file);
 
 }  // namespace spectralpack::server

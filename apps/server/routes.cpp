@@ -8,6 +8,7 @@
 #include "jobs/job_file_rules.hpp"
 #include "jobs/names.hpp"
 #include "jobs/refusal.hpp"
+#include "question.hpp"
 #include "request_values.hpp"
 
 namespace spectralpack::server {
@@ -314,19 +315,16 @@ void Routes::estimate(Job& job, const Reply& reply) {
     const std::optional<Json> said = read_json(job.folder.job_file());
     if (!said) throw Refusal(kNotNow, "the job has no job file yet: say first what is to be packed");
     require_harmless(*said, job);
-    const std::string name = "estimate-" + std::to_string(++asked_);
+    const Question question(job.folder.run(), "estimate-" + std::to_string(++asked_));
     Command command{
         {settings_.program.string(), "pack", "files/.job.json", "--dry-run", "--json", "--progress", "none"},
         job.folder.root,
-        job.folder.run() / (name + ".json"),
-        job.folder.run() / (name + ".txt")};
-    const fs::path output = command.output, errors = command.errors;
-    tasks_.start(std::move(command), [output, errors, reply](Ending ending) {
-        const std::optional<Json> estimate = read_json(output);
-        const std::string why = last_line(errors);
-        std::error_code none;
-        fs::remove(output, none);
-        fs::remove(errors, none);
+        question.answer,
+        question.errors};
+    tasks_.start(std::move(command), [question, reply](Ending ending) {
+        const std::optional<Json> estimate = read_json(question.answer);
+        const std::string why = question.why();
+        question.remove();
         if (estimate && estimate->is_object()) return reply(json_response(*estimate));
         reply(error_response(ending.status == 4 ? kNoRoom : kBadRequest,
                              why.empty() ? "what it will take cannot be told" : why));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string>
 
@@ -138,10 +139,13 @@ class PackingChange {
     static std::string text_of(const std::optional<Transform>& transform) {
         if (!transform) return "out";
         std::string text;
+        char number[32];
         for (const Vec3& v : {transform->linear.rows[0], transform->linear.rows[1], transform->linear.rows[2],
                               transform->translation}) {
-            for (const double value : {v.x, v.y, v.z})
-                text += std::to_string(value) + " ";
+            for (const double value : {v.x, v.y, v.z}) {
+                std::snprintf(number, sizeof number, "%.17g ", value);
+                text += number;
+            }
         }
         return text;
     }

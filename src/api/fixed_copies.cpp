@@ -1,5 +1,6 @@
 #include "api/fixed_copies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -200,6 +201,9 @@ void require_sound(const LoadedJob& loaded, const Container& container, const Pa
     packing.container.open_height = is_open(options);
     packing.options = options;
     packing.parts = loaded.parts;
+    // Where none of the others stands, none of them is to be missed.
+    const bool kept = std::ranges::any_of(loaded.standing, [](const std::set<int>& copies) { return !copies.empty(); });
+    if (!kept) packing.parts.resize(loaded.fixed_parts);
     packing.trays = fixed_trays(loaded);
     Listener quiet;  // of a part's mesh that is not closed it has been told when the build was packed
     const CheckReport report = check_packing(packing, loaded.meshes, workers, quiet, stop);

@@ -4,7 +4,7 @@ import copy
 import signal
 import time
 
-from conftest import sample_job
+from conftest import long_job, sample_job
 
 
 def packed(server, **options):
@@ -167,6 +167,30 @@ def test_it_goes_on_improving_and_never_gets_worse(server):
     assert second["summary"]["improvement"]["seconds"] > 4
     lines = server.folder.joinpath(job, "run", "events.jsonl").read_text().splitlines()
     assert any('"improve"' in line and '"now"' in line for line in lines)
+
+
+def test_a_box_that_holds_all_becomes_lower(server):
+    job, state = packed(server)
+    server.ask("POST", f"/api/jobs/{job}/start", {"improve": 3})
+    after = server.wait(job)
+    assert after["status"] == "done" and after["verdict"]["ok"]
+    assert after["summary"]["improvement"]["what"] == "height", "the better one is kept"
+    assert after["summary"]["height"] <= state["summary"]["height"]
+
+
+def test_what_waits_in_the_queue_has_its_packing_until_its_turn(server):
+    job, state = packed(server)
+    before = stand(server, job)
+    busy = long_job(server)
+    server.ask("POST", f"/api/jobs/{busy}/start")
+    for how in ({"improve": 5}, {"keep": "all"}, None):
+        waiting = server.ask("POST", f"/api/jobs/{job}/start", how)
+        assert waiting.status == 202 and waiting.json["status"] == "queued"
+        server.ask("POST", f"/api/jobs/{job}/cancel")
+        called_off = server.get(f"/api/jobs/{job}").json
+        assert called_off["status"] == "done" and called_off["verdict"]["ok"]
+        assert called_off["revision"] == state["revision"] and stand(server, job) == before
+    server.ask("DELETE", f"/api/jobs/{busy}")
 
 
 def test_improving_is_stopped_and_keeps_the_best(server):

@@ -170,24 +170,33 @@ class Before {
         return packing;
     }
 
-    /// By what improving is after, copies placed before all.
+    /// What improving `what` makes greater; the first that differs counts. Empty: a packing file does not tell.
+    static std::vector<double> merits(const Json& packing, const std::string& what) {
+        const Json &metrics = packing.at("metrics"), &trays = packing.at("trays");
+        const auto placed = metrics.at("placed").get<double>(), density = metrics.at("density").get<double>();
+        if (what == "value") return {};
+        if (what == "density") return {density};
+        if (what == "copies") return {placed};
+        if (what == "box") return {placed, density};  // of the box
+        double height = 0;
+        for (const Json& tray : trays) {
+            height += tray.at("height").get<double>();
+        }
+        if (what == "height") return {placed, -height};
+        const auto number = static_cast<double>(trays.size());
+        return {placed, -number, -trays.back().at("density").get<double>(), -height};
+    }
+
     bool is_worse(const Json& now) const {
-        const auto figures = [](const Json& packing) {
-            const Json& metrics = packing.at("metrics");
-            double height = 0;
-            for (const Json& tray : packing.at("trays")) {
-                height += tray.at("height").get<double>();
-            }
-            const auto trays = static_cast<double>(packing.at("trays").size());
-            return std::array<double, 4>{metrics.at("placed").get<double>(), -trays,
-                                         metrics.at("density").get<double>(), -height};
-        };
-        const auto before = figures(packing_), after = figures(now);
-        const std::string what = now.at("metrics").at("improvement").is_null()
-                                     ? ""
-                                     : now.at("metrics").at("improvement").at("what").get<std::string>();
-        if (what == "density" || what == "value") return after[2] < before[2] && what == "density";
-        return after < before;
+        const Json& improvement = now.at("metrics").at("improvement");
+        if (improvement.is_null()) return true;  // it was stopped before the first order
+        const auto what = improvement.at("what").get<std::string>();
+        const std::vector<double> after = merits(now, what), before = merits(packing_, what);
+        constexpr double kRounding = 1e-9;  // of sums over the same copies in another order
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (std::abs(after[i] - before[i]) > kRounding * std::abs(before[i])) return after[i] < before[i];
+        }
+        return false;
     }
 
     JobFolder job_;

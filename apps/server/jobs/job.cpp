@@ -137,7 +137,8 @@ void keep(Job& job) {
                     {"error", job.error},     {"cancelling", job.cancelling},
                     {"run", job.run},         {"files_sent", job.files_sent},
                     {"started", job.started}, {"revision", job.revision},
-                    {"own_run", job.own_run}, {"files", files}};
+                    {"own_run", job.own_run}, {"goes_on", job.goes_on},
+                    {"files", files}};
     write_text(job.folder.meta(), meta.dump(1));
 }
 
@@ -158,6 +159,7 @@ Job read_job(const fs::path& folder) {
         job.started = meta->value("started", "");
         job.revision = meta->value("revision", 0);
         job.own_run = meta->value("own_run", false);
+        job.goes_on = meta->value("goes_on", false);
         job.files_sent = meta->at("files_sent").get<std::uint32_t>();
         for (const auto& [name, file] : meta->at("files").items()) {
             if (!problem_of_name(name).empty()) continue;

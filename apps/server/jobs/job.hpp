@@ -37,6 +37,7 @@ struct Job {
     std::uint64_t result_bytes = 0;  ///< of what the run made
     bool cancelling = false;
     bool changing = false;            ///< a change of its packing is being made
+    bool goes_on = false;             ///< its run takes up an earlier one where that was
     int process = 0;                  ///< of the run
     std::uint64_t began = 0;          ///< the same, to know it by
     Json progress, summary, verdict;  ///< null: there is none

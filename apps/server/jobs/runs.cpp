@@ -48,6 +48,24 @@ void keep_revision(Job& job) {
     ++job.revision;
 }
 
+/// Its turn has come: what it has makes room for what the run makes. Until then the run can still be called off.
+void make_room(Job& job) {
+    const JobFolder& folder = job.folder;
+    keep_revision(job);
+    if (!job.goes_on) {
+        const Json how = read_json(folder.how()).value_or(Json::object());
+        remove_results(folder);
+        remove_if_there(folder.root / "kept.json");
+        if (!how.contains("improve")) remove_if_there(folder.picture());
+        job.own_run = !how.contains("keep");
+    }
+    remove_if_there(folder.events());
+    job.events_read = 0;
+    job.started = now_text();
+    ++job.run;
+    read_results(job);
+}
+
 /// What a job's state says of a run is forgotten.
 void forget_run(Job& job) {
     for (const fs::path& path : {job.folder.end(), job.folder.process()}) {
@@ -98,26 +116,15 @@ void Runs::start(Job& job, const Json& how) {
     if (improves && !job.can_improve()) {
         throw Refusal(kNotNow, "there is no packing that can be made better from where it is: pack it again first");
     }
-    const bool goes_on = !keeps && !improves &&
-                         (job.status == Status::interrupted || job.status == Status::cancelled) &&
-                         fs::exists(job.folder.journal());
-    keep_revision(job);
-    if (!goes_on) {
-        remove_results(job.folder);
+    job.goes_on = !keeps && !improves && (job.status == Status::interrupted || job.status == Status::cancelled) &&
+                  fs::exists(job.folder.journal());
+    if (!job.goes_on) {
         remove_if_there(job.folder.how());
         if (!improves) remove_if_there(job.folder.journal());
         if (keeps || improves) write_text(job.folder.how(), how.dump());
-        if (!improves) remove_if_there(job.folder.picture());
-        remove_if_there(job.folder.root / "kept.json");
-        job.own_run = !keeps;
     }
     forget_run(job);
-    remove_if_there(job.folder.events());
     job.status = Status::queued;
-    job.started = now_text();
-    job.events_read = 0;
-    ++job.run;
-    read_results(job);
     keep(job);
     queue_.push_back(job.id);
     start_next();
@@ -149,6 +156,7 @@ void Runs::revert(Job& job, int revision) {
 void Runs::cancel(Job& job) {
     if (job.status == Status::queued) {
         std::erase(queue_, job.id);
+        remove_if_there(job.folder.how());
         job.status = job.has_packing() ? Status::done : Status::fresh;
         keep(job);
     } else if (job.status == Status::running) {
@@ -184,6 +192,7 @@ void Runs::start_next() {
         const std::string id = queue_.front();
         queue_.erase(queue_.begin());
         Job& job = jobs_.at(id);
+        make_room(job);
         const fs::path before = job.folder.revision(job.revision - 1);
         begin(job, {"run", settings_.program.string(), limit, fs::exists(before) ? before.string() : ""});
     }
