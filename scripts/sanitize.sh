@@ -9,13 +9,8 @@
 #   alone   every file compiled by itself, so that none leans on what another includes
 set -eu -o pipefail
 cd "$(dirname "$0")/.."
+. scripts/building.sh
 
-# Its last line, or all that the compiler says where it fails.
-build() {
-    local said
-    said=$(cmake --build "$@" 2>&1) || { echo "$said"; return 1; }
-    tail -n 1 <<<"$said"
-}
 tests() {
     ctest --output-on-failure -j "$(nproc)" -LE long "$@" | grep -vE '^ *(Start |[0-9]+/[0-9]+ Test .* Passed )'
 }

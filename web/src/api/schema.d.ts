@@ -645,12 +645,6 @@ export interface components {
             name: string;
             bytes: number;
         };
-        TooLarge: {
-            part: string;
-            size: number[];
-        } & {
-            [key: string]: unknown;
-        };
         /** @description What `spectralpack pack --dry-run --json` says (docs/format.md). */
         Estimate: {
             copies: number;
@@ -844,15 +838,6 @@ export interface components {
         };
         /** @description The disk is full, or the job's share of it */
         NoRoom: {
-            headers: {
-                [name: string]: unknown;
-            };
-            content: {
-                "application/json": components["schemas"]["Error"];
-            };
-        };
-        /** @description A mistake of ours */
-        Broken: {
             headers: {
                 [name: string]: unknown;
             };
