@@ -60,9 +60,12 @@ export class PartSource {
 
   private async ask(): Promise<void> {
     this.asking = true;
+    // What arrives while the answer is on its way may be missing in it.
+    const asked = new Set(this.fresh);
+    const sending = this.sending();
     try {
       const parts = await this.refresh();
-      await this.handOn(parts);
+      await this.handOn(parts, asked, sending || this.sending());
     } catch (error) {
       this.state.set({ problem: messageOf(error) });
     } finally {
@@ -71,9 +74,9 @@ export class PartSource {
     }
   }
 
-  /// Files that came with a plan wait for it, and it for them.
-  private async handOn(parts: Parts): Promise<void> {
-    const busy = parts.reading > 0 || this.sending();
+  /// Files that came with a plan wait for it, and it for them. `asked`: the fresh files that the answer must know.
+  private async handOn(parts: Parts, asked: ReadonlySet<string>, sending: boolean): Promise<void> {
+    const busy = parts.reading > 0 || sending;
     if (this.all) {
       if (busy) return;
       for (const name of known(parts)) this.fresh.add(name);
@@ -88,7 +91,7 @@ export class PartSource {
       this.take(parts, ready, texts);
     }
     // A file that neither is anywhere nor is read any more will not come.
-    if (!busy) this.fresh.clear();
+    if (!busy) for (const name of asked) this.fresh.delete(name);
   }
 
   private async texts(parts: Parts, ready: ReadonlySet<string>): Promise<Texts> {
