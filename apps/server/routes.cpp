@@ -1,5 +1,6 @@
 #include "routes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -213,7 +214,9 @@ void Routes::answer_job(const Request& request, Job& job, const Reply& reply) {
     if (what == "meshes.bin") {
         const auto detail = request.query.find("detail"), ids = request.query.find("ids");
         const std::string wanted = detail == request.query.end() ? "coarse" : detail->second;
-        if (wanted != "coarse" && wanted != "fine") throw Refusal(kBadRequest, "detail is coarse or fine");
+        if (std::find(kMeshDetails.begin(), kMeshDetails.end(), wanted) == kMeshDetails.end()) {
+            throw Refusal(kBadRequest, "detail is rough, coarse or fine");
+        }
         Response response;
         response.type = "application/octet-stream";
         response.body = mesh_bundle(job, wanted, ids == request.query.end() ? "" : ids->second);

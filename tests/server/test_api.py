@@ -88,6 +88,20 @@ def test_meshes_to_look_at(server):
     assert int.from_bytes(one[8:12], "little") == 1 and int.from_bytes(one[12:16], "little") == meshes[1]["id"]
     assert int.from_bytes(one[20:24], "little") <= 1100  # triangles
     assert server.get(f"/api/jobs/{job}/meshes.bin?ids=x").status == 400
+    assert server.get(f"/api/jobs/{job}/meshes.bin?detail=finest").status == 400
+
+
+def test_rougher_meshes_are_smaller(server):
+    job = sample_job(server)
+    server.parts(job)
+    rough, coarse, fine = (server.get(f"/api/jobs/{job}/meshes.bin?detail={detail}").body
+                           for detail in ("rough", "coarse", "fine"))
+    assert len(rough) < len(coarse) <= len(fine)
+    assert rough[8:12] == coarse[8:12] == fine[8:12]
+    # A job whose files an earlier version read has none: coarse ones stand for them.
+    for path in (server.folder / job).glob("previews/*.rough"):
+        path.unlink()
+    assert server.get(f"/api/jobs/{job}/meshes.bin?detail=rough").body == coarse
 
 
 def test_sets_and_job_files_are_read(server):

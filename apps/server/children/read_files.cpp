@@ -1,3 +1,4 @@
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -16,9 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kCoarseTriangles = 800, kFineTriangles = 20000;
-constexpr double kCoarseError = 0.03, kFineError = 0.002;  // of the mesh's longest side
-constexpr std::uint32_t kMostObjects = 1000;               // of a file
+/// How finely meshes to look at are drawn, in the order of kMeshDetails.
+struct Fineness {
+    std::size_t triangles;  // at most, unless the error would be larger
+    double error;           // of the mesh's longest side
+};
+constexpr std::array<Fineness, kMeshDetails.size()> kFineness{{{120, 0.05}, {800, 0.03}, {20000, 0.002}}};
+constexpr std::uint32_t kMostObjects = 1000;  // of a file
 
 Json error_json(const InputError& error) {
     return {{"error", error.cause()}, {"place", error.place().empty() ? Json() : Json(error.place())}};
@@ -35,10 +40,11 @@ Json mesh_json(std::uint32_t id, const std::string& file, const Json& object) {
 }
 
 void write_meshes(const fs::path& path, const std::vector<tools::InspectedObject>& objects, std::uint32_t first,
-                  std::size_t triangles, double error) {
+                  const Fineness& fineness) {
     std::ostringstream records;
     for (std::uint32_t i = 0; i < objects.size(); ++i) {
         const Mesh& mesh = *objects[i].mesh;
+        const auto [triangles, error] = fineness;
         const bool small = mesh.triangles.size() <= triangles;
         write_mesh_record(records, first + i, small ? mesh : tools::simplified(mesh, triangles, error));
     }
@@ -59,8 +65,9 @@ Json read_meshes(const JobFolder& job, const std::string& name, std::uint32_t nu
         return {{"error", "it holds more than 1000 objects"}, {"place", nullptr}};
     }
     const std::uint32_t first = number * kMostObjects;
-    write_meshes(job.meshes(name, "coarse"), file.objects, first, kCoarseTriangles, kCoarseError);
-    write_meshes(job.meshes(name, "fine"), file.objects, first, kFineTriangles, kFineError);
+    for (std::size_t i = 0; i < kMeshDetails.size(); ++i) {
+        write_meshes(job.meshes(name, kMeshDetails[i]), file.objects, first, kFineness[i]);
+    }
     const Json inspected = Json::parse(tools::inspection_json(files));
     Json meshes = Json::array();
     for (const Json& object : inspected.at("files").at(0).at("objects")) {

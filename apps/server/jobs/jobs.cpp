@@ -33,6 +33,13 @@ void make_folder(const fs::path& folder) {
     if (error) throw ResourceError("cannot make the folder " + folder.string() + ": " + error.message());
 }
 
+void remove_found(const Job& job, const std::string& name) {
+    for (const fs::path& path : job.folder.found_of(name)) {
+        std::error_code none;
+        fs::remove(path, none);
+    }
+}
+
 }  // namespace
 
 Jobs::Jobs(const Settings& settings) : settings_(settings) {
@@ -164,11 +171,7 @@ fs::path Jobs::incoming(const Job& job) {
 void Jobs::take_file(Job& job, const std::string& name, const fs::path& sent) {
     require_room(job, name, 0);
     const std::uint64_t bytes = fs::file_size(sent);
-    for (const fs::path& old :
-         {job.folder.preview(name), job.folder.meshes(name, "coarse"), job.folder.meshes(name, "fine")}) {
-        std::error_code none;
-        fs::remove(old, none);
-    }
+    remove_found(job, name);
     fs::rename(sent, job.folder.file(name));
     job.files[name] = {bytes, ++job.files_sent, true};
     keep(job);
@@ -187,11 +190,9 @@ void Jobs::adopt_files(Job& job) {
 void Jobs::remove_file(Job& job, const std::string& name) {
     if (!job.files.contains(name)) throw Refusal(kNotThere, "the job has no file " + name);
     require_still(job);
-    for (const fs::path& path : {job.folder.file(name), job.folder.preview(name), job.folder.meshes(name, "coarse"),
-                                 job.folder.meshes(name, "fine")}) {
-        std::error_code none;
-        fs::remove(path, none);
-    }
+    std::error_code none;
+    fs::remove(job.folder.file(name), none);
+    remove_found(job, name);
     job.files.erase(name);
     keep(job);
 }

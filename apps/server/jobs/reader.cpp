@@ -116,7 +116,8 @@ std::string mesh_bundle(const Job& job, const std::string& detail, const std::st
     std::uint32_t count = 0;
     std::string records;
     for (const auto& [name, file] : job.files) {
-        const auto found = read_text(job.folder.meshes(name, detail));
+        auto found = read_text(job.folder.meshes(name, detail));
+        if (!found) found = read_text(job.folder.meshes(name, "coarse"));  // read by a version without `rough`
         if (!found) continue;
         for (std::size_t at = 0; at + 12 <= found->size();) {
             const std::uint64_t bytes = record_bytes(number_at(*found, at + 4), number_at(*found, at + 8));

@@ -3,7 +3,7 @@
 import createClient from "openapi-fetch";
 import { sentence } from "../app/words/sentence";
 import type { paths } from "./schema";
-import type { Change, Clearance, Estimate, Info, Job, JobList, JsonObject, Parts, Start } from "./types";
+import type { Change, Clearance, Detail, Estimate, Info, Job, JobList, JsonObject, Parts, Start } from "./types";
 
 export class ApiError extends Error {
   constructor(
@@ -92,7 +92,7 @@ export const api = {
 
   parts: (id: string) => ask(client.GET("/api/jobs/{id}/parts", { params: of(id) })) as Promise<Parts>,
 
-  meshes: (id: string, detail: "coarse" | "fine", ids: readonly number[]) =>
+  meshes: (id: string, detail: Detail, ids: readonly number[]) =>
     ask(
       client.GET("/api/jobs/{id}/meshes.bin", {
         params: { ...of(id), query: { detail, ids: ids.join(",") } },

@@ -136,7 +136,7 @@ export interface paths {
         };
         /**
          * Meshes to look at
-         * @description Little-endian: the bytes SPMB, uint32 version (1), uint32 meshes; then each mesh: uint32 id, uint32 vertices n, uint32 triangles m, float32 lower corner x y z, float32 step x y z, then 3 n uint16 (a vertex is corner + step * number, in the mesh file's own coordinates), padding to 4 bytes, 3 m uint32. Each mesh is decimated: coarse to some hundred triangles where there are many, fine to some ten thousand.
+         * @description Little-endian: the bytes SPMB, uint32 version (1), uint32 meshes; then each mesh: uint32 id, uint32 vertices n, uint32 triangles m, float32 lower corner x y z, float32 step x y z, then 3 n uint16 (a vertex is corner + step * number, in the mesh file's own coordinates), padding to 4 bytes, 3 m uint32. Each mesh is decimated where it has more triangles: rough to about a hundred, coarse to some hundred, fine to some ten thousand.
          */
         get: operations["getMeshes"];
         put?: never;
@@ -1157,7 +1157,7 @@ export interface operations {
     getMeshes: {
         parameters: {
             query?: {
-                detail?: "coarse" | "fine";
+                detail?: "rough" | "coarse" | "fine";
                 /** @description ids of meshes with commas between them; all where it is not said */
                 ids?: string;
             };

@@ -27,6 +27,8 @@ export interface Change {
   readonly transform: readonly (readonly number[])[] | null;
 }
 export type Unit = Schemas["Unit"];
+/// How finely a mesh to look at is drawn.
+export type Detail = "rough" | "coarse" | "fine";
 
 /// What `spectralpack pack --dry-run --json` says (docs/format.md); the schema names only what is always there.
 export interface Estimate {

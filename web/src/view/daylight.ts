@@ -43,6 +43,13 @@ export class Daylight {
     return shadows === null || ambient === null ? (shadows ?? ambient) : Math.min(shadows, ambient);
   }
 
+  /// No shadows, until the next update.
+  clear(renderer: WebGLRenderer, box: Readonly<Box>): void {
+    this.sun.clear(renderer, box);
+    this.pieces.shadowsDirty = true;
+    this.shadowsAt = this.ambientAt = -Infinity;
+  }
+
   /// The graphics card lost everything.
   forget(): void {
     this.sun.dispose();

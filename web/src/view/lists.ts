@@ -1,5 +1,5 @@
-/// What is drawn, in which order: one list of slots in which every part's copies of each kind lie side by side, so that
-/// one call draws all copies of a part. Also what the camera does not see.
+/// What is drawn, in which order: one list of slots in which every shape's copies of each kind lie side by side, so that
+/// one call draws them all. Also what the camera does not see.
 
 import type { Copies } from "./copies";
 
@@ -18,8 +18,13 @@ export const faint = 32;
 /// In the list, a slot whose outline has the mark's colour carries this bit.
 export const markBit = 0x10000000;
 
-export interface PartRanges {
-  readonly part: number;
+/// A mesh that parts have.
+export interface OfParts {
+  readonly parts: Iterable<number>;
+}
+
+export interface Ranges<Shape> {
+  readonly shape: Shape;
   /// Solid copies; the first `cuts` of them are crossed by the section.
   readonly solids: number;
   readonly solidCount: number;
@@ -34,30 +39,36 @@ export interface PartRanges {
   readonly outlineCuts: number;
 }
 
-export interface Lists {
+export interface Lists<Shape> {
   readonly list: Uint32Array;
-  readonly ranges: readonly PartRanges[];
+  readonly ranges: readonly Ranges<Shape>[];
 }
 
 /// `kindOf` says how a slot is drawn; 0: not at all.
-export function buildLists(copies: Copies, parts: Iterable<number>, kindOf: (slot: number) => number): Lists {
+export function buildLists<Shape extends OfParts>(
+  copies: Copies,
+  shapes: Iterable<Shape>,
+  kindOf: (slot: number) => number,
+): Lists<Shape> {
   const list: number[] = [];
-  const ranges: PartRanges[] = [];
+  const ranges: Ranges<Shape>[] = [];
   const cut: number[] = [];
   const whole: number[] = [];
   const ghosts: number[] = [];
   const faints: number[] = [];
   const cutOutlines: number[] = [];
   const outlines: number[] = [];
-  for (const part of parts) {
+  for (const shape of shapes) {
     cut.length = whole.length = ghosts.length = faints.length = cutOutlines.length = outlines.length = 0;
-    for (const slot of copies.ofPart(part)) {
-      const kind = kindOf(slot);
-      if (kind & solid) (kind & crossing ? cut : whole).push(slot);
-      else if (kind & ghost) ghosts.push(slot);
-      else if (kind & faint) faints.push(slot);
-      if (kind & outlined) {
-        (kind & crossing ? cutOutlines : outlines).push(kind & asMark ? slot | markBit : slot);
+    for (const part of shape.parts) {
+      for (const slot of copies.ofPart(part)) {
+        const kind = kindOf(slot);
+        if (kind & solid) (kind & crossing ? cut : whole).push(slot);
+        else if (kind & ghost) ghosts.push(slot);
+        else if (kind & faint) faints.push(slot);
+        if (kind & outlined) {
+          (kind & crossing ? cutOutlines : outlines).push(kind & asMark ? slot | markBit : slot);
+        }
       }
     }
     const base = list.length;
@@ -67,7 +78,7 @@ export function buildLists(copies: Copies, parts: Iterable<number>, kindOf: (slo
     const faintsAt = ghostsAt + ghosts.length;
     const outlinesAt = faintsAt + faints.length;
     ranges.push({
-      part,
+      shape,
       solids: base,
       solidCount,
       cuts: cut.length,

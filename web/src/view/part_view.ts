@@ -67,6 +67,8 @@ class Turntable implements PartView {
       resized: () => this.untouched && this.home(false),
       pointAt: () => null,
       lost: () => {},
+      shown: () => {},
+      paced: () => {},
     });
     this.element.setAttribute("aria-label", "Part in 3D");
     this.stage.addLines(this.edges);

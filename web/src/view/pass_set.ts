@@ -2,10 +2,11 @@
 
 import { Group, type InstancedBufferGeometry, Mesh, PlaneGeometry, Scene } from "three";
 import type { Box } from "./affine";
-import type { PartRanges } from "./lists";
+import type { Ranges } from "./lists";
 import type { Materials } from "./materials";
 import { Pass } from "./passes";
 import { planeAt } from "./section";
+import type { Shape } from "./shapes";
 import type { Section } from "./view";
 
 export class PassSet {
@@ -72,18 +73,18 @@ export class PassSet {
   }
 
   /// `bothSides`: the mesh's inner sides may be seen.
-  set(r: PartRanges, geometry: InstancedBufferGeometry, bothSides: boolean): void {
-    this.faintDepth.set(r.part, geometry, r.faints, r.faintCount);
-    this.faint.set(r.part, geometry, r.faints, r.faintCount);
-    this.cutInner.set(r.part, geometry, r.solids, r.cuts);
-    this.cutOuter.set(r.part, geometry, r.solids, r.cuts);
-    this.solid.set(r.part, geometry, r.solids, bothSides ? 0 : r.solidCount);
-    this.solidBoth.set(r.part, geometry, r.solids, bothSides ? r.solidCount : 0);
-    this.ghostDepth.set(r.part, geometry, r.ghosts, r.ghostCount);
-    this.ghost.set(r.part, geometry, r.ghosts, r.ghostCount);
-    this.outlineInner.set(r.part, geometry, r.outlines, r.outlineCuts);
-    this.outlineOuter.set(r.part, geometry, r.outlines, r.outlineCuts);
-    this.outline.set(r.part, geometry, r.outlines, r.outlineCount);
+  set(r: Ranges<Shape>, geometry: InstancedBufferGeometry, bothSides: boolean): void {
+    this.faintDepth.set(r.shape.number, geometry, r.faints, r.faintCount);
+    this.faint.set(r.shape.number, geometry, r.faints, r.faintCount);
+    this.cutInner.set(r.shape.number, geometry, r.solids, r.cuts);
+    this.cutOuter.set(r.shape.number, geometry, r.solids, r.cuts);
+    this.solid.set(r.shape.number, geometry, r.solids, bothSides ? 0 : r.solidCount);
+    this.solidBoth.set(r.shape.number, geometry, r.solids, bothSides ? r.solidCount : 0);
+    this.ghostDepth.set(r.shape.number, geometry, r.ghosts, r.ghostCount);
+    this.ghost.set(r.shape.number, geometry, r.ghosts, r.ghostCount);
+    this.outlineInner.set(r.shape.number, geometry, r.outlines, r.outlineCuts);
+    this.outlineOuter.set(r.shape.number, geometry, r.outlines, r.outlineCuts);
+    this.outline.set(r.shape.number, geometry, r.outlines, r.outlineCount);
   }
 
   /// Whether there are faint copies at all.
@@ -91,8 +92,13 @@ export class PassSet {
     this.faintForget.visible = any;
   }
 
-  setShadow(part: number, geometry: InstancedBufferGeometry, base: number, count: number): void {
-    this.shadow.set(part, geometry, base, count);
+  setShadow(shape: Shape, geometry: InstancedBufferGeometry, base: number, count: number): void {
+    this.shadow.set(shape.number, geometry, base, count);
+  }
+
+  /// No part has this shape any more.
+  remove(shape: number): void {
+    for (const pass of this.all) pass.remove(shape);
   }
 
   /// Lays the quads into the section plane, past all that stands in `box`.

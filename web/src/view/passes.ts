@@ -25,7 +25,7 @@ class RangeMesh extends Mesh<InstancedBufferGeometry, ShaderMaterial> {
     this.frustumCulled = false;
     this.matrixAutoUpdate = false;
     this.matrixWorldAutoUpdate = false;
-    // Passes share a part's geometry, and three.js asks it how many copies to draw.
+    // Passes share a shape's geometry, and three.js asks it how many copies to draw.
     this.onBeforeRender = () => {
       this.geometry.instanceCount = this.runs;
     };
@@ -38,7 +38,7 @@ class RangeMesh extends Mesh<InstancedBufferGeometry, ShaderMaterial> {
   }
 }
 
-/// One pass: a mesh for each part that has copies in it.
+/// One pass: a mesh for each shape that has copies in it.
 export class Pass {
   readonly group = new Group();
   private meshes = new Map<number, RangeMesh>();
@@ -47,16 +47,23 @@ export class Pass {
     this.group.matrixWorldAutoUpdate = false;
   }
 
-  set(part: number, geometry: InstancedBufferGeometry, base: number, count: number): void {
-    let mesh = this.meshes.get(part);
+  set(shape: number, geometry: InstancedBufferGeometry, base: number, count: number): void {
+    let mesh = this.meshes.get(shape);
     if (!mesh) {
       if (count === 0) return;
       mesh = new RangeMesh(geometry, this.material);
-      this.meshes.set(part, mesh);
+      this.meshes.set(shape, mesh);
       this.group.add(mesh);
     }
     mesh.geometry = geometry;
     mesh.set(base, count);
+  }
+
+  remove(shape: number): void {
+    const mesh = this.meshes.get(shape);
+    if (!mesh) return;
+    this.group.remove(mesh);
+    this.meshes.delete(shape);
   }
 
   clear(): void {

@@ -1,7 +1,7 @@
-/// The parts' meshes on the graphics card, and all their copies: what stands where, how it looks, and the passes that
-/// draw it. Every part has one geometry; what its copies are lies in two textures (see shaders.ts).
+/// All copies: what stands where, how it looks, and the passes that draw it. Meshes are shapes (shapes.ts); what their
+/// copies are lies in two textures (see shaders.ts).
 
-import { BufferAttribute, type DataTexture, InstancedBufferGeometry, Sphere } from "three";
+import type { DataTexture } from "three";
 import { type Box, determinant, emptyBox, grow } from "./affine";
 import type { Surface } from "./ambient";
 import { Copies } from "./copies";
@@ -19,12 +19,11 @@ import {
 } from "./lists";
 import { accentOutline, Looks, none } from "./looks";
 import { disposeMaterials, type Materials, makeMaterials, type OutlineUniforms } from "./materials";
-import { type MeshFacts, meshFacts, surfacePoints } from "./mesh_facts";
 import { fadeTime, reducedMotion } from "./motion";
 import { PassSet } from "./pass_set";
 import { copyTexture, listTexture } from "./passes";
 import { boxSide, crossed, cutAway, facesCut } from "./section";
-import { smooth } from "./smooth";
+import { pointsOn, Shapes } from "./shapes";
 import { type SharedUniforms, sharedUniforms } from "./uniforms";
 import type { CopyKey, MeshData, Section, Size, ViewCopy, ViewPart } from "./view";
 
@@ -38,24 +37,6 @@ const leastOpen = 1e-4;
 const restTime = 350;
 /// ms after a copy landed that the next one is waited for.
 const landingTime = 250;
-/// Points on a mesh for the light between the copies: so many on a piece of surface as large as a cell's side.
-const pointsACell = 4;
-const leastPoints = 16;
-const mostPoints = 60_000;
-/// Triangles whose normals are worked out at once, and at all: they take time and memory.
-const smoothAtOnce = 60_000;
-const smoothAtMost = 2_500_000;
-
-interface PartState {
-  readonly part: ViewPart;
-  readonly mesh: MeshData;
-  readonly facts: MeshFacts;
-  geometry: InstancedBufferGeometry;
-  points: Float32Array | null;
-  /// A copy of it has been placed as its mirror image: what is outside looks inside.
-  mirrored: boolean;
-}
-
 export class Pieces {
   readonly copies = new Copies();
   readonly looks = new Looks();
@@ -65,15 +46,14 @@ export class Pieces {
   shadowsDirty = true;
   shadowsAdded: number[] = [];
 
-  private parts = new Map<number, PartState>();
+  private parts = new Map<number, ViewPart>();
+  private readonly shapes = new Shapes((shape) => this.passes.remove(shape));
   private section: Section | null = null;
   private readonly materials: Materials;
   private listsDirty = true;
   private coloursDirty = true;
   private changed = new Set<number>();
-  private rough: number[] = [];
   private landedAt = -Infinity;
-  private smoothed = 0;
   private fading = new Set<number>();
   private resting = new Set<number>();
   private shadowList = listTexture(1);
@@ -92,23 +72,17 @@ export class Pieces {
   }
 
   setParts(parts: readonly ViewPart[]): void {
-    for (const state of this.parts.values()) state.geometry.dispose();
-    this.parts.clear();
+    this.parts = new Map(parts.map((part) => [part.index, part]));
+    this.shapes.clear();
     this.passes.clear();
     this.copies.clearParts();
-    this.rough = [];
-    this.smoothed = 0;
-    for (const part of parts) this.setMesh(part, part.mesh);
+    for (const { index, mesh } of parts) this.setMesh(index, mesh);
     this.afterClear();
   }
 
-  refine(meshes: ReadonlyMap<number, MeshData>): void {
-    for (const [index, mesh] of meshes) {
-      const state = this.parts.get(index);
-      if (!state) continue;
-      state.geometry.dispose();
-      this.setMesh(state.part, mesh);
-    }
+  /// `keep`: what was drawn before is still drawn while the picture moves.
+  refine(meshes: ReadonlyMap<number, MeshData>, keep = false): void {
+    for (const [index, mesh] of meshes) if (this.parts.has(index)) this.setMesh(index, mesh, keep);
     this.extent = null;
     this.listsDirty = true;
     this.shadowsDirty = true;
@@ -126,8 +100,8 @@ export class Pieces {
       const done = this.copies.place(copy, now, fades);
       if (!done) continue;
       this.changed.add(done.slot);
-      const state = this.parts.get(copy.part);
-      if (state && determinant(this.copies.rows, 12 * done.slot) < 0) state.mirrored = true;
+      const shape = this.shapes.of(copy.part);
+      if (shape && determinant(this.copies.rows, 12 * done.slot) < 0) shape.mirrored = true;
       if (fades) this.fading.add(done.slot);
       if (done.moved) {
         // The copy's old shadow goes when it begins to move, the new one comes when it rests.
@@ -174,11 +148,11 @@ export class Pieces {
   }
 
   meshOf(slot: number): MeshData | undefined {
-    return this.parts.get(this.copies.part[slot] as number)?.mesh;
+    return this.shapes.of(this.copies.part[slot] as number)?.mesh;
   }
 
   nameOf(part: number): string {
-    return this.parts.get(part)?.part.name ?? "";
+    return this.parts.get(part)?.name ?? "";
   }
 
   /// What can be picked: all that is drawn solid.
@@ -224,18 +198,21 @@ export class Pieces {
     return this.fading.size > 0;
   }
 
+  /// The picture moves: the lighter meshes are drawn where there are any.
+  setMoving(moving: boolean): void {
+    if (moving === this.shapes.light) return;
+    this.shapes.light = moving;
+    this.listsDirty = true;
+  }
+
   /// Whether there are meshes that are still drawn facet by facet and need not be.
   get isRough(): boolean {
-    return this.rough.length > 0;
+    return this.shapes.isRough;
   }
 
   /// Works out normals for about so many ms.
   smoothSome(ms: number): void {
-    const end = performance.now() + ms;
-    while (this.rough.length > 0 && performance.now() < end) {
-      const state = this.parts.get(this.rough.shift() as number);
-      if (state && this.smoothed + state.mesh.indices.length / 3 <= smoothAtMost) this.smoothPart(state);
-    }
+    if (this.shapes.smoothSome(ms)) this.listsDirty = true;
   }
 
   /// Copies that came to rest since they were last asked for; their shadows are due.
@@ -262,13 +239,12 @@ export class Pieces {
   /// Makes `shadowScene` ready: with all copies that cast a shadow, or only those that have come (`added`).
   prepareShadows(added: boolean): void {
     const only = added ? new Set(this.shadowsAdded) : null;
-    const lists = buildLists(this.copies, this.parts.keys(), (slot) =>
+    const lists = buildLists(this.copies, this.shapes.all(), (slot) =>
       (only && !only.has(slot)) || !this.castsShadow(slot) ? 0 : solid,
     );
     this.shadowList = this.fill(this.shadowList, lists.list);
-    for (const { part, solids, solidCount } of lists.ranges) {
-      const state = this.parts.get(part);
-      if (state) this.passes.setShadow(part, state.geometry, solids, solidCount);
+    for (const { shape, solids, solidCount } of lists.ranges) {
+      this.passes.setShadow(shape, this.shapes.drawn(shape).geometry, solids, solidCount);
     }
     this.shadowsDirty = false;
     this.shadowsAdded = [];
@@ -282,25 +258,24 @@ export class Pieces {
   /// For the light between the copies, in cells of so many mm.
   *surfaces(cell: number): Iterable<Surface> {
     const r = this.copies.rows;
-    for (const [index, state] of this.parts) {
-      for (const slot of this.copies.ofPart(index)) {
-        if (!this.castsShadow(slot)) continue;
-        const at = 12 * slot;
-        // The transform's scale, from its first column.
-        const scale = (r[at] as number) ** 2 + (r[at + 4] as number) ** 2 + (r[at + 8] as number) ** 2;
-        const area = state.facts.area * scale;
-        const wanted = Math.min(mostPoints, Math.max(leastPoints, (pointsACell * area) / cell ** 2));
-        if (!state.points || state.points.length < 1.5 * wanted || state.points.length > 12 * wanted) {
-          state.points = surfacePoints(state.mesh, state.facts.area, wanted);
+    for (const shape of this.shapes.all()) {
+      for (const part of shape.parts) {
+        for (const slot of this.copies.ofPart(part)) {
+          if (!this.castsShadow(slot)) continue;
+          const at = 12 * slot;
+          // The transform's scale, from its first column.
+          const scale = (r[at] as number) ** 2 + (r[at + 4] as number) ** 2 + (r[at + 8] as number) ** 2;
+          const points = pointsOn(shape, scale, cell);
+          const areaEach = (shape.facts.area * scale) / Math.max(1, points.length / 3);
+          yield { points, rows: r, at, areaEach };
         }
-        yield { points: state.points, rows: r, at, areaEach: area / Math.max(1, state.points.length / 3) };
       }
     }
   }
 
   /// Lets go of all memory on the graphics card; what is drawn again takes it again.
   release(): void {
-    for (const state of this.parts.values()) state.geometry.dispose();
+    this.shapes.release();
     disposeMaterials(this.materials);
     this.passes.release();
     this.viewList.dispose();
@@ -312,6 +287,7 @@ export class Pieces {
   dispose(): void {
     this.release();
     this.parts.clear();
+    this.shapes.clear();
   }
 
   private afterClear(): void {
@@ -325,23 +301,8 @@ export class Pieces {
     this.shadowsDirty = true;
   }
 
-  private setMesh(part: ViewPart, mesh: MeshData): void {
-    const facts = meshFacts(mesh);
-    const triangles = mesh.indices.length / 3;
-    const state: PartState = { part, mesh, facts, geometry: geometryOf(mesh, facts), points: null, mirrored: false };
-    this.parts.set(part.index, state);
-    this.copies.setPart(part.index, facts.box);
-    if (this.smoothed + triangles <= smoothAtOnce) this.smoothPart(state);
-    else this.rough.push(part.index);
-  }
-
-  private smoothPart(state: PartState): void {
-    this.smoothed += state.mesh.indices.length / 3;
-    state.geometry.dispose();
-    const { positions, normals, indices } = smooth(state.mesh);
-    state.geometry = geometryOf({ positions, indices }, state.facts);
-    state.geometry.setAttribute("normal", new BufferAttribute(normals, 4));
-    this.listsDirty = true;
+  private setMesh(part: number, mesh: MeshData, keep = false): void {
+    this.copies.setPart(part, this.shapes.set(part, mesh, keep).facts.box);
   }
 
   private castsShadow(slot: number): boolean {
@@ -386,15 +347,15 @@ export class Pieces {
 
   private updateLists(frustum: Frustum, facesTheCut: boolean): void {
     const { copies, looks, section } = this;
-    const lists = buildLists(copies, this.parts.keys(), (slot) => {
+    const lists = buildLists(copies, this.shapes.all(), (slot) => {
       if (looks.isHidden(copies, slot)) return 0;
       const side = section ? boxSide(section, copies.boxes, 6 * slot) : 0;
       if (section && side === cutAway) return 0;
       if (!mayBeSeen(frustum, copies.boxes, 6 * slot)) return 0;
       const faint = looks.isFaint(copies, slot);
       let kind = faint ? faintKind : this.fading.has(slot) ? ghost : solid;
-      const state = this.parts.get(copies.part[slot] as number);
-      if (side === crossed && facesTheCut && state && state.facts.openness < mostOpen) kind |= crossing;
+      const shape = this.shapes.of(copies.part[slot] as number);
+      if (side === crossed && facesTheCut && shape && shape.facts.openness < mostOpen) kind |= crossing;
       const outline = faint ? none : looks.outlineOf(copies, slot);
       if (outline !== none) kind |= outline === accentOutline ? outlined : outlined | asMark;
       return kind;
@@ -405,11 +366,10 @@ export class Pieces {
     this.drawnTriangles = 0;
     this.passes.setFaint(lists.ranges.some((r) => r.faintCount > 0));
     for (const ranges of lists.ranges) {
-      const state = this.parts.get(ranges.part);
-      if (!state) continue;
-      this.passes.set(ranges, state.geometry, state.mirrored || state.facts.openness > leastOpen);
-      this.drawnTriangles +=
-        (state.mesh.indices.length / 3) * (ranges.solidCount + ranges.ghostCount + ranges.faintCount);
+      const { shape } = ranges;
+      const { geometry, triangles } = this.shapes.drawn(shape);
+      this.passes.set(ranges, geometry, shape.mirrored || shape.facts.openness > leastOpen);
+      this.drawnTriangles += triangles * (ranges.solidCount + ranges.ghostCount + ranges.faintCount);
       this.outlinedCount += ranges.outlineCount;
     }
     this.passes.setSection(section, this.bounds());
@@ -430,22 +390,4 @@ export class Pieces {
   private frustumKey(frustum: Frustum): string {
     return isWhollySeen(frustum, this.bounds(), 0) ? "all" : frustum.map((plane) => plane.join()).join();
   }
-}
-
-function geometryOf(mesh: Pick<MeshData, "positions" | "indices">, facts: MeshFacts): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(mesh.positions, 3));
-  geometry.setIndex(new BufferAttribute(facts.insideOut ? otherWayRound(mesh.indices) : mesh.indices, 1));
-  // Never asked for, but three.js would go through all vertices to find it.
-  geometry.boundingSphere = new Sphere();
-  return geometry;
-}
-
-function otherWayRound(indices: Uint32Array): Uint32Array {
-  const turned = indices.slice();
-  for (let i = 0; i + 2 < turned.length; i += 3) {
-    turned[i + 1] = indices[i + 2] as number;
-    turned[i + 2] = indices[i + 1] as number;
-  }
-  return turned;
 }

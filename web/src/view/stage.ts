@@ -25,6 +25,10 @@ export interface StageEvents {
   prepare(eye: Size): void;
   /// After a frame: puts page elements where they belong.
   drawn(): void;
+  /// Copies are in the picture for the first time.
+  shown(): void;
+  /// It was measured anew how fast the machine draws.
+  paced(): void;
   click(x: number, y: number, add: boolean): void;
   doubleClick(x: number, y: number): void;
   hover(at: { x: number; y: number } | null): void;
@@ -43,6 +47,10 @@ const hatchPixels = 7;
 const sectionRest = 160;
 /// ms after the last coarse frame that the picture is drawn in full.
 const coarseRest = 270;
+/// ms that a new picture is on the screen before what makes it finer is drawn; and that copies are waited for: what an
+/// empty tray takes would only delay them.
+const newRest = 60;
+const emptyRest = 2500;
 /// ms of work on normals, and between two stretches of it.
 const smoothStretch = 8;
 const smoothPause = 20;
@@ -79,7 +87,7 @@ export class Stage {
   private sectionAt = -Infinity;
   private lostNow = false;
   private shown = false;
-  private coarse = false;
+  private readonly madeAt = performance.now();
 
   constructor(
     host: HTMLElement,
@@ -146,6 +154,11 @@ export class Stage {
     return { width: this.width, height: this.height };
   }
 
+  /// How fast so many triangles are drawn, as far as is known.
+  draws(triangles: number): "fast" | "slowly" | "never" {
+    return this.pace.draws(triangles);
+  }
+
   setTheme(theme: Theme): void {
     this.theme = theme;
     this.pieces.looks.theme = theme;
@@ -210,7 +223,9 @@ export class Stage {
       this.controls.lens = { view: 2 * Math.atan(Math.tan(lens.view / 2) * wider), aspect };
       this.renderer.setPixelRatio(1);
       this.renderer.setSize(width, height, false);
-      this.drawAt(performance.now(), { width, height, samples: 4 }, height / Math.max(1, this.height));
+      const now = performance.now();
+      this.step(now);
+      this.drawAt(now, { width, height, samples: 4 }, height / Math.max(1, this.height), false);
       context.drawImage(this.canvas, 0, 0);
       this.controls.lens = lens;
       this.compose.release();
@@ -286,30 +301,35 @@ export class Stage {
 
   private draw(now: number, moving: boolean): void {
     if (!this.renderer || this.lostNow || this.width === 0 || this.height === 0) return;
+    this.pieces.setMoving(moving);
+    const goesOn = this.step(now);
+    const { triangles } = this.pieces;
     const full = { width: Math.round(this.width * this.ratio), height: Math.round(this.height * this.ratio) };
-    const { scale, samples } = this.pace.quality(moving);
+    const awaits = this.pieces.copies.size === 0 && now - this.madeAt < emptyRest;
+    const isNew = awaits || this.pace.isNew(triangles);
+    const quality = this.pace.quality(moving, triangles);
     const size = {
-      width: Math.max(1, Math.round(full.width * scale)),
-      height: Math.max(1, Math.round(full.height * scale)),
+      width: Math.max(1, Math.round(full.width * quality.scale)),
+      height: Math.max(1, Math.round(full.height * quality.scale)),
       // Twice as fine a screen needs no more than half the samples, and they would take much memory.
-      samples: this.ratio >= 1.5 ? Math.min(samples, 2) : samples,
+      samples: this.ratio >= 1.5 ? Math.min(quality.samples, 2) : quality.samples,
     };
-    this.coarse = moving && this.pace.isCoarse;
-    const timed = this.pace.wantsTime(now, moving);
+    const timed = !awaits && this.pace.wantsTime(now, moving, triangles);
     const before = performance.now();
-    const goesOn = this.drawAt(now, size, this.ratio);
+    this.drawAt(now, size, this.ratio, isNew);
+    // Reading a pixel waits until the frame is drawn.
+    const gl = this.renderer.getContext();
+    if (timed) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    if (!awaits) this.pace.drawn(now, timed ? performance.now() - before : null, moving, triangles);
     if (!this.shown && this.pieces.copies.size > 0) {
       this.shown = true;
       performance.mark("copies drawn"); // what bench/page.mjs waits for
+      this.events.shown();
     }
-    if (timed) {
-      // Reading a pixel waits until the frame is drawn.
-      const gl = this.renderer.getContext();
-      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-      this.pace.timed(now, performance.now() - before, moving);
-    }
-    if (goesOn) this.invalidate();
-    else if (this.coarse) this.later(coarseRest);
+    if (timed) this.events.paced();
+    if (isNew) this.later(awaits ? emptyRest : newRest);
+    else if (goesOn) this.invalidate();
+    else if (moving || this.pace.quality(false, triangles) !== quality) this.later(coarseRest);
     if (this.pieces.isRough && this.smoothing === undefined)
       this.smoothing = setTimeout(() => this.smooth(), smoothPause);
   }
@@ -322,21 +342,27 @@ export class Stage {
     else this.smoothing = setTimeout(() => this.smooth(), smoothPause);
   }
 
-  /// Says whether another frame is wanted.
-  private drawAt(now: number, size: FrameSize, ratio: number): boolean {
-    const renderer = this.renderer as WebGLRenderer;
+  /// Brings camera and copies up to the moment. Says whether another frame is wanted.
+  private step(now: number): boolean {
     const moves = this.controls.step(now);
     const wants = this.events.advance(now);
     const { eye } = basisOf(this.controls.orbit);
     this.events.prepare(eye);
-    const box = this.bounds();
-    this.placeCamera(box);
-    const { shared } = this.pieces;
-    shared.eye.value.set(...eye);
-    shared.hatchStep.value = hatchStep(mmAPixel(this.controls.orbit, this.height, this.lens), hatchPixels);
+    this.placeCamera(this.bounds());
+    this.pieces.shared.eye.value.set(...eye);
     const all = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
     const fades = this.pieces.update(now, frustumOf(all.elements), eye);
-    const light = this.daylight.update(renderer, now, box, this.section, this.pace.cost);
+    return moves || wants || fades;
+  }
+
+  /// `plain`: without the light that is worked out from what stands.
+  private drawAt(now: number, size: FrameSize, ratio: number, plain: boolean): void {
+    const renderer = this.renderer as WebGLRenderer;
+    const box = this.bounds();
+    const { eye } = basisOf(this.controls.orbit);
+    this.pieces.shared.hatchStep.value = hatchStep(mmAPixel(this.controls.orbit, this.height, this.lens), hatchPixels);
+    if (plain) this.daylight.clear(renderer, box);
+    const light = plain ? null : this.daylight.update(renderer, now, box, this.section, this.pace.cost);
     if (light !== null) this.later(light);
     if (this.pieces.anyResting) this.later(120);
     renderer.info.autoReset = false;
@@ -355,7 +381,6 @@ export class Stage {
     this.drawCalls = renderer.info.render.calls;
     this.gizmo.update(this.controls.orbit);
     this.events.drawn();
-    return moves || wants || fades;
   }
 
   private placeCamera(box: Box): void {

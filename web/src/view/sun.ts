@@ -15,7 +15,7 @@ import {
   NoBlending,
   OrthographicCamera,
   PlaneGeometry,
-  type Scene,
+  Scene,
   ShaderMaterial,
   UnsignedIntType,
   Vector2,
@@ -112,6 +112,7 @@ export class Sun {
   private readonly bake: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly blur: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly rectangle: { value: number[] } = { value: [0, 0, 1, 1] };
+  private readonly nothing = new Scene();
   private bounds: Readonly<Box> | null = null;
   /// The longest side of what casts shadows, mm.
   private side = 1;
@@ -199,6 +200,12 @@ export class Sun {
     renderer.render(scene, this.camera);
     renderer.autoClear = autoClear;
     renderer.setRenderTarget(target);
+  }
+
+  /// Nothing casts a shadow.
+  clear(renderer: WebGLRenderer, box: Readonly<Box>): void {
+    this.render(renderer, this.nothing, box, false);
+    this.forget();
   }
 
   /// The ground's shadow, from the map as it is now.

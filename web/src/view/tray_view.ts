@@ -79,6 +79,8 @@ class Tray implements TrayView {
         if (this.showsAll) this.stage.controls.jumpTo(this.whole());
       },
       pointAt: (x, y) => this.hit(x, y)?.point ?? null,
+      shown: () => events.shown?.(),
+      paced: () => events.paced?.(),
       lost: (lost) => {
         if (lost) this.releaseGlass();
         events.lost?.(lost);
@@ -141,9 +143,13 @@ class Tray implements TrayView {
     this.stage.invalidate();
   }
 
-  refine(meshes: ReadonlyMap<number, MeshData>): void {
-    this.stage.pieces.refine(meshes);
+  refine(meshes: ReadonlyMap<number, MeshData>, keep = false): void {
+    this.stage.pieces.refine(meshes, keep);
     this.stage.invalidate();
+  }
+
+  draws(triangles: number): "fast" | "slowly" | "never" {
+    return this.stage.draws(triangles);
   }
 
   clear(): void {

@@ -56,6 +56,10 @@ export interface TrayViewEvents {
   move?(by: Size, ended: boolean): void;
   /// The graphics card took the drawing away, or gave it back.
   lost?(lost: boolean): void;
+  /// Copies are in the picture for the first time.
+  shown?(): void;
+  /// It was measured anew how fast the machine draws (`draws`).
+  paced?(): void;
 }
 
 /// A word beside a copy.
@@ -79,7 +83,10 @@ export interface TrayView {
   /// Replaces all parts; copies stand again once they are placed again.
   setParts(parts: readonly ViewPart[]): void;
   /// Better meshes for some parts.
-  refine(meshes: ReadonlyMap<number, MeshData>): void;
+  /// `keep`: what was drawn before is still drawn while the picture moves.
+  refine(meshes: ReadonlyMap<number, MeshData>, keep?: boolean): void;
+  /// How fast so many triangles are drawn, as far as is known: slowly is well enough for a picture at rest.
+  draws(triangles: number): "fast" | "slowly" | "never";
   clear(): void;
   /// Places copies, or moves those that stand. `landing`: fades in, and the last one keeps an outline until the next
   /// lands; none at all takes it away.

@@ -74,7 +74,7 @@ describe("Copies", () => {
 });
 
 describe("the lists of what is drawn", () => {
-  it("put each part's copies of a kind side by side", () => {
+  it("put each shape's copies of a kind side by side", () => {
     const copies = filled();
     const kinds = new Map([
       [0, solid],
@@ -84,7 +84,7 @@ describe("the lists of what is drawn", () => {
       [4, solid | outlined | asMark],
       [5, solid | crossing],
     ]);
-    const { list, ranges } = buildLists(copies, [0, 1], (slot) => kinds.get(slot) ?? 0);
+    const { list, ranges } = buildLists(copies, [{ parts: [0] }, { parts: [1] }], (slot) => kinds.get(slot) ?? 0);
     const [a, b] = ranges;
     const run = (from = 0, count = 0) => [...list.subarray(from, from + count)];
     expect(run(a?.solids, a?.solidCount)).toEqual([1, 0]);
@@ -97,6 +97,13 @@ describe("the lists of what is drawn", () => {
     expect(run(b?.outlines, b?.outlineCount)).toEqual([4 | markBit]);
     expect(b?.outlineCuts).toBe(0);
     expect(list.length).toBe(8);
+  });
+
+  it("draw parts of one shape together", () => {
+    const { list, ranges } = buildLists(filled(), [{ parts: [0, 1] }], () => solid);
+    expect(ranges.length).toBe(1);
+    expect([...list].sort()).toEqual([0, 1, 2, 3, 4, 5]);
+    expect(ranges[0]?.solidCount).toBe(6);
   });
 
   it("know what a camera sees", () => {

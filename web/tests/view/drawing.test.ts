@@ -26,37 +26,66 @@ describe("the edges of a box", () => {
 });
 
 describe("the pace", () => {
-  it("gets coarser while frames are slow, and full at rest", () => {
+  const full = { scale: 1, samples: 4 };
+  const plain = { scale: 1, samples: 0 };
+  const few = 100;
+
+  /// One that has drawn an empty tray, at so many ms a frame.
+  const warm = (ms: number) => {
     const pace = new Pace();
-    expect(pace.quality(true)).toEqual(pace.quality(false));
-    pace.timed(0, 900, false); // builds the shaders
+    for (let i = 0; i < 4; ++i) pace.drawn(i, i === 0 ? null : ms, false, few);
+    return pace;
+  };
+
+  it("draws plainly until the machine has shown what it can do", () => {
+    const pace = new Pace();
+    expect(pace.quality(false, few)).toEqual(plain);
+    expect(pace.quality(true, few)).toEqual(plain);
+    expect(pace.wantsTime(0, false, few)).toBe(false); // builds the shaders
+    pace.drawn(0, null, false, few);
+    expect(pace.wantsTime(1, false, few)).toBe(true);
+    pace.drawn(1, 5, false, few);
+    expect(pace.quality(false, few)).toEqual(full);
+    expect(pace.quality(true, few)).toEqual(full);
+  });
+
+  it("draws much that is new plainly at first, however quick little was", () => {
+    const pace = warm(5);
+    const many = 1_000_000;
+    expect(pace.quality(true, many)).toEqual(plain);
+    expect(pace.wantsTime(1000, false, many)).toBe(true);
+    pace.drawn(1000, 1500, false, many);
+    expect(pace.isNew(many)).toBe(false);
+    expect(pace.quality(true, many).samples).toBe(0);
+    pace.drawn(2000, 8, false, many);
+    expect(pace.quality(true, many)).toEqual(full);
+  });
+
+  it("gets coarser while frames are slow, and full at rest", () => {
+    const pace = warm(5);
     const samples = [];
     for (let i = 0; i < 6; ++i) {
-      if (pace.wantsTime(i, true)) pace.timed(i, 120, true);
-      samples.push(pace.quality(true).scale);
+      if (pace.wantsTime(i, true, few)) pace.drawn(i, 120, true, few);
+      samples.push(pace.quality(true, few).scale);
     }
     expect(samples.at(-1)).toBe(0.5);
-    expect(pace.quality(false)).toEqual({ scale: 1, samples: 4 });
+    expect(pace.quality(false, few)).toEqual(full);
   });
 
   it("starts coarse where a full frame is known to be slow, and fine again where it is not", () => {
-    const pace = new Pace();
-    pace.timed(0, 5, false);
-    pace.timed(0, 140, false);
-    expect(pace.quality(true).samples).toBe(0);
-    expect(pace.wantsTime(100, false)).toBe(false);
-    expect(pace.wantsTime(1000, false)).toBe(true);
-    pace.timed(1000, 8, false);
-    expect(pace.quality(true)).toEqual(pace.quality(false));
+    const pace = warm(140);
+    expect(pace.quality(true, few).samples).toBe(0);
+    expect(pace.wantsTime(100, false, few)).toBe(false);
+    expect(pace.wantsTime(1000, false, few)).toBe(true);
+    pace.drawn(1000, 8, false, few);
+    expect(pace.quality(true, few)).toEqual(pace.quality(false, few));
   });
 
-  it("does without smooth edges at rest only where they take a second", () => {
-    const pace = new Pace();
-    pace.timed(0, 5000, false);
-    expect(pace.quality(false).samples).toBe(4);
-    for (let i = 0; i < 9; ++i) pace.timed(i, 2000, false);
-    expect(pace.quality(false)).toEqual({ scale: 1, samples: 0 });
-    pace.timed(20, 100, false);
-    expect(pace.quality(false).samples).toBe(4);
+  it("does without smooth edges at rest where they take a second", () => {
+    const pace = warm(5);
+    for (let i = 0; i < 9; ++i) pace.drawn(i, 2000, false, few);
+    expect(pace.quality(false, few)).toEqual(plain);
+    pace.drawn(20, 100, false, few);
+    expect(pace.quality(false, few)).toEqual(full);
   });
 });

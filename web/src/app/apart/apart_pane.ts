@@ -74,6 +74,7 @@ export class ApartPane extends Piece {
           hover: (copy) => {
             this.hovered = copy;
           },
+          paced: () => this.trays?.paced(),
           lost: (lost) => {
             this.lost = lost;
           },

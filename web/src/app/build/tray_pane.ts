@@ -34,6 +34,8 @@ export class TrayPane extends Piece {
   private scene: TrayScene | null = null;
   private loading = false;
   private noPicture: (() => void) | null = null;
+  /// To be called once the tray is on the screen: then pictures of parts are drawn.
+  private drawn: () => void = () => {};
 
   protected override stores() {
     const { session } = this;
@@ -62,6 +64,7 @@ export class TrayPane extends Piece {
   private async begin(): Promise<void> {
     if (this.loading || this.failed) return;
     this.loading = true;
+    this.drawn = this.session.meshes.holdPictures();
     try {
       const { createTrayView } = await trayViews();
       if (!this.isConnected) return;
@@ -78,6 +81,8 @@ export class TrayPane extends Piece {
             if (section) build.set({ section: { ...section, at } });
           },
           move: (by, ended) => this.session.work.move.dragged(by, ended),
+          shown: () => this.drawn(),
+          paced: () => this.scene?.paced(),
           lost: (lost) => {
             this.lost = lost;
           },
@@ -92,6 +97,7 @@ export class TrayPane extends Piece {
       });
       this.requestUpdate();
     } catch {
+      this.drawn();
       this.failed = "This browser draws no 3D graphics. Lists, figures and export work without them.";
     } finally {
       this.loading = false;
@@ -99,6 +105,7 @@ export class TrayPane extends Piece {
   }
 
   private end(): void {
+    this.drawn();
     this.noPicture?.();
     this.view?.dispose();
     this.view = null;

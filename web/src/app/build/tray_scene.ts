@@ -5,14 +5,19 @@ import type { MoveState } from "../change/mover";
 import { type BuildView, isHidden } from "../state/build_view";
 import type { Sides } from "../state/draft";
 import { copyId, type LiveRun } from "../state/live_run";
+import type { Loaded } from "../state/mesh_store";
 import type { PackedTray, Packing, Placement } from "../state/packing";
 import type { Session } from "../state/session";
 import { traySize } from "../state/tray_size";
 import type { BuildPart } from "./build_parts";
 
-/// So many triangles in all are drawn fluently; finer meshes are only asked for below it.
+/// So many triangles in all are drawn fluently; fine meshes are only asked for below it.
 const mostTriangles = 3_000_000;
 const fineTriangles = 10_000;
+/// A mesh has so many at most where it is coarse. Above so many in all, rough ones come first, and coarse ones only where
+/// the machine draws them fast.
+const coarseTriangles = 800;
+const roughFrom = 500_000;
 
 export class TrayScene {
   private parts = "";
@@ -22,7 +27,10 @@ export class TrayScene {
   private asked = "";
   private labelled = "";
   private readonly refined = new Set<number>();
+  /// Rough meshes stand for coarse ones of so many triangles; 0: they are coarse already.
+  private coarseLater = 0;
   private shown: PackedTray | null = null;
+  private shownParts: readonly BuildPart[] = [];
   private moving: CopyKey | null = null;
   private handled: CopyKey | null = null;
   private movedTo: Transform | null = null;
@@ -46,7 +54,13 @@ export class TrayScene {
     const boxes = draft.keepOut.flatMap((own) => ("box" in own ? [own.box] : []));
     const container = draft.tray.kind === "mesh" ? draft.tray.file : null;
     this.setTray(size, draft.openHeight, boxes, container);
-    if (!this.setParts(parts)) return;
+    if (
+      !this.setParts(
+        parts,
+        trianglesOf(parts, (part) => part.count, coarseTriangles),
+      )
+    )
+      return;
     const key = `live ${tray}`;
     const whole = key !== this.standing;
     const first = this.standing === "";
@@ -67,13 +81,15 @@ export class TrayScene {
   showPacked(parts: readonly BuildPart[], packing: Packing, tray: PackedTray, changes = false): void {
     const container = this.session.draft.tray.kind === "mesh" ? this.session.draft.tray.file : null;
     this.setTray(packing.size, packing.openHeight, packing.keepOut, container);
-    if (!this.setParts(parts)) return;
+    const copies = copiesIn(tray);
+    if (!this.setParts(parts, trianglesOf(parts, copies, coarseTriangles))) return;
     const key = `packed ${tray.number} ${numberOf(tray)}`;
     if (key === this.standing) return;
     const first = this.standing === "";
     const before = this.standing.startsWith(`packed ${tray.number} `) ? this.shown : null;
     this.standing = key;
     this.shown = tray;
+    this.shownParts = parts;
     if (changes && before) this.placeChanged(before, tray);
     else {
       this.view.clear();
@@ -149,18 +165,19 @@ export class TrayScene {
     this.view.setTray([size[0], size[1], open ? null : size[2]], data ?? undefined, keepOut);
   }
 
-  /// False while meshes are still to come.
-  private setParts(parts: readonly BuildPart[]): boolean {
+  /// False while meshes are still to come. `triangles`: of all copies with coarse meshes.
+  private setParts(parts: readonly BuildPart[], triangles: number): boolean {
     const key = parts.map((part) => `${part.index}:${part.mesh?.id}:${part.mesh?.volume}`).join();
     if (key !== this.parts) {
       this.parts = key;
       this.ready = false;
       this.standing = "";
       this.refined.clear();
-      const meshes = parts.flatMap((part) => (part.mesh ? [part.mesh] : []));
-      void this.session.meshes.load(meshes).then(() => {
+      const rough = triangles > roughFrom;
+      this.coarseLater = rough ? triangles : 0;
+      void this.load(parts, rough ? "rough" : "coarse").then((found) => {
         if (key !== this.parts) return;
-        this.view.setParts(parts.flatMap((part) => this.viewPart(part)));
+        this.view.setParts(found);
         this.ready = true;
         this.changed();
       });
@@ -168,30 +185,58 @@ export class TrayScene {
     return this.ready;
   }
 
-  private viewPart(part: BuildPart): ViewPart[] {
-    const mesh = part.mesh ? this.session.meshes.mesh(part.mesh) : null;
-    return mesh ? [{ index: part.index, name: part.name, mesh }] : [];
+  private async load(parts: readonly BuildPart[], detail: Loaded): Promise<ViewPart[]> {
+    const { meshes } = this.session;
+    await meshes.load(
+      parts.flatMap((part) => (part.mesh ? [part.mesh] : [])),
+      detail,
+    );
+    return parts.flatMap((part) => {
+      const mesh = part.mesh ? meshes.mesh(part.mesh, detail) : null;
+      return mesh ? [{ index: part.index, name: part.name, mesh }] : [];
+    });
   }
 
+  /// Coarse meshes for rough ones once the machine has shown that it draws so many (a slow one only at rest), then fine ones
+  /// where they are few.
   private async refine(parts: readonly BuildPart[], tray: PackedTray): Promise<void> {
     const key = this.parts;
-    const copies = new Map<number, number>();
-    for (const { part } of tray.placements) copies.set(part, (copies.get(part) ?? 0) + 1);
-    const here = parts.filter((part) => part.mesh && copies.has(part.index));
-    const triangles = here.reduce(
-      (sum, part) => sum + Math.min(fineTriangles, part.mesh?.triangles ?? 0) * (copies.get(part.index) ?? 0),
-      0,
-    );
-    if (triangles > mostTriangles) return;
-    for (const part of here) {
-      if (!part.mesh || this.refined.has(part.index)) continue;
+    const still = () => key === this.parts && this.standing.startsWith(`packed ${tray.number} `);
+    if (this.coarseLater > 0) {
+      const speed = this.view.draws(this.coarseLater);
+      if (speed === "never") return;
+      this.coarseLater = 0;
+      const coarse = await this.load(parts, "coarse");
+      if (key !== this.parts) return;
+      this.view.refine(new Map(coarse.map(({ index, mesh }) => [index, mesh])), speed === "slowly");
+    }
+    const copies = copiesIn(tray);
+    if (trianglesOf(parts, copies, fineTriangles) > mostTriangles) return;
+    for (const part of parts) {
+      if (!part.mesh || copies(part) === 0 || this.refined.has(part.index)) continue;
       const fine = await this.session.meshes.fine(part.mesh);
-      if (key !== this.parts || !this.standing.startsWith(`packed ${tray.number} `)) return;
+      if (!still()) return;
       if (!fine || this.refined.has(part.index)) continue;
       this.refined.add(part.index);
       this.view.refine(new Map([[part.index, fine]]));
     }
   }
+
+  /// The view has measured anew how fast it draws.
+  paced(): void {
+    if (this.coarseLater > 0 && this.shown && this.ready) void this.refine(this.shownParts, this.shown);
+  }
+}
+
+/// How many copies of a part stand in a tray.
+function copiesIn(tray: PackedTray): (part: BuildPart) => number {
+  const copies = new Map<number, number>();
+  for (const { part } of tray.placements) copies.set(part, (copies.get(part) ?? 0) + 1);
+  return (part) => copies.get(part.index) ?? 0;
+}
+
+function trianglesOf(parts: readonly BuildPart[], copies: (part: BuildPart) => number, most: number): number {
+  return parts.reduce((sum, part) => sum + Math.min(most, part.mesh?.triangles ?? 0) * copies(part), 0);
 }
 
 /// Trays are never changed, only replaced: each has a number of its own.

@@ -1,7 +1,7 @@
 /// Meshes to look at and small pictures of them, each loaded once it is asked for.
 
 import { api } from "../../api/client";
-import type { Mesh } from "../../api/types";
+import type { Detail, Mesh } from "../../api/types";
 import type { MeshData, Theme } from "../../view/view";
 import { Store } from "./store";
 import { bundles, pictures } from "./views";
@@ -9,11 +9,16 @@ import { bundles, pictures } from "./views";
 const bundleSize = 64;
 const pictureBatch = 16;
 const pictureSize = 96;
+/// ms that pictures wait at most for what is more urgent.
+const longestHold = 5000;
 
 /// What a mesh is, whatever its place in the list: a file that was replaced is another one.
 function signature(mesh: Mesh): string {
   return `${mesh.file}#${mesh.object ?? ""}:${mesh.triangles}:${mesh.volume}:${mesh.size.join(",")}`;
 }
+
+/// Those that are loaded for many copies at once.
+export type Loaded = Exclude<Detail, "fine">;
 
 interface Wish {
   readonly mesh: Mesh;
@@ -24,25 +29,31 @@ interface Wish {
 export class MeshStore {
   /// Changes whenever there is more to see.
   readonly state = new Store<{ version: number }>({ version: 0 });
-  private readonly coarse = new Map<string, MeshData>();
-  private readonly asked = new Map<string, Promise<void>>();
+  private readonly loaded = { rough: new Map<string, MeshData>(), coarse: new Map<string, MeshData>() };
+  private readonly asked = { rough: new Map<string, Promise<void>>(), coarse: new Map<string, Promise<void>>() };
   private readonly finer = new Map<string, Promise<MeshData | null>>();
   private readonly drawn = new Map<string, string>();
   private readonly latest = new Map<string, string>();
   private readonly wishes = new Map<string, Wish>();
   private drawing = false;
+  private readonly holds = new Set<Promise<void>>();
 
   constructor(private readonly job: string) {}
 
-  mesh(mesh: Mesh): MeshData | null {
-    return this.coarse.get(signature(mesh)) ?? null;
+  /// The finest that is loaded; `detail`: that one or none.
+  mesh(mesh: Mesh, detail?: Loaded): MeshData | null {
+    const key = signature(mesh);
+    const { rough, coarse } = this.loaded;
+    return (detail ? this.loaded[detail].get(key) : (coarse.get(key) ?? rough.get(key))) ?? null;
   }
 
   /// All of these, in the order asked for; who asks twice waits for the first.
-  async load(meshes: readonly Mesh[]): Promise<void> {
-    const missing = meshes.filter((mesh) => !this.asked.has(signature(mesh)));
-    for (let i = 0; i < missing.length; i += bundleSize) this.fetch(missing.slice(i, i + bundleSize));
-    await Promise.allSettled(meshes.map((mesh) => this.asked.get(signature(mesh))));
+  async load(meshes: readonly Mesh[], detail: Loaded = "coarse"): Promise<void> {
+    const asked = this.asked[detail];
+    const distinct = new Map(meshes.map((mesh) => [signature(mesh), mesh]));
+    const missing = [...distinct].filter(([key]) => !asked.has(key)).map(([, mesh]) => mesh);
+    for (let i = 0; i < missing.length; i += bundleSize) this.fetch(missing.slice(i, i + bundleSize), detail);
+    await Promise.allSettled([...distinct.keys()].map((key) => asked.get(key)));
   }
 
   /// Fine enough to fill the window with.
@@ -74,23 +85,36 @@ export class MeshStore {
     return there ?? this.latest.get(signature(mesh)) ?? null;
   }
 
-  private fetch(meshes: readonly Mesh[]): void {
+  /// Pictures wait until the function that it returns is called: what an operator looks at comes first.
+  holdPictures(): () => void {
+    let release = () => {};
+    const hold = new Promise<void>((resolve) => {
+      release = resolve;
+      setTimeout(resolve, longestHold);
+    });
+    this.holds.add(hold);
+    void hold.then(() => this.holds.delete(hold));
+    return release;
+  }
+
+  private fetch(meshes: readonly Mesh[], detail: Loaded): void {
+    const asked = this.asked[detail];
     const ids = meshes.map((mesh) => mesh.id);
-    const done = this.bundle("coarse", ids).then((data) => {
+    const done = this.bundle(detail, ids).then((data) => {
       const byId = new Map(data.map((mesh) => [mesh.id, mesh]));
       for (const mesh of meshes) {
         const found = byId.get(mesh.id);
-        if (found) this.coarse.set(signature(mesh), found);
+        if (found) this.loaded[detail].set(signature(mesh), found);
       }
       this.tell();
     });
-    for (const mesh of meshes) this.asked.set(signature(mesh), done);
+    for (const mesh of meshes) asked.set(signature(mesh), done);
     done.catch(() => {
-      for (const mesh of meshes) this.asked.delete(signature(mesh));
+      for (const mesh of meshes) asked.delete(signature(mesh));
     });
   }
 
-  private async bundle(detail: "coarse" | "fine", ids: readonly number[]): Promise<MeshData[]> {
+  private async bundle(detail: Detail, ids: readonly number[]): Promise<MeshData[]> {
     const [{ readBundle }, bytes] = await Promise.all([bundles(), api.meshes(this.job, detail, ids)]);
     return readBundle(bytes);
   }
@@ -101,7 +125,10 @@ export class MeshStore {
     this.drawing = true;
     try {
       await new Promise((resolve) => setTimeout(resolve, 30));
-      while (this.wishes.size > 0) await this.drawBatch();
+      while (this.wishes.size > 0) {
+        await Promise.all(this.holds);
+        await this.drawBatch();
+      }
     } finally {
       this.drawing = false;
     }
