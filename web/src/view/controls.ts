@@ -25,8 +25,6 @@ const keyTurn = Math.PI / 12;
 /// ms; what is left of a spin and of a wheel's zoom falls to a third in this time.
 const spinTime = 90;
 const wheelTime = 45;
-/// A picture held still so long is at rest.
-const restTime = 160;
 
 interface Held {
   x: number;
@@ -80,9 +78,9 @@ export class Controls {
     return this.held.size > 0 || this.goesOn;
   }
 
-  /// Whether the picture moves at this moment; not while it is only held.
-  isMoving(now: number): boolean {
-    return this.goesOn || now - this.movedAt < restTime;
+  /// Whether the picture moves at this moment; not while it is only held for `rest` ms.
+  isMoving(now: number, rest: number): boolean {
+    return this.goesOn || now - this.movedAt < rest;
   }
 
   private get goesOn(): boolean {

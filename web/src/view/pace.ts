@@ -16,8 +16,9 @@ const moving: readonly Quality[] = [full, plain, { scale: 0.7, samples: 0 }, { s
 const slow = 34;
 const verySlow = 140;
 const swift = 9;
-/// ms that a frame of finer meshes may take.
-const swiftEnough = 120;
+/// ms that a frame of finer meshes may take: while the picture moves, and at rest.
+const fastFrame = 120;
+const slowFrame = 1500;
 /// ms that a picture at rest may take before it does without smooth edges, and may not take to get them again.
 const longRest = 900;
 const shortRest = 150;
@@ -26,6 +27,11 @@ const firstFrames = 4;
 const everyFrames = 16;
 const restPause = 700;
 
+/// ms without movement after which the picture rests: at least, and in relation to what a frame takes; a hand that drags
+/// must not be held up by pictures at rest.
+const restTime = 120;
+const restFrames = 4;
+const longestPause = 1000;
 /// A picture of more triangles than this, and than twice as many as were drawn before, is one of which nothing is known.
 const fewTriangles = 50_000;
 
@@ -35,6 +41,8 @@ export class Pace {
   private timedAt = -Infinity;
   private fullCost = 0;
   private plainRest = true;
+  /// ms that the last frame took that was waited for.
+  private last = 0;
   /// ms a triangle, of the last frame with many; NaN: not known.
   private each = Number.NaN;
   /// Triangles of the largest picture so far; below 0: none was drawn, so that the shaders are still to be built.
@@ -52,6 +60,11 @@ export class Pace {
     return this.known < 0 || triangles > 2 * this.known + fewTriangles;
   }
 
+  /// ms without movement after which the picture rests.
+  get rest(): number {
+    return Math.min(longestPause, Math.max(restTime, restFrames * this.last));
+  }
+
   /// ms that a full frame takes.
   get cost(): number {
     return this.fullCost;
@@ -60,7 +73,7 @@ export class Pace {
   /// How fast so many triangles are drawn, as far as is known: slowly enough to be seen at rest only, or not at all.
   draws(triangles: number): "fast" | "slowly" | "never" {
     const ms = this.each * triangles;
-    return ms < swiftEnough ? "fast" : ms < longRest ? "slowly" : "never";
+    return ms < fastFrame ? "fast" : ms < slowFrame ? "slowly" : "never";
   }
 
   wantsTime(now: number, inMotion: boolean, triangles: number): boolean {
@@ -77,6 +90,7 @@ export class Pace {
     this.known = Math.max(this.known, triangles);
     if (ms === null) return;
     this.timedAt = now;
+    this.last = ms;
     if (ms > longRest) this.plainRest = true;
     if (triangles > fewTriangles && (!first || ms < shortRest)) this.each = ms / triangles;
     // The first one also brings meshes and shaders to the card: that it took long says little.
@@ -86,7 +100,8 @@ export class Pace {
     }
     if (!inMotion) {
       // Single frames also draw shadows: those count little.
-      this.fullCost += (ms < this.fullCost ? 1 : 0.3) * (ms - this.fullCost);
+      const share = ms < this.fullCost || this.fullCost === 0 ? 1 : 0.3;
+      this.fullCost += share * (ms - this.fullCost);
       if (this.fullCost > longRest) this.plainRest = true;
       else if (this.fullCost < shortRest) this.plainRest = false;
       if (ms < slow * 0.7) this.level = 0;

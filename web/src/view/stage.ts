@@ -295,7 +295,10 @@ export class Stage {
   private isMoving(now: number): boolean {
     const { pieces } = this;
     return (
-      this.controls.isMoving(now) || now - this.sectionAt < sectionRest || pieces.anyResting || pieces.isLanding(now)
+      this.controls.isMoving(now, this.pace.rest) ||
+      now - this.sectionAt < sectionRest ||
+      pieces.anyResting ||
+      pieces.isLanding(now)
     );
   }
 
@@ -329,7 +332,8 @@ export class Stage {
     if (timed) this.events.paced();
     if (isNew) this.later(awaits ? emptyRest : newRest);
     else if (goesOn) this.invalidate();
-    else if (moving || this.pace.quality(false, triangles) !== quality) this.later(coarseRest);
+    else if (moving || this.pace.quality(false, triangles) !== quality)
+      this.later(Math.max(coarseRest, this.pace.rest));
     if (this.pieces.isRough && this.smoothing === undefined)
       this.smoothing = setTimeout(() => this.smooth(), smoothPause);
   }

@@ -11,9 +11,10 @@ import type { Session } from "../state/session";
 import { traySize } from "../state/tray_size";
 import type { BuildPart } from "./build_parts";
 
-/// So many triangles in all are drawn fluently; fine meshes are only asked for below it.
-const mostTriangles = 3_000_000;
+/// A mesh has about so many at most where it is fine. So many in all are drawn fluently by any machine, and by none.
 const fineTriangles = 10_000;
+const leastTriangles = 100_000;
+const mostTriangles = 3_000_000;
 /// A mesh has so many at most where it is coarse. Above so many in all, rough ones come first, and coarse ones only where
 /// the machine draws them fast.
 const coarseTriangles = 800;
@@ -29,6 +30,7 @@ export class TrayScene {
   private readonly refined = new Set<number>();
   /// Rough meshes stand for coarse ones of so many triangles; 0: they are coarse already.
   private coarseLater = 0;
+  private refining = false;
   private shown: PackedTray | null = null;
   private shownParts: readonly BuildPart[] = [];
   private moving: CopyKey | null = null;
@@ -197,34 +199,48 @@ export class TrayScene {
     });
   }
 
+  /// The view has measured anew how fast it draws.
+  paced(): void {
+    if (this.shown && this.ready) void this.refine(this.shownParts, this.shown);
+  }
+
   /// Coarse meshes for rough ones once the machine has shown that it draws so many (a slow one only at rest), then fine ones
   /// where they are few.
   private async refine(parts: readonly BuildPart[], tray: PackedTray): Promise<void> {
-    const key = this.parts;
-    const still = () => key === this.parts && this.standing.startsWith(`packed ${tray.number} `);
-    if (this.coarseLater > 0) {
-      const speed = this.view.draws(this.coarseLater);
-      if (speed === "never") return;
-      this.coarseLater = 0;
-      const coarse = await this.load(parts, "coarse");
-      if (key !== this.parts) return;
-      this.view.refine(new Map(coarse.map(({ index, mesh }) => [index, mesh])), speed === "slowly");
+    if (this.refining) return;
+    this.refining = true;
+    try {
+      await this.coarsen(parts);
+      await this.fine(parts, tray);
+    } finally {
+      this.refining = false;
     }
+  }
+
+  private async coarsen(parts: readonly BuildPart[]): Promise<void> {
+    const speed = this.coarseLater > 0 ? this.view.draws(this.coarseLater) : "never";
+    if (speed === "never") return;
+    const key = this.parts;
+    const coarse = await this.load(parts, "coarse");
+    if (key !== this.parts) return;
+    this.coarseLater = 0;
+    this.view.refine(new Map(coarse.map(({ index, mesh }) => [index, mesh])), speed === "slowly");
+  }
+
+  private async fine(parts: readonly BuildPart[], tray: PackedTray): Promise<void> {
     const copies = copiesIn(tray);
-    if (trianglesOf(parts, copies, fineTriangles) > mostTriangles) return;
+    const triangles = trianglesOf(parts, copies, fineTriangles);
+    if (this.coarseLater > 0 || triangles > mostTriangles) return;
+    if (triangles > leastTriangles && this.view.draws(triangles) !== "fast") return;
+    const key = this.parts;
     for (const part of parts) {
       if (!part.mesh || copies(part) === 0 || this.refined.has(part.index)) continue;
       const fine = await this.session.meshes.fine(part.mesh);
-      if (!still()) return;
+      if (key !== this.parts || !this.standing.startsWith(`packed ${tray.number} `)) return;
       if (!fine || this.refined.has(part.index)) continue;
       this.refined.add(part.index);
       this.view.refine(new Map([[part.index, fine]]));
     }
-  }
-
-  /// The view has measured anew how fast it draws.
-  paced(): void {
-    if (this.coarseLater > 0 && this.shown && this.ready) void this.refine(this.shownParts, this.shown);
   }
 }
 
