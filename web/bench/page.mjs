@@ -245,7 +245,9 @@ async function look(what, packing, runs) {
     const page = await (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
     // What is found of it beforehand (the meshes to look at) was made when the build was opened.
     const listed = async () => (await (await fetch(server.api)).json()).jobs[0];
-    while ((await listed()).status === "running") await new Promise((done) => setTimeout(done, 200));
+    while (["new", "queued", "running"].includes((await listed()).status)) {
+      await new Promise((done) => setTimeout(done, 200));
+    }
     const job = await listed();
     const began = performance.now();
     await page.goto(`${new URL("/", server.url)}#/job/${job.id}/build`);
