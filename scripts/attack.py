@@ -193,10 +193,10 @@ DRAWN = {
     "json": flag("json", 1), "details": flag("details", 1),
 }
 LEFT_OUT = {
-    "output", "report",  # every job has them
-    "dry-run",           # writes nothing
-    "printer", "onto",   # stand for other options; a second build
-    "improve",           # what comes of it depends on the clock; improve-steps does not
+    "output", "report",         # every job has them
+    "dry-run",                  # writes nothing
+    "printer", "onto", "keep",  # stand for other options; a second build
+    "improve",                  # what comes of it depends on the clock; improve-steps does not
 }
 # Rarely, because hardly anything goes together with them, or because they take long.
 RARE = {"container": 0.1, "open-height": 0.1, "minimise": 0.05, "fill": 0.1, "engine": 0.1, "verify-with": 0.1,

@@ -62,8 +62,8 @@ std::string pack_help_head() {
            "  spectralpack pack bracket.stl:12 cup.stl@1.02 --tray 160x120x100 -o build.3mf\n"
            "  spectralpack pack week48.csv --trays all -o week48.3mf --report week48.html\n"
            "\n"
-           "PART: a mesh (.stl .3mf .obj .ply .off), FILE:COUNT, FILE@SCALE, a folder,\n"
-           "      a set file (.csv) or a job file (.json)\n"
+           "PART: a mesh (.stl .3mf .obj .ply .off .binvox), FILE:COUNT, FILE@SCALE,\n"
+           "      a folder, a set file (.csv) or a job file (.json)\n"
            "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "keep_outs.hpp"
@@ -58,7 +59,12 @@ const Printer& known_printer(const std::string& name, std::span<const Printer> o
             known.push_back(one.name);
         }
     }
-    const auto near = nearest_word(name, known);
+    auto near = nearest_word(name, known);
+    // "fuse1" for "formlabs-fuse1".
+    const auto holds = [typed = lower_case(name)](const std::string& one) {
+        return typed.size() >= 3 && lower_case(one).find(typed) != std::string::npos;
+    };
+    if (const auto one = std::ranges::find_if(known, holds); !near && one != known.end()) near = *one;
     throw UsageError(fmt::format("--printer {}: not known;{} --printer list names those that are", name,
                                  near ? fmt::format(" did you mean {}?", *near) : ""));
 }

@@ -183,7 +183,7 @@ struct SettingsSource {
 };
 
 struct Packing {
-    std::string program;     ///< "spectralpack 0.1.0"
+    std::string program;     ///< "spectralpack 0.2.0"
     std::string input_hash;  ///< of meshes, counts and options: equal inputs, equal placements
     Container container;
     PackOptions options;

@@ -1,6 +1,7 @@
 #pragma once
-/// How the judge works (spectralpack/check.hpp): distances are decided by FCL, insides by its own winding count in
-/// double precision. Where there is a disassembly plan it is replayed by exact sweeps (sweep.hpp).
+/// How the judge works (spectralpack/check.hpp): distances are decided by its own kernel for triangles at the leaves of
+/// FCL's trees of boxes (nearness.hpp), insides by its own winding count in double precision. Where there is a
+/// disassembly plan it is replayed by exact sweeps (sweep.hpp).
 
 #include <memory>
 #include <vector>

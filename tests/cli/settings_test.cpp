@@ -90,6 +90,8 @@ TEST_F(Settings, OwnPrintersAreListedAndUsed) {
     const json printers = json::parse(pack_there({"--printer", "list", "--json"}).out);
     EXPECT_EQ(printers["printers"][0]["name"], "shop-1");
     ASSERT_EQ(pack_there({"--printer", "shop-1"}).status, 0);
+    EXPECT_TRUE(names(pack_there({"--printer", "fuse1"}).err, {"did you mean formlabs-fuse1?"}))
+        << "what a name holds is enough";
     EXPECT_EQ(built()["options"]["gap"], 1.5);
     EXPECT_EQ(built()["defaults"][0]["options"], json::array({"seed"}))
         << "the printer's gap took the place of the user's";

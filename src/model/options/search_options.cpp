@@ -31,9 +31,9 @@ std::vector<Option> grid_options() {
              .least = 0,
              .above = true,
              .placeholder = "MM",
-             .line = "finer is denser; half takes 10 times as long",
+             .line = "finer is denser; half takes 5 times as long",
              .help = "The voxel size in mm. Every position on a grid of this step is tried. Finer voxels pack "
-                     "denser and take longer: halving them costs about ten times the time. Where nothing is said, "
+                     "denser and take longer: halving them costs about five times the time. Where nothing is said, "
                      "--improve takes 1 mm if its time is enough for that; the packing file says which it took.",
              .default_means = "2: perhaps 1 with --improve",
              .examples = {"1"},
@@ -60,7 +60,7 @@ std::vector<Option> grid_options() {
              .line = "ways a part may stand: none, or degrees",
              .help =
                  "'none' keeps parts as they lie in their files. A step in degrees turns them round every axis: "
-                 "90 gives 24 ways to stand, 45 gives 184. 'icosahedron:N' takes the corners of an icosahedron "
+                 "90 gives 24 ways to stand, 45 gives 208. 'icosahedron:N' takes the corners of an icosahedron "
                  "whose edges were halved N times as directions of up. Each may have '+box' for the turns that "
                  "lay the part's smallest box along the axes. A job file may allow less for single parts. Where nothing "
                  "is said, --improve takes 90+box if its time is enough for that; the packing file says which it "
@@ -75,8 +75,7 @@ std::vector<Option> grid_options() {
              .help_place = 2,
              .line = "parts keep their top up",
              .help = "They are turned about the vertical only, by the step of --rotations. A part whose orientations "
-                     "are said in a job file or "
-                     "a set file keeps to those."}),
+                     "a job file or a set file limits keeps to those."}),
     };
 }
 
