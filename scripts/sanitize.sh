@@ -43,8 +43,9 @@ for part in "$@"; do
     threads)
         cmake --preset tsan -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DSPECTRALPACK_UNITY=ON >/dev/null
         build build-tsan --target test_core test_search test_packing
+        # A speck that comes and goes asks the definition 80 times, which takes ten minutes here.
         TSAN_OPTIONS="suppressions=$PWD/scripts/tsan.supp halt_on_error=1 history_size=4" RC_PARAMS="max_success=15" \
-            tests --test-dir build-tsan \
+            tests --test-dir build-tsan -E ASpeckComesAndGoes \
             -R '^core\.|^search\.(CpuSearch|VerifyingSearch|Tray)\.|^packing\.(Greedy|ManyTrays|Interlocking|UnlinkedSearch|ReachableSearch|TrayObserver|ShapeStore)\.'
         ;;
     scalar)
