@@ -64,7 +64,7 @@ void Routes::change(const Request& request, Job& job, const Reply& reply) {
     if (body["changes"].empty()) throw Refusal(kBadRequest, "changes: one at least is wanted");
     Jobs::require_still(job);
     if (!job.has_packing()) throw Refusal(kNotThere, "there is no packing of this job yet");
-    const Question question(job.folder.exports(), "change-" + std::to_string(++asked_), body);
+    const Question question(job.folder.questions(), "change-" + std::to_string(++asked_), body);
     Command command = tasks_.child({"change", question.asked.string(), question.answer.string()}, job.folder.root);
     command.errors = question.errors;
     job.changing = true;
@@ -99,7 +99,7 @@ void Routes::clearance(const Request& request, Job& job, const Reply& reply) {
                  {"placement", number_in(request, "placement", 0, kMostCopies)}};
         if (asked["tray"] == 0) throw Refusal(kBadRequest, "trays are counted from 1");
     }
-    const Question question(job.folder.exports(), "clearance-" + std::to_string(++asked_), asked);
+    const Question question(job.folder.questions(), "clearance-" + std::to_string(++asked_), asked);
     Command command = tasks_.child({"clearance", question.asked.string()}, job.folder.root);
     command.output = question.answer;
     command.errors = question.errors;

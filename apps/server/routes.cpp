@@ -318,7 +318,7 @@ void Routes::estimate(Job& job, const Reply& reply) {
     const std::optional<Json> said = read_json(job.folder.job_file());
     if (!said) throw Refusal(kNotNow, "the job has no job file yet: say first what is to be packed");
     require_harmless(*said, job);
-    const Question question(job.folder.run(), "estimate-" + std::to_string(++asked_));
+    const Question question(job.folder.questions(), "estimate-" + std::to_string(++asked_));
     Command command{
         {settings_.program.string(), "pack", "files/.job.json", "--dry-run", "--json", "--progress", "none"},
         job.folder.root,

@@ -1,5 +1,6 @@
 """A packing that is done is changed by hand, packed on, made better, and gone back from."""
 
+import concurrent.futures
 import copy
 import signal
 import time
@@ -54,6 +55,18 @@ def test_a_copy_is_taken_out_and_put_back(server):
     assert change(server, job, (*first, before[first])).status == 202
     assert server.wait(job)["summary"]["placed"] == state["summary"]["placed"]
     assert stand(server, job) == before
+
+
+def test_what_is_asked_while_a_packing_changes_is_answered(server):
+    job, _ = packed(server)
+    first = next(iter(stand(server, job)))
+    with concurrent.futures.ThreadPoolExecutor(20) as crowd:
+        changing = crowd.submit(change, server, job, (*first, None))
+        time.sleep(0.02)
+        asked = [crowd.submit(server.get, f"/api/jobs/{job}/clearance?tray=1&placement={i % 5}") for i in range(16)]
+        assert changing.result().status == 202
+        assert {one.result().status for one in asked} == {200}
+    assert server.wait(job)["verdict"]["ok"]
 
 
 def test_a_copy_moves_where_it_is_clear_and_nowhere_else(server):

@@ -11,6 +11,7 @@
 ///     ID/history/3.json      the packing of an earlier revision, to go back to; read from ID/, where its paths begin
 ///     ID/exports/            files made when they were asked for
 ///     ID/incoming/           what is being sent
+///     ID/questions/          what children of the server are asked and answer; a run or a change does not touch it
 // clang-format on
 
 #include <array>
@@ -57,6 +58,7 @@ struct JobFolder {
     std::filesystem::path picture() const { return root / "picture.png"; }
     std::filesystem::path exports() const { return root / "exports"; }
     std::filesystem::path incoming() const { return root / "incoming"; }
+    std::filesystem::path questions() const { return root / "questions"; }
 };
 
 }  // namespace spectralpack::server

@@ -48,8 +48,10 @@ Jobs::Jobs(const Settings& settings) : settings_(settings) {
         if (!entry.is_directory() || entry.is_symlink() || !is_job_id(entry.path().filename().string())) continue;
         try {
             auto job = std::make_unique<Job>(read_job(entry.path()));
-            std::error_code none;
-            fs::remove_all(job->folder.incoming(), none);  // what an earlier server did not take to its end
+            for (const fs::path& path : {job->folder.incoming(), job->folder.questions()}) {
+                std::error_code none;
+                fs::remove_all(path, none);  // what an earlier server did not take to its end
+            }
             jobs_.emplace(job->id, std::move(job));
         } catch (const Refusal& refusal) {
             std::fprintf(stderr, "left out: %s\n", refusal.what());
