@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "keep_outs.hpp"
@@ -59,12 +58,7 @@ const Printer& known_printer(const std::string& name, std::span<const Printer> o
             known.push_back(one.name);
         }
     }
-    auto near = nearest_word(name, known);
-    // "fuse1" for "formlabs-fuse1".
-    const auto holds = [typed = lower_case(name)](const std::string& one) {
-        return typed.size() >= 3 && lower_case(one).find(typed) != std::string::npos;
-    };
-    if (const auto one = std::ranges::find_if(known, holds); !near && one != known.end()) near = *one;
+    const auto near = nearest_word(name, known);
     throw UsageError(fmt::format("--printer {}: not known;{} --printer list names those that are", name,
                                  near ? fmt::format(" did you mean {}?", *near) : ""));
 }

@@ -53,6 +53,11 @@ std::optional<std::string> nearest_word(std::string_view typed, std::span<const 
         nearest = &word;
         least = distance;
     }
+    if (!nearest && wanted.size() >= kLeastAbbreviation) {
+        const auto holds = [&](const std::string& word) { return lower_case(word).find(wanted) != std::string::npos; };
+        const auto found = std::ranges::find_if(words, holds);
+        if (found != words.end()) return *found;
+    }
     return nearest ? std::optional(*nearest) : std::nullopt;
 }
 

@@ -17,6 +17,7 @@ TEST(TypedText, FindsTheWordThatWasMeant) {
         EXPECT_EQ(nearest_word(typed, kWords).value_or("nothing"), word) << typed;
     }
     EXPECT_EQ(nearest_word("pak", std::vector<std::string>{"plan", "pack"}), "pack");
+    EXPECT_EQ(nearest_word("fuse1", std::vector<std::string>{"eos-p396", "formlabs-Fuse1"}), "formlabs-Fuse1");
 }
 
 TEST(TypedText, FindsNothingWhereNothingIsNear) {

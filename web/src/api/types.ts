@@ -1,6 +1,6 @@
 /// Short names for what the API sends and takes (openapi.json; schema.d.ts is made from it).
 
-import type { components } from "./schema";
+import type { components, operations } from "./schema";
 
 type Schemas = components["schemas"];
 
@@ -28,7 +28,7 @@ export interface Change {
 }
 export type Unit = Schemas["Unit"];
 /// How finely a mesh to look at is drawn.
-export type Detail = "rough" | "coarse" | "fine";
+export type Detail = NonNullable<NonNullable<operations["getMeshes"]["parameters"]["query"]>["detail"]>;
 
 /// What `spectralpack pack --dry-run --json` says (docs/format.md); the schema names only what is always there.
 export interface Estimate {

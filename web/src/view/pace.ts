@@ -1,6 +1,8 @@
 /// How finely to draw. While the picture moves, a machine that cannot keep up gets fewer samples, then fewer pixels,
 /// until it can. At rest every pixel is drawn, and smooth edges where the machine has shown that they are not waited for.
 
+import type { Speed } from "./view";
+
 export interface Quality {
   /// Of the canvas's pixels along each side.
   readonly scale: number;
@@ -70,8 +72,8 @@ export class Pace {
     return this.fullCost;
   }
 
-  /// How fast so many triangles are drawn, as far as is known: slowly enough to be seen at rest only, or not at all.
-  draws(triangles: number): "fast" | "slowly" | "never" {
+  /// How fast so many triangles are drawn, as far as is known.
+  draws(triangles: number): Speed {
     const ms = this.each * triangles;
     return ms < fastFrame ? "fast" : ms < slowFrame ? "slowly" : "never";
   }

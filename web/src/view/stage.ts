@@ -16,7 +16,7 @@ import { Pieces } from "./pieces";
 import { hatchStep, planeOf } from "./section";
 import { tokens } from "./tokens";
 import { noPlane, setLights } from "./uniforms";
-import type { Section, Size, Theme } from "./view";
+import type { Section, Size, Speed, Theme } from "./view";
 
 export interface StageEvents {
   /// Before a frame: may move the camera. Says whether it wants another frame.
@@ -155,7 +155,7 @@ export class Stage {
   }
 
   /// How fast so many triangles are drawn, as far as is known.
-  draws(triangles: number): "fast" | "slowly" | "never" {
+  draws(triangles: number): Speed {
     return this.pace.draws(triangles);
   }
 
@@ -330,8 +330,9 @@ export class Stage {
       this.events.shown();
     }
     if (timed) this.events.paced();
-    if (isNew) this.later(awaits ? emptyRest : newRest);
+    if (isNew && !awaits) this.later(newRest);
     else if (goesOn) this.invalidate();
+    else if (awaits) this.later(emptyRest);
     else if (moving || this.pace.quality(false, triangles) !== quality)
       this.later(Math.max(coarseRest, this.pace.rest));
     if (this.pieces.isRough && this.smoothing === undefined)

@@ -21,6 +21,7 @@ import type {
   Section,
   Side,
   Size,
+  Speed,
   Theme,
   TrayView,
   TrayViewEvents,
@@ -148,7 +149,7 @@ class Tray implements TrayView {
     this.stage.invalidate();
   }
 
-  draws(triangles: number): "fast" | "slowly" | "never" {
+  draws(triangles: number): Speed {
     return this.stage.draws(triangles);
   }
 

@@ -5,6 +5,8 @@ export type Transform = readonly (readonly number[])[];
 export type Size = readonly [number, number, number];
 export type Axis = "x" | "y" | "z";
 export type Theme = "light" | "dark";
+/// How fast something is drawn: slowly is well enough for a picture at rest.
+export type Speed = "fast" | "slowly" | "never";
 export type Colouring = "part" | "order" | "height" | "way";
 
 /// A mesh to look at, as a bundle has it (`readBundle` in bundle.ts).
@@ -82,11 +84,10 @@ export interface TrayView {
   setTray(size: readonly [number, number, number | null], container?: MeshData, keepOut?: readonly Size[][]): void;
   /// Replaces all parts; copies stand again once they are placed again.
   setParts(parts: readonly ViewPart[]): void;
-  /// Better meshes for some parts.
-  /// `keep`: what was drawn before is still drawn while the picture moves.
+  /// Better meshes for some parts. `keep`: what was drawn before is still drawn while the picture moves.
   refine(meshes: ReadonlyMap<number, MeshData>, keep?: boolean): void;
-  /// How fast so many triangles are drawn, as far as is known: slowly is well enough for a picture at rest.
-  draws(triangles: number): "fast" | "slowly" | "never";
+  /// How fast so many triangles are drawn, as far as is known.
+  draws(triangles: number): Speed;
   clear(): void;
   /// Places copies, or moves those that stand. `landing`: fades in, and the last one keeps an outline until the next
   /// lands; none at all takes it away.

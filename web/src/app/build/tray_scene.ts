@@ -56,13 +56,7 @@ export class TrayScene {
     const boxes = draft.keepOut.flatMap((own) => ("box" in own ? [own.box] : []));
     const container = draft.tray.kind === "mesh" ? draft.tray.file : null;
     this.setTray(size, draft.openHeight, boxes, container);
-    if (
-      !this.setParts(
-        parts,
-        trianglesOf(parts, (part) => part.count, coarseTriangles),
-      )
-    )
-      return;
+    if (!this.setParts(parts, (part) => part.count)) return;
     const key = `live ${tray}`;
     const whole = key !== this.standing;
     const first = this.standing === "";
@@ -83,8 +77,7 @@ export class TrayScene {
   showPacked(parts: readonly BuildPart[], packing: Packing, tray: PackedTray, changes = false): void {
     const container = this.session.draft.tray.kind === "mesh" ? this.session.draft.tray.file : null;
     this.setTray(packing.size, packing.openHeight, packing.keepOut, container);
-    const copies = copiesIn(tray);
-    if (!this.setParts(parts, trianglesOf(parts, copies, coarseTriangles))) return;
+    if (!this.setParts(parts, copiesIn(tray))) return;
     const key = `packed ${tray.number} ${numberOf(tray)}`;
     if (key === this.standing) return;
     const first = this.standing === "";
@@ -167,14 +160,15 @@ export class TrayScene {
     this.view.setTray([size[0], size[1], open ? null : size[2]], data ?? undefined, keepOut);
   }
 
-  /// False while meshes are still to come. `triangles`: of all copies with coarse meshes.
-  private setParts(parts: readonly BuildPart[], triangles: number): boolean {
+  /// False while meshes are still to come. `copies`: how many of a part are to be drawn.
+  private setParts(parts: readonly BuildPart[], copies: (part: BuildPart) => number): boolean {
     const key = parts.map((part) => `${part.index}:${part.mesh?.id}:${part.mesh?.volume}`).join();
     if (key !== this.parts) {
       this.parts = key;
       this.ready = false;
       this.standing = "";
       this.refined.clear();
+      const triangles = trianglesOf(parts, copies, coarseTriangles);
       const rough = triangles > roughFrom;
       this.coarseLater = rough ? triangles : 0;
       void this.load(parts, rough ? "rough" : "coarse").then((found) => {
@@ -228,9 +222,10 @@ export class TrayScene {
   }
 
   private async fine(parts: readonly BuildPart[], tray: PackedTray): Promise<void> {
+    if (this.coarseLater > 0) return;
     const copies = copiesIn(tray);
     const triangles = trianglesOf(parts, copies, fineTriangles);
-    if (this.coarseLater > 0 || triangles > mostTriangles) return;
+    if (triangles > mostTriangles) return;
     if (triangles > leastTriangles && this.view.draws(triangles) !== "fast") return;
     const key = this.parts;
     for (const part of parts) {
@@ -244,11 +239,16 @@ export class TrayScene {
   }
 }
 
-/// How many copies of a part stand in a tray.
+/// How many copies of a part stand in a tray; they are counted once that is asked for.
 function copiesIn(tray: PackedTray): (part: BuildPart) => number {
-  const copies = new Map<number, number>();
-  for (const { part } of tray.placements) copies.set(part, (copies.get(part) ?? 0) + 1);
-  return (part) => copies.get(part.index) ?? 0;
+  let copies: Map<number, number> | null = null;
+  return (asked) => {
+    if (!copies) {
+      copies = new Map();
+      for (const { part } of tray.placements) copies.set(part, (copies.get(part) ?? 0) + 1);
+    }
+    return copies.get(asked.index) ?? 0;
+  };
 }
 
 function trianglesOf(parts: readonly BuildPart[], copies: (part: BuildPart) => number, most: number): number {

@@ -1,4 +1,4 @@
-import{S as D,D as j,G as R,d as I,B as C,c as z,e as U,g as V,f as y,h as f,j as M,k as N,m as x,r as q,o as K,l as _,n as b,p as $,q as S,s as J,t as Q,u as v,v as O,x as T}from"./section-BqabMN7-.js";import{L as k,H as L,T as X,b as E,o as Y,S as Z}from"./stage-CjDaLuV7.js";import{p as tt,m as st,t as u}from"./pieces-DmMG96_h.js";import{p as et,r as it}from"./index-Cq_Iq5O2.js";import{p as ot}from"./pick-Rb7rrXKJ.js";const nt=`
+import{S as D,D as j,G as R,d as I,B as C,c as z,e as U,g as V,f as y,h as f,j as M,k as N,m as x,r as q,o as K,l as _,n as b,p as $,q as S,s as J,t as Q,u as v,v as O,x as T}from"./section-BqabMN7-.js";import{L as k,H as L,T as X,b as E,o as Y,S as Z}from"./stage-DkIH-HGQ.js";import{p as tt,m as st,t as u}from"./pieces-C94rT9YN.js";import{p as et,r as it}from"./index-Cfpd6ssD.js";import{p as ot}from"./pick-Rb7rrXKJ.js";const nt=`
 uniform vec3 shift;
 out vec3 vWorld;
 void main() {
